@@ -1,0 +1,49 @@
+// How far a placed body is from the obstacles and the bounds of the workspace.
+#pragma once
+
+#include "krait/collision/distance.hpp"
+#include "krait/scene/scene.hpp"
+
+namespace krait {
+
+// A convex body in the workspace. Vertices are relative to `at`, which keeps float distances exact far from the origin.
+struct PlacedBody {
+  Vec2 at;
+  Vec2 vertices[format::kMaxPieceVertices];
+  int count = 0;
+  Vec2 center;       // of a circle that contains the body, absolute
+  float radius = 0;  // metres
+
+  Polygon polygon() const { return {vertices, count}; }
+};
+
+class Obstacles {
+ public:
+  Obstacles() = default;
+
+  // `clearance` metres, >= 0, are kept between every body and every obstacle or bound, on top of what rounding needs.
+  Obstacles(const Scene& scene, float clearance)
+      : scene_(&scene), margin_(clearance + kRounding + scene.header().obstacle_error) {}
+
+  // Metres that the clearance grid proves free around a circle, beyond the margin; may be negative. One look-up.
+  float room_by_grid(Vec2 center, float radius) const { return scene_->clearance(center) - radius - margin_; }
+
+  // Metres from the body to the nearest obstacle or bound, less the margin: exact where it is below `reach`, else at
+  // least `reach`; zero or less where the body is too close. Worst case: every piece in the buckets that
+  // the circle, grown by `reach` and the margin, meets, one GJK each.
+  float room(const PlacedBody& body, float reach) const;
+
+  float margin() const { return margin_; }
+
+ private:
+  static constexpr float kRounding = 1e-4F;          // metres: GJK in float near the body, and the snap of the query
+  static constexpr float kRelativeRounding = 1e-6F;  // of a piece's largest coordinate seen from the body
+
+  float room_to_bounds(const PlacedBody& body) const;
+  float distance_to_piece(const PlacedBody& body, Index piece) const;
+
+  const Scene* scene_ = nullptr;
+  float margin_ = 0.0F;
+};
+
+}  // namespace krait

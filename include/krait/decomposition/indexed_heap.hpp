@@ -1,0 +1,73 @@
+// A binary heap of region numbers ordered by (key, number), with decrease-key: Dijkstra's queue.
+#pragma once
+
+#include <cstdint>
+
+#include "krait/scene/scene.hpp"
+
+namespace krait {
+
+// Memory is the caller's: `heap` and `place` hold one entry a number, `keys` is the array that orders them and is
+// changed by the caller before each push. All numbers start absent (reset).
+class IndexedHeap {
+ public:
+  void assign(Index* heap, Index* place, const float* keys, Index capacity) {
+    heap_ = heap;
+    place_ = place;
+    keys_ = keys;
+    capacity_ = capacity;
+  }
+
+  // O(capacity).
+  void reset() {
+    size_ = 0;
+    for (Index i = 0; i < capacity_; ++i) place_[i] = kNone;
+  }
+
+  bool empty() const { return size_ == 0; }
+
+  // Inserts `number`, or moves it up after its key fell. O(log n).
+  void push(Index number) {
+    Index hole = place_[number];
+    if (hole == kNone) hole = size_++;
+    while (hole > 0) {
+      const Index parent = (hole - 1) / 2;
+      if (!before(number, heap_[parent])) break;
+      put(heap_[parent], hole);
+      hole = parent;
+    }
+    put(number, hole);
+  }
+
+  // Removes and returns the number with the smallest (key, number). Not empty. O(log n).
+  Index pop() {
+    const Index top = heap_[0];
+    place_[top] = kNone;
+    const Index last = heap_[--size_];
+    if (size_ == 0) return top;
+    Index hole = 0;
+    for (Index child = 1; child < size_; child = 2 * hole + 1) {
+      if (child + 1 < size_ && before(heap_[child + 1], heap_[child])) ++child;
+      if (!before(heap_[child], last)) break;
+      put(heap_[child], hole);
+      hole = child;
+    }
+    put(last, hole);
+    return top;
+  }
+
+ private:
+  bool before(Index a, Index b) const { return keys_[a] < keys_[b] || (keys_[a] == keys_[b] && a < b); }
+  void put(Index number, Index hole) {
+    heap_[hole] = number;
+    place_[number] = hole;
+  }
+
+  Index* heap_ = nullptr;
+  Index* place_ = nullptr;
+  const float* keys_ = nullptr;
+  Index capacity_ = 0;
+  Index size_ = 0;
+};
+
+}  // namespace krait

@@ -1,0 +1,78 @@
+// The workspace decomposition D = (R, E, C) (section 4.1), the heuristic costs h(r) and the shortest-path tree.
+//
+// A region is named by a triangle. All triangles of a named goal form the one region G, named by the first of them;
+// a disc goal makes every triangle that it meets a source of its own. Edges are the portals between regions.
+#pragma once
+
+#include "krait/arena.hpp"
+#include "krait/decomposition/goal.hpp"
+#include "krait/decomposition/indexed_heap.hpp"
+#include "krait/scene/scene.hpp"
+
+namespace krait {
+
+// How much a failed expansion raises an edge's cost C (Eqn 9).
+struct CostRaise {
+  float gamma = 50.0F;  // square metres in the paper's form, plain number otherwise
+  float length = 0.0F;  // metres: C += gamma * length^2 / max(C, length); 0: the paper's C += gamma / C
+};
+
+class Regions {
+ public:
+  // Takes its tables: about 28 bytes a triangle and 4 a portal.
+  void take(Arena& arena, const Scene& scene);
+
+  // Costs C between centroids, but at least `least_cost` metres; portals narrower than `least_width` are no edges;
+  // then Dijkstra. False when no triangle belongs to the goal.
+  bool reset(const Goal& goal, float least_width, float least_cost);
+
+  // Dijkstra from the goal over the costs as they are: h and the shortest-path tree. O(R log R).
+  void update();
+
+  // The region of a triangle.
+  Index region(Index triangle) const { return is_goal_triangle(triangle) ? goal_region_ : triangle; }
+  // h(r), metres; infinite where no path leads to the goal.
+  float cost(Index region) const { return h_[region]; }
+  // Largest finite h (Eqn 7's h_max).
+  float largest_cost() const { return largest_; }
+  // The region after r on its shortest path, as of the last update; kNone at a goal and where there is no path.
+  Index next(Index region) const { return next_[region]; }
+  bool is_goal(Index region) const { return h_[region] == 0.0F; }
+  // A named goal's one region; kNone for a disc.
+  Index goal_region() const { return goal_region_; }
+  const Goal& goal() const { return goal_; }
+  const Scene& scene() const { return *scene_; }
+
+  // Raises the cost of every edge of r (Algorithm 1, line 11). O(edges of r), O(R) for G.
+  void raise_edges(Index region, const CostRaise& raise);
+
+  // A point drawn uniformly: in the triangle; in the whole goal polygon's triangles for G; a disc's sources
+  // give a point of the disc.
+  Vec2 random_point(Index region, Random& random) const;
+
+ private:
+  bool is_goal_triangle(Index triangle) const {
+    return goal_region_ != kNone && scene_->goal_of(triangle) == goal_.index();
+  }
+  Vec2 region_center(Index region) const;
+  void set_costs(float least_width, float least_cost);
+  void push_sources();
+  void relax_neighbors(Index triangle, float distance);
+  void find_next();
+  void raise_triangle_edges(Index triangle, const CostRaise& raise);
+  Index random_goal_triangle(Random& random) const;
+
+  const Scene* scene_ = nullptr;
+  Goal goal_ = Goal::named(0);
+  Index goal_region_ = kNone;
+  Vec2 goal_center_;
+  float* h_ = nullptr;
+  Index* next_ = nullptr;
+  float* portal_costs_ = nullptr;
+  IndexedHeap heap_;
+  Index* heap_items_ = nullptr;
+  Index* heap_places_ = nullptr;
+  float largest_ = 0.0F;
+};
+
+}  // namespace krait

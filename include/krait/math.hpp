@@ -1,0 +1,75 @@
+// Float arithmetic that gives the same bits on every target: only IEEE-754 + - * / sqrt, comparisons and
+// conversions whose range is checked. No libm trigonometry, no fused operations, no double.
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace krait {
+
+inline constexpr float kPi = 3.14159265358979F;
+inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+struct Vec2 {
+  float x = 0;
+  float y = 0;
+};
+
+inline Vec2 operator+(Vec2 a, Vec2 b) { return {a.x + b.x, a.y + b.y}; }
+inline Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
+inline Vec2 operator*(float k, Vec2 a) { return {k * a.x, k * a.y}; }
+inline float dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
+inline float cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
+inline float length(Vec2 a) { return std::sqrt(dot(a, a)); }
+
+// False for NaN.
+inline bool finite(float x) { return x - x == 0.0F; }
+inline bool finite(Vec2 a) { return finite(a.x) && finite(a.y); }
+
+// NaN passes neither comparison and becomes `low`.
+inline float clamp(float x, float low, float high) {
+  if (!(x > low)) return low;
+  return x < high ? x : high;
+}
+
+struct SinCos {
+  float sin;
+  float cos;
+};
+
+inline constexpr float kMaxAngle = 8192.0F;  // radians
+
+// Sine and cosine, error below 8e-8 for |x| <= kMaxAngle; NaN beyond and for NaN.
+// Cody-Waite reduction by pi/2 in three parts, then minimax polynomials on [-pi/4, pi/4].
+inline SinCos sin_cos(float x) {
+  if (!(x >= -kMaxAngle && x <= kMaxAngle)) {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    return {nan, nan};
+  }
+  const float turns = x * 0.636619772367581F;
+  const auto quadrant = static_cast<std::int32_t>(turns + (turns >= 0.0F ? 0.5F : -0.5F));
+  const auto n = static_cast<float>(quadrant);
+  const float r = ((x - n * 1.5703125F) - n * 4.837512969970703125e-4F) - n * 7.54978995489188216e-8F;
+  const float z = r * r;
+  const float s = ((-1.9515295891e-4F * z + 8.3321608736e-3F) * z - 1.6666654611e-1F) * z * r + r;
+  const float c =
+      ((2.443315711809948e-5F * z - 1.388731625493765e-3F) * z + 4.166664568298827e-2F) * z * z - 0.5F * z + 1.0F;
+  const bool swap = (quadrant & 1) != 0;
+  const float sine = swap ? c : s;
+  const float cosine = swap ? s : c;
+  return {(quadrant & 2) != 0 ? -sine : sine, ((quadrant + 1) & 2) != 0 ? -cosine : cosine};
+}
+
+// Angle of the vector (x, y) in [-pi, pi], error below 4e-7; 0 for the zero vector.
+float atan2(float y, float x);
+
+// Natural logarithm of a positive normal number, error below 2 units in the last place near 1 and 3e-7 relative
+// elsewhere; -infinity for 0 and below, NaN for NaN.
+float log(float x);
+
+// The same direction in [-pi, pi]; for |x| <= kMaxAngle.
+float wrap_angle(float x);
+
+}  // namespace krait

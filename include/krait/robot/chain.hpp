@@ -1,0 +1,100 @@
+// What snake, truck and car share: a car with steered front wheels that pulls N trailers, each hitched to the axle
+// before it. State (x, y, theta0, v, psi, theta1 … thetaN), control (acceleration, steering rate). Body 0's frame is
+// the rear axle, trailer i's its own axle, x forward.
+#pragma once
+
+#include <cstdint>
+
+#include "krait/robot/robot.hpp"
+
+namespace krait {
+
+inline constexpr int kMaxTrailers = 25;
+
+// Metres, radians, seconds.
+struct ChainParameters {
+  int trailers = 0;                    // 0 … kMaxTrailers
+  float body_length = 0.7F;            // > 0
+  float body_width = 0.5F;             // > 0
+  float body_offset = 0.0F;            // of body 0's centre ahead of the rear axle
+  float wheelbase = 0.8F;              // L > 0
+  float hitch_length = 0.8F;           // d > 0, axle to axle
+  float max_speed = 2.5F;              // of v, > 0
+  float min_speed = 0.0F;              // of v, <= 0; below 0 the car may reverse
+  float max_steering = 1.0F;           // |psi| <= this < pi/2
+  float max_acceleration = 5.0F;       // > 0
+  float max_steering_rate = 4.0F;      // > 0
+  int self_collision_gap = 2;          // >= 1
+  float max_hitch_angle = 1.5707963F;  // |theta(i-1) - theta(i)| <= this <= pi
+};
+
+class Chain {
+ public:
+  static constexpr int kMaxState = 5 + kMaxTrailers;
+  static constexpr int kMaxControl = 2;
+  static constexpr int kMaxBodies = 1 + kMaxTrailers;
+
+  // How the trailers follow: `slip` with s = v (the paper's snake), else with the rear axle's speed s = v cos psi.
+  Chain(const ChainParameters& parameters, bool slip);
+
+  const ChainParameters& parameters() const { return parameters_; }
+  int state_size() const { return 5 + parameters_.trailers; }
+  int control_size() const { return 2; }
+  int body_count() const { return 1 + parameters_.trailers; }
+  int self_collision_gap() const { return parameters_.self_collision_gap; }
+  bool reversible() const { return parameters_.min_speed < 0.0F; }
+  bool sound() const;
+
+  // Replaces body k's polygon: 3 to 8 vertices, convex, counter-clockwise, in its frame; copied.
+  void set_body(int k, Polygon polygon);
+  Polygon body(int k) const { return {bodies_[k].vertices, bodies_[k].count}; }
+
+  // Standing straight and still: writes state_size() floats. `angles`: trailer headings, or null for `heading`.
+  void rest(Vec2 position, float heading, const float* angles, float* state) const;
+
+  void steer(StateView s, const Target& target, Steering& steering, ControlRef u) const;
+  bool within_limits(StateView s) const;
+  void place(StateView s, Pose* poses) const;
+  float travel(StateView s, ControlView u, float dt, int k) const;
+
+ protected:
+  // Eqn 1 with the hitch angle's sine as in LaValle, Planning Algorithms, 13.1.2.3: the trailers move with speed
+  // `follow`(v, cos psi).
+  template <class Follow>
+  void chain_derivative(StateView s, ControlView u, StateRef ds, Follow follow) const;
+
+ private:
+  struct Body {
+    Vec2 vertices[format::kMaxPieceVertices];
+    int count = 0;
+  };
+  float steering_limit(StateView s, float heading_error, float speed) const;
+  float farthest(int k) const { return farthest_[k]; }
+
+  ChainParameters parameters_;
+  bool slip_;
+  Body bodies_[kMaxBodies];
+  float farthest_[kMaxBodies] = {};  // of a body's vertices from its axle
+};
+
+template <class Follow>
+void Chain::chain_derivative(StateView s, ControlView u, StateRef ds, Follow follow) const {
+  const float v = s[3];
+  const SinCos psi = sin_cos(s[4]);
+  SinCos ahead = sin_cos(s[2]);
+  const float axle_speed = v * psi.cos;
+  ds[0] = axle_speed * ahead.cos;
+  ds[1] = axle_speed * ahead.sin;
+  ds[2] = v * psi.sin / parameters_.wheelbase;
+  ds[3] = u[0];
+  ds[4] = u[1];
+  float pull = follow(v, psi.cos) / parameters_.hitch_length;
+  for (int i = 5; i < state_size(); ++i) {
+    const SinCos own = sin_cos(s[i]);
+    ds[i] = pull * (ahead.sin * own.cos - ahead.cos * own.sin);
+    pull = pull * (ahead.cos * own.cos + ahead.sin * own.sin);
+    ahead = own;
+  }
+}
+
+}  // namespace krait

@@ -1,0 +1,48 @@
+// What unicycle and differential drive share: one box on an axle, state (x, y, theta, …).
+#pragma once
+
+#include "krait/robot/box.hpp"
+#include "krait/robot/robot.hpp"
+
+namespace krait {
+
+class PlanarBody {
+ public:
+  static constexpr int kMaxBodies = 1;
+
+  PlanarBody(float body_length, float body_width) {
+    box(body_length, body_width, 0.0F, vertices_);
+    count_ = 4;
+    farthest_ = krait::farthest(vertices_, count_);
+  }
+
+  int body_count() const { return 1; }
+  Polygon body(int) const { return {vertices_, count_}; }
+
+  // Replaces the polygon: 3 to 8 vertices, convex, counter-clockwise, in the axle's frame; copied.
+  void set_body(int, Polygon polygon) {
+    count_ = polygon.count < format::kMaxPieceVertices ? polygon.count : format::kMaxPieceVertices;
+    for (int i = 0; i < count_; ++i) vertices_[i] = polygon[i];
+    farthest_ = krait::farthest(vertices_, count_);
+  }
+
+  void place(StateView s, Pose* poses) const { poses[0] = {position(s), sin_cos(s[2])}; }
+
+ protected:
+  float farthest() const { return farthest_; }
+
+  // Heading error to the target in radians, of the rear when driving backwards.
+  static float heading_error(StateView s, const Target& target) {
+    const SinCos heading = sin_cos(s[2]);
+    const Vec2 to{target.point.x - s[0], target.point.y - s[1]};
+    const Vec2 along{heading.cos, heading.sin};
+    return target.speed < 0.0F ? atan2(-cross(along, to), -dot(along, to)) : atan2(cross(along, to), dot(along, to));
+  }
+
+ private:
+  Vec2 vertices_[format::kMaxPieceVertices];
+  int count_ = 0;
+  float farthest_ = 0.0F;
+};
+
+}  // namespace krait

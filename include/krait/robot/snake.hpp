@@ -1,0 +1,17 @@
+// The paper's robot (Eqn 1): trailers follow with s = v, the speed of the front wheel, so that the tail pulls straight.
+#pragma once
+
+#include "krait/robot/chain.hpp"
+
+namespace krait {
+
+class Snake : public Chain {
+ public:
+  explicit Snake(const ChainParameters& parameters) : Chain(parameters, true) {}
+
+  void derivative(StateView s, ControlView u, StateRef ds) const {
+    chain_derivative(s, u, ds, [](float v, float) { return v; });
+  }
+};
+
+}  // namespace krait

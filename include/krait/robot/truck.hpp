@@ -1,0 +1,18 @@
+// A tractor with trailers that roll without slip: they follow with the rear axle's speed, s = v cos psi.
+// A steady turn needs R^2 > N d^2 for the tail to follow; the steering keeps the curvature below that (chain.cpp).
+#pragma once
+
+#include "krait/robot/chain.hpp"
+
+namespace krait {
+
+class Truck : public Chain {
+ public:
+  explicit Truck(const ChainParameters& parameters) : Chain(parameters, false) {}
+
+  void derivative(StateView s, ControlView u, StateRef ds) const {
+    chain_derivative(s, u, ds, [](float v, float cos_psi) { return v * cos_psi; });
+  }
+};
+
+}  // namespace krait

@@ -1,0 +1,52 @@
+// First-order unicycle: state (x, y, theta), control (speed, turn rate).
+#pragma once
+
+#include "krait/robot/planar.hpp"
+
+namespace krait {
+
+// Metres, radians, seconds.
+struct UnicycleParameters {
+  float body_length = 0.5F;    // > 0
+  float body_width = 0.4F;     // > 0
+  float max_speed = 1.0F;      // > 0
+  float min_speed = -1.0F;     // <= 0
+  float max_turn_rate = 2.0F;  // > 0
+};
+
+class Unicycle : public PlanarBody {
+ public:
+  static constexpr int kMaxState = 3;
+  static constexpr int kMaxControl = 2;
+
+  explicit Unicycle(const UnicycleParameters& parameters)
+      : PlanarBody(parameters.body_length, parameters.body_width), parameters_(parameters) {}
+
+  const UnicycleParameters& parameters() const { return parameters_; }
+  int state_size() const { return 3; }
+  int control_size() const { return 2; }
+  bool reversible() const { return parameters_.min_speed < 0.0F; }
+  bool sound() const;
+
+  // Writes state_size() floats.
+  void rest(Vec2 position, float heading, float* state) const {
+    state[0] = position.x;
+    state[1] = position.y;
+    state[2] = heading;
+  }
+
+  void derivative(StateView s, ControlView u, StateRef ds) const {
+    const SinCos heading = sin_cos(s[2]);
+    ds[0] = u[0] * heading.cos;
+    ds[1] = u[0] * heading.sin;
+    ds[2] = u[1];
+  }
+  void steer(StateView s, const Target& target, Steering& steering, ControlRef u) const;
+  bool within_limits(StateView s) const { return finite(position(s)) && finite(s[2]); }
+  float travel(StateView s, ControlView u, float dt, int k) const;
+
+ private:
+  UnicycleParameters parameters_;
+};
+
+}  // namespace krait

@@ -1,0 +1,198 @@
+// A checked, read-only view of a scene file, used in place (it may lie in flash). scene/FORMAT.md is the bytes.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+#include "krait/math.hpp"
+#include "krait/scene/format.hpp"
+#include "krait/status.hpp"
+
+namespace krait {
+
+using Index = std::uint32_t;
+inline constexpr Index kNone = 0xFFFFFFFF;
+
+struct Box {
+  Vec2 min;
+  Vec2 max;
+};
+
+// `count` vertices, counter-clockwise, convex where it stands for an obstacle piece or a body.
+struct Polygon {
+  const Vec2* vertices = nullptr;
+  int count = 0;
+
+  Vec2 operator[](int i) const { return vertices[i]; }
+};
+
+// Integers of the file's index width.
+class IndexArray {
+ public:
+  IndexArray() = default;
+  IndexArray(const std::byte* data, bool wide) : data_(data), wide_(wide) {}
+
+  Index operator[](std::size_t i) const {
+    if (wide_) return reinterpret_cast<const std::uint32_t*>(data_)[i];
+    const Index index = reinterpret_cast<const std::uint16_t*>(data_)[i];
+    return index == format::kNone16 ? kNone : index;
+  }
+
+ private:
+  const std::byte* data_ = nullptr;
+  bool wide_ = false;
+};
+
+struct Cell {
+  std::int32_t column;
+  std::int32_t row;
+};
+
+// Square cells over the bounds.
+struct CellGrid {
+  Vec2 origin;
+  float per_metre = 1;
+  std::int32_t columns = 0;
+  std::int32_t rows = 0;
+
+  // The cell that contains p, clamped to the grid; any finite p.
+  Cell cell(Vec2 p) const {
+    return {clamped((p.x - origin.x) * per_metre, columns), clamped((p.y - origin.y) * per_metre, rows)};
+  }
+  std::size_t index(Cell c) const {
+    return static_cast<std::size_t>(c.row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(c.column);
+  }
+
+ private:
+  static std::int32_t clamped(float x, std::int32_t cells) {
+    const float last = static_cast<float>(cells - 1);
+    return static_cast<std::int32_t>(clamp(x, 0.0F, last));
+  }
+};
+
+struct ScenePose {
+  Vec2 position;
+  float heading;
+  const float* angles;
+  std::uint32_t angle_count;
+};
+
+class Scene {
+ public:
+  static constexpr std::uint8_t kHeaderSection = 255;  // Failure::section for the header
+
+  // Checks every byte that the core later relies on, then views them; the bytes must stay, unchanged, for as long
+  // as the scene is used. Reads only [bytes, bytes + size); writes and allocates nothing. `bytes` is aligned to 4.
+  // Gives bad_scene with section and element, or solved. O(size).
+  static Failure open(const void* bytes, std::size_t size, Scene& scene);
+
+  std::uint32_t bytes() const { return header_.total_bytes; }
+  const format::Header& header() const { return header_; }
+  Box bounds() const {
+    return {{header_.bounds_min_x, header_.bounds_min_y}, {header_.bounds_max_x, header_.bounds_max_y}};
+  }
+  bool inside_bounds(Vec2 p) const {
+    return p.x >= header_.bounds_min_x && p.x <= header_.bounds_max_x && p.y >= header_.bounds_min_y &&
+           p.y <= header_.bounds_max_y;
+  }
+
+  // The decomposition. Edge i of a triangle goes from its vertex i to vertex (i + 1) % 3.
+  Index triangle_count() const { return header_.triangles; }
+  Index portal_count() const { return header_.portals; }
+  Vec2 corner(Index triangle, int i) const { return vertices_[triangle_vertices_[at(triangle, i)]]; }
+  Vec2 centroid(Index triangle) const {
+    return (1.0F / 3.0F) * (corner(triangle, 0) + corner(triangle, 1) + corner(triangle, 2));
+  }
+  Index neighbor(Index triangle, int edge) const { return triangle_neighbors_[at(triangle, edge)]; }
+  Index portal(Index triangle, int edge) const { return triangle_portals_[at(triangle, edge)]; }
+  float portal_width(Index portal) const { return portal_widths_[portal]; }
+  Index goal_of(Index triangle) const {
+    const std::uint16_t goal = triangle_goals_[triangle];
+    return goal == format::kNone16 ? kNone : goal;
+  }
+
+  Index goal_count() const { return header_.goals; }
+  const char* name() const { return names_; }
+  const char* goal_name(Index goal) const { return nth_name(1 + goal); }
+  Polygon goal_polygon(Index goal) const {
+    const std::uint32_t first = goal_offsets_[goal];
+    return {goal_vertices_ + first, static_cast<int>(goal_offsets_[goal + 1] - first)};
+  }
+  // The goal's index, or kNone.
+  Index find_goal(const char* goal) const;
+
+  Index start_count() const { return header_.starts; }
+  const char* start_name(Index start) const { return nth_name(1 + header_.goals + start); }
+  ScenePose start(Index start) const;
+
+  // Obstacles.
+  Index piece_count() const { return header_.pieces; }
+  Polygon piece(Index piece) const {
+    const std::uint32_t first = piece_offsets_[piece];
+    return {piece_vertices_ + first, static_cast<int>(piece_offsets_[piece + 1] - first)};
+  }
+  Box piece_box(Index piece) const { return piece_boxes_[piece]; }
+
+  // Buckets: triangles and pieces by place.
+  const CellGrid& buckets() const { return buckets_; }
+  std::uint32_t bucket_triangles_begin(std::size_t bucket) const { return bucket_triangle_offsets_[bucket]; }
+  Index bucket_triangle(std::uint32_t i) const { return bucket_triangles_[i]; }
+  std::uint32_t bucket_pieces_begin(std::size_t bucket) const { return bucket_piece_offsets_[bucket]; }
+  Index bucket_piece(std::uint32_t i) const { return bucket_pieces_[i]; }
+
+  // At most the distance from p to the nearest obstacle or bound; 0 where p lies near one or outside. One look-up.
+  float clearance(Vec2 p) const {
+    if (!inside_bounds(p)) return 0.0F;
+    return header_.clearance_unit * static_cast<float>(clearance_[clearance_grid_.index(clearance_grid_.cell(p))]);
+  }
+
+ private:
+  static std::size_t at(Index triangle, int i) { return std::size_t{triangle} * 3 + static_cast<std::size_t>(i); }
+  const char* nth_name(Index n) const;
+  void view(const std::byte* bytes);
+
+  format::Header header_{};
+  const Vec2* vertices_ = nullptr;
+  IndexArray triangle_vertices_;
+  IndexArray triangle_neighbors_;
+  IndexArray triangle_portals_;
+  const std::uint16_t* triangle_goals_ = nullptr;
+  const float* portal_widths_ = nullptr;
+  const std::uint32_t* goal_offsets_ = nullptr;
+  const Vec2* goal_vertices_ = nullptr;
+  const format::StartRecord* starts_ = nullptr;
+  const float* start_angles_ = nullptr;
+  const std::uint32_t* piece_offsets_ = nullptr;
+  const Vec2* piece_vertices_ = nullptr;
+  const Box* piece_boxes_ = nullptr;
+  const std::uint32_t* bucket_triangle_offsets_ = nullptr;
+  IndexArray bucket_triangles_;
+  const std::uint32_t* bucket_piece_offsets_ = nullptr;
+  IndexArray bucket_pieces_;
+  const std::uint8_t* clearance_ = nullptr;
+  const char* names_ = nullptr;
+  CellGrid buckets_;
+  CellGrid clearance_grid_;
+
+  friend class SceneChecker;
+};
+
+// Grid coordinates of a point, rounded to the nearest: exact for every coordinate of a scene.
+// |p| must be at most twice format::kMaxCoordinate.
+struct GridPoint {
+  std::int32_t x;
+  std::int32_t y;
+};
+inline std::int32_t to_grid(float x) {
+  const float scaled = x * static_cast<float>(1 << format::kGridBits);
+  return static_cast<std::int32_t>(scaled + (scaled >= 0.0F ? 0.5F : -0.5F));
+}
+inline GridPoint to_grid(Vec2 p) { return {to_grid(p.x), to_grid(p.y)}; }
+
+// Twice the signed area of (a, b, c): positive when counter-clockwise. Exact.
+inline std::int64_t orientation(GridPoint a, GridPoint b, GridPoint c) {
+  return std::int64_t{b.x - a.x} * (c.y - a.y) - std::int64_t{b.y - a.y} * (c.x - a.x);
+}
+
+}  // namespace krait

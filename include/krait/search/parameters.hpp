@@ -1,0 +1,48 @@
+// The numbers that steer a search. Defaults first; `paper()` gives the paper's own.
+#pragma once
+
+#include <cstdint>
+
+#include "krait/status.hpp"
+
+namespace krait {
+
+struct Parameters {
+  // Eqn 7.
+  float alpha = 8.0F;     // 1 … 64: strength of the heuristic
+  float beta = 0.85F;     // above 0, below 1: a group's weight shrinks by this with each selection
+  float epsilon = 0.01F;  // above 0, up to 1: keeps every weight positive
+  // Eqn 9.
+  float gamma = 50.0F;       // above 0, up to 1e6: how much a failure raises edge costs
+  float cost_length = 1.0F;  // 0 … 10, in robot lengths: C += gamma l^2 / max(C, l), l this length; 0: gamma / C
+  std::uint32_t kappa = 20;  // 1 … 10000: expansions between updates of the heuristic costs
+  bool raise_goal = false;   // whether a failure right before the goal raises the goal's edges as well
+  // Algorithm 2.
+  float dt = 0.1F;                 // 0.001 … 1 s: a time step
+  std::uint32_t max_steps = 40;    // 1 … 1000: of one expansion
+  std::uint32_t path_regions = 8;  // 1 … 64: targets come from that many regions after the group's own
+  float near_radius = 0.7F;        // 0 … 10, in robot lengths: a target so near is reached
+  float slowest = 0.75F;       // 0.05 … 1: speed set-points are uniform from this share of the top speed to all of it
+  float reverse_share = 0.2F;  // 0 … 1: share of expansions that drive backwards, of a robot that can
+  // Collision.
+  float clearance = 1e-3F;          // 0 … 10 m: kept between bodies and everything, on top of rounding
+  bool continuous = true;           // whether whole steps are proven free, or states only
+  std::uint32_t max_substeps = 16;  // 1 … 64, a power of two: how finely a step is cut to prove it
+  bool prune_portals = true;        // whether portals too narrow for the robot are removed before the search
+  // The goal.
+  float goal_margin = 0.03F;  // 0 … 10 m, at most a tenth of the goal's size: how deep inside the plan must end
+
+  // Algorithms 1 and 2 with the paper's constants: discrete collision checks, no pruning, Eqn 9 as printed.
+  static Parameters paper();
+
+  // Argument::none, or the first parameter that is NaN or out of its range.
+  Argument first_bad() const;
+};
+
+// What a search may use.
+struct Limits {
+  std::uint32_t vertices = 0;            // capacity of the motion tree, at least 2
+  std::uint64_t iterations = 1'000'000;  // expansions, at least 1
+};
+
+}  // namespace krait

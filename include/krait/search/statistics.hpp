@@ -1,0 +1,22 @@
+// What a search has done so far, by the names of the plan's JSON.
+#pragma once
+
+#include <cstdint>
+
+namespace krait {
+
+struct Statistics {
+  std::uint64_t iterations = 0;        // expansions
+  std::uint64_t vertices = 0;          // of the motion tree
+  std::uint64_t collision_checks = 0;  // placements of the whole robot that were tested
+  std::uint64_t dijkstra_runs = 0;
+  std::uint64_t regions_repaired = 0;  // by a repair of the shortest paths in place of a run
+  std::uint64_t bytes_used = 0;        // of the block: tables and the pools' high-water marks
+  std::uint64_t bytes_given = 0;
+  std::uint32_t plan_steps = 0;
+  float plan_length = 0.0F;    // metres
+  float plan_duration = 0.0F;  // seconds
+  std::uint64_t hash = 0;
+};
+
+}  // namespace krait

@@ -1,0 +1,72 @@
+// Every answer that the core gives, one enum; the names are the ones in JSON.
+#pragma once
+
+#include <cstdint>
+
+namespace krait {
+
+enum class Status : std::uint8_t {
+  searching,           // not ended: call advance again
+  solved,              // a plan is ready
+  no_route,            // no path of regions leads from the start to the goal for a robot of this width
+  budget_used,         // Limits::iterations expansions were made
+  tree_full,           // the pool of motion-tree vertices is full
+  time_used,           // set by a port that watches a clock
+  bad_scene,           // Failure::section and element say where
+  bad_robot,           // a dimension or limit of the robot is unusable
+  bad_argument,        // a parameter, pose or goal is NaN, infinite or out of range; Failure::element says which
+  start_outside,       // the start's position lies outside the workspace
+  start_in_collision,  // a body of the robot overlaps an obstacle, the bounds or another body at the start
+  goal_in_obstacle,    // no free part of the goal is left
+  arena_too_small,     // Failure::bytes_needed says how large the block must be
+  bad_arithmetic,      // the compiler contracts or relaxes floating point: build with -ffp-contract=off
+  internal             // the plan's replay did not reproduce it: a bug of krait
+};
+
+// Lower-case name as in the enum. The pointer is to static storage.
+const char* name(Status status);
+
+// Which argument is wrong: Failure::element of bad_argument, and of bad_robot and start errors where it applies.
+enum class Argument : std::uint8_t {
+  none,
+  block,
+  scene,
+  start,
+  goal,
+  iterations,
+  vertices,
+  alpha,
+  beta,
+  gamma,
+  kappa,
+  epsilon,
+  dt,
+  max_steps,
+  path_regions,
+  near_radius,
+  clearance,
+  slowest,
+  reverse_share,
+  cost_length,
+  goal_margin,
+  max_substeps,
+  robot_dimensions,
+  robot_limits,
+  robot_polygon,
+  robot_sizes
+};
+
+// Lower-case name as in the enum. The pointer is to static storage.
+const char* name(Argument argument);
+
+// What went wrong, where. Fields that do not apply are zero.
+struct Failure {
+  Status status = Status::solved;
+  std::uint8_t section = 0;        // bad_scene: format::Section, or kHeader
+  std::uint32_t element = 0;       // bad_scene: index in the section; bad_argument: Argument
+  std::uint64_t bytes_needed = 0;  // arena_too_small
+
+  bool ok() const { return status == Status::solved; }
+};
+
+}  // namespace krait

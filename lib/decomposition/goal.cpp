@@ -1,0 +1,64 @@
+#include "krait/decomposition/goal.hpp"
+
+namespace krait {
+namespace {
+
+float distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
+  const Vec2 ab = b - a;
+  const Vec2 ap = p - a;
+  const float along = clamp(dot(ap, ab) / dot(ab, ab), 0.0F, 1.0F);
+  return length(ap - along * ab);
+}
+
+bool crosses_ray(Vec2 p, Vec2 a, Vec2 b) {
+  if ((a.y > p.y) == (b.y > p.y)) return false;
+  const float side = cross(b - a, p - a);
+  return b.y > a.y ? side > 0.0F : side < 0.0F;
+}
+
+bool triangle_meets_disc(const Scene& scene, Index triangle, Vec2 center, float radius) {
+  bool inside = true;
+  for (int i = 0; i < 3; ++i) {
+    const Vec2 a = scene.corner(triangle, i);
+    const Vec2 b = scene.corner(triangle, (i + 1) % 3);
+    if (distance_to_segment(center, a, b) <= radius) return true;
+    inside = inside && cross(b - a, center - a) >= 0.0F;
+  }
+  return inside;
+}
+
+}  // namespace
+
+bool Goal::valid(const Scene& scene) const {
+  if (!is_disc()) return index_ < scene.goal_count();
+  return finite(center_) && finite(radius_) && radius_ > 0.0F && scene.inside_bounds(center_);
+}
+
+bool Goal::contains(const Scene& scene, Vec2 p, float depth) const {
+  if (is_disc()) return length(p - center_) <= radius_ - depth;
+  const Polygon polygon = scene.goal_polygon(index_);
+  bool inside = false;
+  for (int i = 0; i < polygon.count; ++i) {
+    const Vec2 a = polygon[i];
+    const Vec2 b = polygon[(i + 1) % polygon.count];
+    if (crosses_ray(p, a, b)) inside = !inside;
+    if (distance_to_segment(p, a, b) < depth) return false;
+  }
+  return inside;
+}
+
+bool Goal::covers(const Scene& scene, Index triangle) const {
+  return is_disc() ? triangle_meets_disc(scene, triangle, center_, radius_) : scene.goal_of(triangle) == index_;
+}
+
+float Goal::size(const Scene& scene) const {
+  if (is_disc()) return 1.7724539F * radius_;  // sqrt(pi) * radius
+  const Polygon polygon = scene.goal_polygon(index_);
+  float twice_area = 0.0F;
+  for (int i = 1; i + 1 < polygon.count; ++i) {
+    twice_area += cross(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]);
+  }
+  return std::sqrt(0.5F * twice_area);
+}
+
+}  // namespace krait

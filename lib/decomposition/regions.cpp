@@ -1,0 +1,177 @@
+#include "krait/decomposition/regions.hpp"
+
+namespace krait {
+namespace {
+
+Vec2 random_point_in_triangle(const Scene& scene, Index triangle, Random& random) {
+  float u = random.unit();
+  float v = random.unit();
+  if (u + v > 1.0F) {
+    u = 1.0F - u;
+    v = 1.0F - v;
+  }
+  const Vec2 a = scene.corner(triangle, 0);
+  return a + u * (scene.corner(triangle, 1) - a) + v * (scene.corner(triangle, 2) - a);
+}
+
+float double_area(const Scene& scene, Index triangle) {
+  const Vec2 a = scene.corner(triangle, 0);
+  return cross(scene.corner(triangle, 1) - a, scene.corner(triangle, 2) - a);
+}
+
+// By rejection from the square: at most 16 tries, then the centre.
+Vec2 random_point_in_disc(Vec2 center, float radius, Random& random) {
+  for (int tries = 0; tries < 16; ++tries) {
+    const float x = 2.0F * random.unit() - 1.0F;
+    const float y = 2.0F * random.unit() - 1.0F;
+    if (x * x + y * y <= 1.0F) return center + radius * Vec2{x, y};
+  }
+  return center;
+}
+
+}  // namespace
+
+void Regions::take(Arena& arena, const Scene& scene) {
+  scene_ = &scene;
+  h_ = arena.take<float>(Pool::regions, scene.triangle_count());
+  next_ = arena.take<Index>(Pool::regions, scene.triangle_count());
+  heap_items_ = arena.take<Index>(Pool::regions, scene.triangle_count());
+  heap_places_ = arena.take<Index>(Pool::regions, scene.triangle_count());
+  portal_costs_ = arena.take<float>(Pool::portals, scene.portal_count());
+  heap_.assign(heap_items_, heap_places_, h_, scene.triangle_count());
+}
+
+bool Regions::reset(const Goal& goal, float least_width, float least_cost) {
+  goal_ = goal;
+  goal_region_ = kNone;
+  Vec2 weighted{};
+  float total = 0.0F;
+  bool found = false;
+  for (Index t = 0; t < scene_->triangle_count(); ++t) {
+    if (!goal.covers(*scene_, t)) continue;
+    if (!found && !goal.is_disc()) goal_region_ = t;
+    found = true;
+    const float area = double_area(*scene_, t);
+    weighted = weighted + area * scene_->centroid(t);
+    total += area;
+  }
+  if (!found) return false;
+  goal_center_ = goal.is_disc() ? goal.center() : (1.0F / total) * weighted;
+  set_costs(least_width, least_cost);
+  update();
+  return true;
+}
+
+Vec2 Regions::region_center(Index region) const {
+  return region == goal_region_ ? goal_center_ : scene_->centroid(region);
+}
+
+void Regions::set_costs(float least_width, float least_cost) {
+  for (Index t = 0; t < scene_->triangle_count(); ++t) {
+    const Vec2 center = region_center(region(t));
+    for (int i = 0; i < 3; ++i) {
+      const Index n = scene_->neighbor(t, i);
+      if (n == kNone || n < t) continue;
+      const Index portal = scene_->portal(t, i);
+      const float apart = length(region_center(region(n)) - center);
+      const bool passable = scene_->portal_width(portal) >= least_width;
+      portal_costs_[portal] = passable ? (apart > least_cost ? apart : least_cost) : kInfinity;
+    }
+  }
+}
+
+void Regions::push_sources() {
+  for (Index t = 0; t < scene_->triangle_count(); ++t) {
+    h_[t] = kInfinity;
+    next_[t] = kNone;
+  }
+  heap_.reset();
+  for (Index t = 0; t < scene_->triangle_count(); ++t) {
+    if (!goal_.covers(*scene_, t)) continue;
+    h_[t] = 0.0F;
+    heap_.push(t);
+  }
+}
+
+void Regions::relax_neighbors(Index triangle, float distance) {
+  for (int i = 0; i < 3; ++i) {
+    const Index n = scene_->neighbor(triangle, i);
+    if (n == kNone) continue;
+    const float through = distance + portal_costs_[scene_->portal(triangle, i)];
+    if (!(through < h_[n])) continue;
+    h_[n] = through;
+    heap_.push(n);
+  }
+}
+
+void Regions::update() {
+  push_sources();
+  largest_ = 0.0F;
+  while (!heap_.empty()) {
+    const Index triangle = heap_.pop();
+    largest_ = h_[triangle];
+    relax_neighbors(triangle, h_[triangle]);
+  }
+  find_next();
+}
+
+// next(r) = argmin over the neighbours of (h + C, region): a pure function of h and C.
+void Regions::find_next() {
+  for (Index t = 0; t < scene_->triangle_count(); ++t) {
+    if (h_[t] == 0.0F || h_[t] == kInfinity) continue;
+    float best = kInfinity;
+    for (int i = 0; i < 3; ++i) {
+      const Index n = scene_->neighbor(t, i);
+      if (n == kNone) continue;
+      const float through = h_[n] + portal_costs_[scene_->portal(t, i)];
+      const Index candidate = region(n);
+      if (through < best || (through == best && through < kInfinity && candidate < next_[t])) {
+        best = through;
+        next_[t] = candidate;
+      }
+    }
+  }
+}
+
+void Regions::raise_triangle_edges(Index triangle, const CostRaise& raise) {
+  for (int i = 0; i < 3; ++i) {
+    const Index n = scene_->neighbor(triangle, i);
+    if (n == kNone || region(n) == region(triangle)) continue;
+    float& cost = portal_costs_[scene_->portal(triangle, i)];
+    if (cost == kInfinity) continue;
+    const float base = cost > raise.length ? cost : raise.length;
+    const float scale = raise.length > 0.0F ? raise.gamma * raise.length * raise.length : raise.gamma;
+    cost = cost + scale / base;
+  }
+}
+
+void Regions::raise_edges(Index region, const CostRaise& raise) {
+  if (region != goal_region_) return raise_triangle_edges(region, raise);
+  for (Index t = 0; t < scene_->triangle_count(); ++t) {
+    if (is_goal_triangle(t)) raise_triangle_edges(t, raise);
+  }
+}
+
+Index Regions::random_goal_triangle(Random& random) const {
+  float total = 0.0F;
+  for (Index t = goal_region_; t < scene_->triangle_count(); ++t) {
+    if (is_goal_triangle(t)) total += double_area(*scene_, t);
+  }
+  float left = random.unit() * total;
+  Index chosen = goal_region_;
+  for (Index t = goal_region_; t < scene_->triangle_count() && left >= 0.0F; ++t) {
+    if (!is_goal_triangle(t)) continue;
+    left -= double_area(*scene_, t);
+    chosen = t;
+  }
+  return chosen;
+}
+
+Vec2 Regions::random_point(Index region, Random& random) const {
+  if (goal_.is_disc() && is_goal(region)) return random_point_in_disc(goal_.center(), goal_.radius(), random);
+  if (region != goal_region_) return random_point_in_triangle(*scene_, region, random);
+  const Index triangle = random_goal_triangle(random);
+  return random_point_in_triangle(*scene_, triangle, random);
+}
+
+}  // namespace krait

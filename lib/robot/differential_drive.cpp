@@ -1,0 +1,54 @@
+#include "krait/robot/differential_drive.hpp"
+
+namespace krait {
+namespace {
+
+constexpr PidGains kHeadingGains{3.0F, 0.05F, 0.1F};  // rad/s per radian of heading error
+constexpr float kInside = 1.0F - 1e-5F;               // keeps rounding from carrying a wheel across its limit
+
+float absolute(float x) { return x < 0.0F ? -x : x; }
+bool positive(float x) { return x > 0.0F && finite(x); }
+
+}  // namespace
+
+bool DifferentialDrive::sound() const {
+  const DifferentialDriveParameters& p = parameters_;
+  return positive(p.body_length) && positive(p.body_width) && positive(p.wheel_radius) && positive(p.track_width) &&
+         positive(p.max_wheel_speed) && positive(p.max_wheel_acceleration);
+}
+
+// Wanted speed and turn rate become wheel speeds; where a wheel would be too fast, speed yields to turning.
+void DifferentialDrive::steer(StateView s, const Target& target, Steering& steering, ControlRef u) const {
+  const DifferentialDriveParameters& p = parameters_;
+  const float error = heading_error(s, target);
+  const float along = sin_cos(error).cos;
+  const float most = p.max_wheel_speed * kInside;
+  const float half_turn =
+      clamp(steering.heading(kHeadingGains, error, target.dt) * 0.5F * p.track_width / p.wheel_radius, -most, most);
+  const float room = most - absolute(half_turn);
+  const float forward = clamp(target.speed * most * (along > 0.0F ? along : 0.0F), -room, room);
+  const float wanted[2] = {forward - half_turn, forward + half_turn};
+  for (int wheel = 0; wheel < 2; ++wheel) {
+    u[wheel] = clamp((clamp(wanted[wheel], -most, most) - s[3 + wheel]) / target.dt, -p.max_wheel_acceleration,
+                     p.max_wheel_acceleration);
+  }
+}
+
+bool DifferentialDrive::within_limits(StateView s) const {
+  const float most = parameters_.max_wheel_speed;
+  return finite(position(s)) && finite(s[2]) && absolute(s[3]) <= most && absolute(s[4]) <= most;
+}
+
+// Each wheel's rim moves at most at the larger of its two speeds; the axle's middle at their mean, the body turns at
+// most at their sum over the track.
+float DifferentialDrive::travel(StateView s, ControlView u, float dt, int) const {
+  float sum = 0.0F;
+  for (int wheel = 0; wheel < 2; ++wheel) {
+    const float before = absolute(s[3 + wheel]);
+    const float after = absolute(s[3 + wheel] + u[wheel] * dt);
+    sum += before > after ? before : after;
+  }
+  return dt * parameters_.wheel_radius * sum * (0.5F + farthest() / parameters_.track_width);
+}
+
+}  // namespace krait

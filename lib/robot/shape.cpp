@@ -1,0 +1,41 @@
+#include "krait/robot/shape.hpp"
+
+namespace krait {
+namespace {
+
+constexpr float kMaxExtent = 100.0F;  // metres
+constexpr float kLeastSide = 1e-4F;   // metres
+
+// Distance of p to the left of the line from a to b; negative on its right.
+float distance_left(Vec2 a, Vec2 b, Vec2 p) { return cross(b - a, p - a) / length(b - a); }
+
+}  // namespace
+
+bool usable_body(Polygon body) {
+  if (body.vertices == nullptr || body.count < format::kMinPieceVertices || body.count > format::kMaxPieceVertices) {
+    return false;
+  }
+  for (int i = 0; i < body.count; ++i) {
+    if (!finite(body[i]) || !(length(body[i]) <= kMaxExtent)) return false;
+  }
+  for (int i = 0; i < body.count; ++i) {
+    const Vec2 a = body[i];
+    const Vec2 b = body[(i + 1) % body.count];
+    if (!(length(b - a) >= kLeastSide)) return false;
+    for (int j = 2; j < body.count; ++j) {
+      if (!(distance_left(a, b, body[(i + j) % body.count]) > 0.0F)) return false;
+    }
+  }
+  return true;
+}
+
+float inner_radius(Polygon body) {
+  float least = kInfinity;
+  for (int i = 0; i < body.count; ++i) {
+    const float distance = distance_left(body[i], body[(i + 1) % body.count], {});
+    if (distance < least) least = distance;
+  }
+  return least > 0.0F ? least : 0.0F;
+}
+
+}  // namespace krait

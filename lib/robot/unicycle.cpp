@@ -1,0 +1,32 @@
+#include "krait/robot/unicycle.hpp"
+
+namespace krait {
+namespace {
+
+constexpr PidGains kHeadingGains{4.0F, 0.05F, 0.05F};  // rad/s per radian of heading error
+
+float absolute(float x) { return x < 0.0F ? -x : x; }
+bool positive(float x) { return x > 0.0F && finite(x); }
+
+}  // namespace
+
+bool Unicycle::sound() const {
+  const UnicycleParameters& p = parameters_;
+  return positive(p.body_length) && positive(p.body_width) && positive(p.max_speed) && positive(p.max_turn_rate) &&
+         finite(p.min_speed) && p.min_speed <= 0.0F;
+}
+
+// Turns on the spot until the target lies ahead, then drives, slower the further it lies to the side.
+void Unicycle::steer(StateView s, const Target& target, Steering& steering, ControlRef u) const {
+  const UnicycleParameters& p = parameters_;
+  const float error = heading_error(s, target);
+  const float along = sin_cos(error).cos;
+  u[0] = target.speed * (target.speed < 0.0F ? -p.min_speed : p.max_speed) * (along > 0.0F ? along : 0.0F);
+  u[1] = clamp(steering.heading(kHeadingGains, error, target.dt), -p.max_turn_rate, p.max_turn_rate);
+}
+
+float Unicycle::travel(StateView, ControlView u, float dt, int) const {
+  return dt * (absolute(u[0]) + farthest() * absolute(u[1]));
+}
+
+}  // namespace krait

@@ -1,0 +1,357 @@
+#include "scene/checker.hpp"
+
+#include <array>
+
+namespace krait {
+namespace {
+
+using format::Header;
+using format::Section;
+
+constexpr std::uint32_t kMaxCount = 1U << 27U;  // of any element: keeps every product in 64 bits
+constexpr double kMaxOrigin = 1e9;
+constexpr std::size_t kCrcStart = 16;
+
+constexpr std::array<std::uint32_t, 256> crc_table() {
+  std::array<std::uint32_t, 256> table{};
+  for (std::uint32_t i = 0; i < 256; ++i) {
+    std::uint32_t c = i;
+    for (int bit = 0; bit < 8; ++bit) c = (c & 1U) != 0 ? 0xEDB88320U ^ (c >> 1U) : c >> 1U;
+    table[i] = c;
+  }
+  return table;
+}
+
+std::uint32_t crc32(const std::byte* bytes, std::size_t size) {
+  static constexpr std::array<std::uint32_t, 256> table = crc_table();
+  std::uint32_t crc = 0xFFFFFFFFU;
+  for (std::size_t i = 0; i < size; ++i) {
+    crc = table[(crc ^ static_cast<std::uint32_t>(bytes[i])) & 0xFFU] ^ (crc >> 8U);
+  }
+  return crc ^ 0xFFFFFFFFU;
+}
+
+bool on_grid(float x) {
+  if (!(x >= -format::kMaxCoordinate && x <= format::kMaxCoordinate)) return false;
+  return static_cast<float>(to_grid(x)) * format::kGrid == x;
+}
+bool on_grid(Vec2 p) { return on_grid(p.x) && on_grid(p.y); }
+
+std::uint64_t align4(std::uint64_t n) { return (n + 3) / 4 * 4; }
+
+// Bytes of a section, from the header's counts.
+std::uint64_t section_bytes(const Header& h, Section section) {
+  const std::uint64_t width = h.index_width;
+  const std::uint64_t buckets = std::uint64_t{h.bucket_columns} * h.bucket_rows;
+  switch (section) {
+    case Section::vertices:
+      return std::uint64_t{h.vertices} * 8;
+    case Section::triangle_vertices:
+    case Section::triangle_neighbors:
+    case Section::triangle_portals:
+      return h.triangles * 3 * width;
+    case Section::triangle_goals:
+      return std::uint64_t{h.triangles} * 2;
+    case Section::portal_widths:
+      return std::uint64_t{h.portals} * 4;
+    case Section::goal_offsets:
+      return (std::uint64_t{h.goals} + 1) * 4;
+    case Section::goal_vertices:
+      return std::uint64_t{h.goal_vertices} * 8;
+    case Section::starts:
+      return std::uint64_t{h.starts} * sizeof(format::StartRecord);
+    case Section::start_angles:
+      return std::uint64_t{h.start_angles} * 4;
+    case Section::piece_offsets:
+      return (std::uint64_t{h.pieces} + 1) * 4;
+    case Section::piece_vertices:
+      return std::uint64_t{h.piece_vertices} * 8;
+    case Section::piece_boxes:
+      return std::uint64_t{h.pieces} * 16;
+    case Section::bucket_triangle_offsets:
+    case Section::bucket_piece_offsets:
+      return (buckets + 1) * 4;
+    case Section::bucket_triangles:
+      return h.bucket_triangles * width;
+    case Section::bucket_pieces:
+      return h.bucket_pieces * width;
+    case Section::clearance:
+      return std::uint64_t{h.clearance_columns} * h.clearance_rows;
+    case Section::names:
+      return h.names_bytes;
+    case Section::count:
+      break;
+  }
+  return 0;
+}
+
+// The cells must reach across the extent, and not by more than one to spare.
+bool covers(float cell, std::uint32_t cells, float extent) {
+  if (!(cell >= format::kGrid && cell <= 2.0F * format::kMaxCoordinate)) return false;
+  if (cells == 0 || cells > 65536) return false;
+  const double length = static_cast<double>(cell) * cells;
+  return length >= static_cast<double>(extent) &&
+         length <= static_cast<double>(extent) + 2.0 * static_cast<double>(cell);
+}
+
+bool positive_area(Polygon polygon) {
+  std::int64_t twice_area = 0;
+  const GridPoint origin = to_grid(polygon[0]);
+  for (int i = 1; i + 1 < polygon.count; ++i) {
+    twice_area += orientation(origin, to_grid(polygon[i]), to_grid(polygon[i + 1]));
+  }
+  return twice_area > 0;
+}
+
+// Every vertex strictly to the left of every edge that it does not end.
+bool strictly_convex(Polygon polygon) {
+  for (int i = 0; i < polygon.count; ++i) {
+    const int next = (i + 1) % polygon.count;
+    for (int j = 0; j < polygon.count; ++j) {
+      if (j == i || j == next) continue;
+      if (orientation(to_grid(polygon[i]), to_grid(polygon[next]), to_grid(polygon[j])) <= 0) return false;
+    }
+  }
+  return true;
+}
+
+Box bounding_box(Polygon polygon) {
+  Box box{polygon[0], polygon[0]};
+  for (int i = 1; i < polygon.count; ++i) {
+    const Vec2 p = polygon[i];
+    box.min = {p.x < box.min.x ? p.x : box.min.x, p.y < box.min.y ? p.y : box.min.y};
+    box.max = {p.x > box.max.x ? p.x : box.max.x, p.y > box.max.y ? p.y : box.max.y};
+  }
+  return box;
+}
+
+bool equal(const Box& a, const Box& b) {
+  return a.min.x == b.min.x && a.min.y == b.min.y && a.max.x == b.max.x && a.max.y == b.max.y;
+}
+
+}  // namespace
+
+bool SceneChecker::fail(Section section, std::uint32_t element) {
+  failure_ = {Status::bad_scene, static_cast<std::uint8_t>(section), element, 0};
+  return false;
+}
+
+bool SceneChecker::fail_header(std::uint32_t element) {
+  failure_ = {Status::bad_scene, Scene::kHeaderSection, element, 0};
+  return false;
+}
+
+bool SceneChecker::header(Header& h) {
+  if (bytes_ == nullptr || reinterpret_cast<std::uintptr_t>(bytes_) % 4 != 0) return fail_header(0);
+  if (size_ < sizeof(Header)) return fail_header(static_cast<std::uint32_t>(size_));
+  std::memcpy(&h, bytes_, sizeof(Header));
+  return preamble(h) && geometry(h) && layout(h);
+}
+
+bool SceneChecker::preamble(const Header& h) {
+  if (std::memcmp(h.magic, format::kMagic, sizeof(format::kMagic)) != 0) return fail_header(offsetof(Header, magic));
+  if (h.version != format::kVersion) return fail_header(offsetof(Header, version));
+  if (h.index_width != 2 && h.index_width != 4) return fail_header(offsetof(Header, index_width));
+  if (h.reserved != 0) return fail_header(offsetof(Header, reserved));
+  if (h.total_bytes != size_) return fail_header(offsetof(Header, total_bytes));
+  if (h.crc32 != crc32(bytes_ + kCrcStart, size_ - kCrcStart)) return fail_header(offsetof(Header, crc32));
+  return true;
+}
+
+bool SceneChecker::geometry(const Header& h) {
+  if (!(h.origin_x >= -kMaxOrigin && h.origin_x <= kMaxOrigin)) return fail_header(offsetof(Header, origin_x));
+  if (!(h.origin_y >= -kMaxOrigin && h.origin_y <= kMaxOrigin)) return fail_header(offsetof(Header, origin_y));
+  if (!on_grid(h.bounds_min_x) || !on_grid(h.bounds_max_x) || !(h.bounds_min_x < h.bounds_max_x)) {
+    return fail_header(offsetof(Header, bounds_min_x));
+  }
+  if (!on_grid(h.bounds_min_y) || !on_grid(h.bounds_max_y) || !(h.bounds_min_y < h.bounds_max_y)) {
+    return fail_header(offsetof(Header, bounds_min_y));
+  }
+  const float width = h.bounds_max_x - h.bounds_min_x;
+  const float height = h.bounds_max_y - h.bounds_min_y;
+  if (!covers(h.bucket_size, h.bucket_columns, width)) return fail_header(offsetof(Header, bucket_columns));
+  if (!covers(h.bucket_size, h.bucket_rows, height)) return fail_header(offsetof(Header, bucket_rows));
+  if (!covers(h.clearance_cell, h.clearance_columns, width)) return fail_header(offsetof(Header, clearance_columns));
+  if (!covers(h.clearance_cell, h.clearance_rows, height)) return fail_header(offsetof(Header, clearance_rows));
+  if (!(h.clearance_unit > 0.0F && h.clearance_unit <= format::kMaxCoordinate)) {
+    return fail_header(offsetof(Header, clearance_unit));
+  }
+  if (!(h.obstacle_error >= 0.0F && h.obstacle_error <= 0.1F)) return fail_header(offsetof(Header, obstacle_error));
+  if (!(h.tolerance >= 0.0F && h.tolerance <= format::kMaxCoordinate)) return fail_header(offsetof(Header, tolerance));
+  return true;
+}
+
+bool SceneChecker::layout(const Header& h) {
+  const std::uint32_t limit = h.index_width == 2 ? format::kNone16 : kMaxCount;
+  const struct {
+    std::uint32_t value, limit, offset;
+  } counts[] = {{h.vertices, limit, offsetof(Header, vertices)},
+                {h.triangles, limit, offsetof(Header, triangles)},
+                {h.portals, limit, offsetof(Header, portals)},
+                {h.goals, format::kNone16, offsetof(Header, goals)},
+                {h.goal_vertices, kMaxCount, offsetof(Header, goal_vertices)},
+                {h.starts, format::kNone16, offsetof(Header, starts)},
+                {h.start_angles, kMaxCount, offsetof(Header, start_angles)},
+                {h.pieces, limit, offsetof(Header, pieces)},
+                {h.piece_vertices, kMaxCount, offsetof(Header, piece_vertices)},
+                {h.bucket_triangles, kMaxCount, offsetof(Header, bucket_triangles)},
+                {h.bucket_pieces, kMaxCount, offsetof(Header, bucket_pieces)},
+                {h.names_bytes, kMaxCount, offsetof(Header, names_bytes)}};
+  for (const auto& count : counts) {
+    if (count.value > count.limit) return fail_header(count.offset);
+  }
+  std::uint64_t end = sizeof(Header);
+  for (std::size_t i = 0; i < format::kSectionCount; ++i) {
+    const auto offset_field = static_cast<std::uint32_t>(offsetof(Header, section_offsets) + 4 * i);
+    if (h.section_offsets[i] != align4(end)) return fail_header(offset_field);
+    end = align4(end) + section_bytes(h, static_cast<Section>(i));
+    if (end > size_) return fail_header(offset_field);
+  }
+  return align4(end) == size_ || fail_header(offsetof(Header, total_bytes));
+}
+
+bool SceneChecker::contents(const Scene& s) {
+  return vertices(s) && triangles(s) && adjacency(s) && portals(s) && goals(s) && starts(s) && pieces(s) &&
+         buckets(s) && names(s);
+}
+
+bool SceneChecker::vertices(const Scene& s) {
+  for (std::uint32_t i = 0; i < s.header_.vertices; ++i) {
+    if (!on_grid(s.vertices_[i]) || !s.inside_bounds(s.vertices_[i])) return fail(Section::vertices, i);
+  }
+  return true;
+}
+
+bool SceneChecker::triangles(const Scene& s) {
+  for (Index t = 0; t < s.header_.triangles; ++t) {
+    for (int i = 0; i < 3; ++i) {
+      if (s.triangle_vertices_[Scene::at(t, i)] >= s.header_.vertices) return fail(Section::triangle_vertices, t);
+    }
+    if (orientation(to_grid(s.corner(t, 0)), to_grid(s.corner(t, 1)), to_grid(s.corner(t, 2))) <= 0) {
+      return fail(Section::triangle_vertices, t);
+    }
+  }
+  return true;
+}
+
+bool SceneChecker::adjacency(const Scene& s) {
+  Index portals = 0;
+  for (Index t = 0; t < s.header_.triangles; ++t) {
+    for (int i = 0; i < 3; ++i) {
+      const Index n = s.neighbor(t, i);
+      const Index portal = s.portal(t, i);
+      if (n == kNone) {
+        if (portal != kNone) return fail(Section::triangle_portals, t);
+        continue;
+      }
+      if (n >= s.header_.triangles || n == t) return fail(Section::triangle_neighbors, t);
+      const Index a = s.triangle_vertices_[Scene::at(t, i)];
+      const Index b = s.triangle_vertices_[Scene::at(t, (i + 1) % 3)];
+      int back = 0;
+      while (back < 3 && !(s.triangle_vertices_[Scene::at(n, back)] == b &&
+                           s.triangle_vertices_[Scene::at(n, (back + 1) % 3)] == a)) {
+        ++back;
+      }
+      if (back == 3 || s.neighbor(n, back) != t) return fail(Section::triangle_neighbors, t);
+      const Index expected = t < n ? portals++ : s.portal(n, back);
+      if (portal != expected) return fail(Section::triangle_portals, t);
+    }
+  }
+  return portals == s.header_.portals || fail_header(offsetof(Header, portals));
+}
+
+bool SceneChecker::portals(const Scene& s) {
+  for (Index p = 0; p < s.header_.portals; ++p) {
+    if (!(s.portal_widths_[p] >= 0.0F && s.portal_widths_[p] <= 4.0F * format::kMaxCoordinate)) {
+      return fail(Section::portal_widths, p);
+    }
+  }
+  return true;
+}
+
+bool SceneChecker::offsets(Section section, const std::uint32_t* offsets, std::uint32_t count, std::uint32_t total,
+                           std::uint32_t least, std::uint32_t most) {
+  if (offsets[0] != 0) return fail(section, 0);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (offsets[i + 1] < offsets[i] || offsets[i + 1] > total) return fail(section, i + 1);
+    const std::uint32_t length = offsets[i + 1] - offsets[i];
+    if (length < least || length > most) return fail(section, i + 1);
+  }
+  return offsets[count] == total || fail(section, count);
+}
+
+bool SceneChecker::goals(const Scene& s) {
+  for (Index t = 0; t < s.header_.triangles; ++t) {
+    const Index goal = s.goal_of(t);
+    if (goal != kNone && goal >= s.header_.goals) return fail(Section::triangle_goals, t);
+  }
+  if (!offsets(Section::goal_offsets, s.goal_offsets_, s.header_.goals, s.header_.goal_vertices, 3, kMaxCount))
+    return false;
+  for (std::uint32_t i = 0; i < s.header_.goal_vertices; ++i) {
+    if (!on_grid(s.goal_vertices_[i])) return fail(Section::goal_vertices, i);
+  }
+  for (Index g = 0; g < s.header_.goals; ++g) {
+    if (!positive_area(s.goal_polygon(g))) return fail(Section::goal_vertices, s.goal_offsets_[g]);
+  }
+  return true;
+}
+
+bool SceneChecker::starts(const Scene& s) {
+  for (std::uint32_t i = 0; i < s.header_.starts; ++i) {
+    const format::StartRecord& r = s.starts_[i];
+    const bool sound = finite(Vec2{r.x, r.y}) && finite(r.heading) &&
+                       std::uint64_t{r.first_angle} + r.angle_count <= s.header_.start_angles;
+    if (!sound) return fail(Section::starts, i);
+  }
+  for (std::uint32_t i = 0; i < s.header_.start_angles; ++i) {
+    if (!finite(s.start_angles_[i])) return fail(Section::start_angles, i);
+  }
+  return true;
+}
+
+bool SceneChecker::pieces(const Scene& s) {
+  if (!offsets(Section::piece_offsets, s.piece_offsets_, s.header_.pieces, s.header_.piece_vertices,
+               format::kMinPieceVertices, format::kMaxPieceVertices)) {
+    return false;
+  }
+  for (std::uint32_t i = 0; i < s.header_.piece_vertices; ++i) {
+    if (!on_grid(s.piece_vertices_[i])) return fail(Section::piece_vertices, i);
+  }
+  for (Index p = 0; p < s.header_.pieces; ++p) {
+    if (!strictly_convex(s.piece(p))) return fail(Section::piece_vertices, s.piece_offsets_[p]);
+    if (!equal(s.piece_box(p), bounding_box(s.piece(p)))) return fail(Section::piece_boxes, p);
+  }
+  return true;
+}
+
+bool SceneChecker::ascending(Section section, const IndexArray& list, const std::uint32_t* offsets, std::size_t buckets,
+                             std::uint32_t limit) {
+  for (std::size_t b = 0; b < buckets; ++b) {
+    for (std::uint32_t i = offsets[b]; i < offsets[b + 1]; ++i) {
+      if (list[i] >= limit || (i > offsets[b] && list[i] <= list[i - 1])) return fail(section, i);
+    }
+  }
+  return true;
+}
+
+bool SceneChecker::buckets(const Scene& s) {
+  const Header& h = s.header_;
+  const std::uint64_t buckets = std::uint64_t{h.bucket_columns} * h.bucket_rows;
+  const auto count = static_cast<std::uint32_t>(buckets);
+  return offsets(Section::bucket_triangle_offsets, s.bucket_triangle_offsets_, count, h.bucket_triangles, 0,
+                 h.most_bucket_triangles) &&
+         ascending(Section::bucket_triangles, s.bucket_triangles_, s.bucket_triangle_offsets_, count, h.triangles) &&
+         offsets(Section::bucket_piece_offsets, s.bucket_piece_offsets_, count, h.bucket_pieces, 0,
+                 h.most_bucket_pieces) &&
+         ascending(Section::bucket_pieces, s.bucket_pieces_, s.bucket_piece_offsets_, count, h.pieces);
+}
+
+bool SceneChecker::names(const Scene& s) {
+  const std::uint64_t expected = 1 + std::uint64_t{s.header_.goals} + s.header_.starts;
+  std::uint64_t found = 0;
+  for (std::uint32_t i = 0; i < s.header_.names_bytes; ++i) found += s.names_[i] == '\0' ? 1U : 0U;
+  const bool ended = s.header_.names_bytes > 0 && s.names_[s.header_.names_bytes - 1] == '\0';
+  return (found == expected && ended) || fail(Section::names, static_cast<std::uint32_t>(found));
+}
+
+}  // namespace krait

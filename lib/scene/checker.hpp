@@ -1,0 +1,47 @@
+// Checks the bytes of a scene file before anything else reads them.
+#pragma once
+
+#include "krait/scene/scene.hpp"
+
+namespace krait {
+
+class SceneChecker {
+ public:
+  SceneChecker(const std::byte* bytes, std::size_t size) : bytes_(bytes), size_(size) {}
+
+  // Lengths, order, overlap and alignment of everything, and the check sum; copies the header. False on failure.
+  bool header(format::Header& header);
+
+  // Every element of every section. Only after header() said true, on a scene that views these bytes.
+  bool contents(const Scene& scene);
+
+  // The first failure, or solved.
+  const Failure& failure() const { return failure_; }
+
+ private:
+  bool fail(format::Section section, std::uint32_t element);
+  bool fail_header(std::uint32_t element);
+
+  bool preamble(const format::Header& h);
+  bool geometry(const format::Header& h);
+  bool layout(const format::Header& h);
+  bool vertices(const Scene& s);
+  bool triangles(const Scene& s);
+  bool adjacency(const Scene& s);
+  bool portals(const Scene& s);
+  bool goals(const Scene& s);
+  bool starts(const Scene& s);
+  bool pieces(const Scene& s);
+  bool buckets(const Scene& s);
+  bool names(const Scene& s);
+  bool offsets(format::Section section, const std::uint32_t* offsets, std::uint32_t count, std::uint32_t total,
+               std::uint32_t least, std::uint32_t most);
+  bool ascending(format::Section section, const IndexArray& list, const std::uint32_t* offsets, std::size_t buckets,
+                 std::uint32_t limit);
+
+  const std::byte* bytes_;
+  std::size_t size_;
+  Failure failure_;
+};
+
+}  // namespace krait

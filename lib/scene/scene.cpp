@@ -1,0 +1,76 @@
+#include "krait/scene/scene.hpp"
+
+#include <bit>
+
+#include "scene/checker.hpp"
+
+namespace krait {
+
+static_assert(std::endian::native == std::endian::little, "scene files are little-endian and used in place");
+static_assert(sizeof(Vec2) == 8 && sizeof(Box) == 16);
+
+using format::Section;
+
+Failure Scene::open(const void* bytes, std::size_t size, Scene& scene) {
+  SceneChecker checker(static_cast<const std::byte*>(bytes), size);
+  Scene candidate;
+  if (checker.header(candidate.header_)) {
+    candidate.view(static_cast<const std::byte*>(bytes));
+    checker.contents(candidate);
+  }
+  if (checker.failure().ok()) scene = candidate;
+  return checker.failure();
+}
+
+void Scene::view(const std::byte* bytes) {
+  const auto section = [&](Section s) { return bytes + header_.section_offsets[static_cast<std::size_t>(s)]; };
+  const auto indices = [&](Section s) { return IndexArray(section(s), header_.index_width == 4); };
+  const auto array = [&]<class T>(Section s, const T*& out) { out = reinterpret_cast<const T*>(section(s)); };
+  array(Section::vertices, vertices_);
+  triangle_vertices_ = indices(Section::triangle_vertices);
+  triangle_neighbors_ = indices(Section::triangle_neighbors);
+  triangle_portals_ = indices(Section::triangle_portals);
+  array(Section::triangle_goals, triangle_goals_);
+  array(Section::portal_widths, portal_widths_);
+  array(Section::goal_offsets, goal_offsets_);
+  array(Section::goal_vertices, goal_vertices_);
+  array(Section::starts, starts_);
+  array(Section::start_angles, start_angles_);
+  array(Section::piece_offsets, piece_offsets_);
+  array(Section::piece_vertices, piece_vertices_);
+  array(Section::piece_boxes, piece_boxes_);
+  array(Section::bucket_triangle_offsets, bucket_triangle_offsets_);
+  bucket_triangles_ = indices(Section::bucket_triangles);
+  array(Section::bucket_piece_offsets, bucket_piece_offsets_);
+  bucket_pieces_ = indices(Section::bucket_pieces);
+  array(Section::clearance, clearance_);
+  array(Section::names, names_);
+  const Vec2 origin = bounds().min;
+  buckets_ = {origin, 1.0F / header_.bucket_size, static_cast<std::int32_t>(header_.bucket_columns),
+              static_cast<std::int32_t>(header_.bucket_rows)};
+  clearance_grid_ = {origin, 1.0F / header_.clearance_cell, static_cast<std::int32_t>(header_.clearance_columns),
+                     static_cast<std::int32_t>(header_.clearance_rows)};
+}
+
+const char* Scene::nth_name(Index n) const {
+  const char* name = names_;
+  for (; n > 0; --n) {
+    while (*name != '\0') ++name;
+    ++name;
+  }
+  return name;
+}
+
+Index Scene::find_goal(const char* goal) const {
+  for (Index i = 0; i < goal_count(); ++i) {
+    if (std::strcmp(goal_name(i), goal) == 0) return i;
+  }
+  return kNone;
+}
+
+ScenePose Scene::start(Index start) const {
+  const format::StartRecord& record = starts_[start];
+  return {{record.x, record.y}, record.heading, start_angles_ + record.first_angle, record.angle_count};
+}
+
+}  // namespace krait

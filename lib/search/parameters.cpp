@@ -1,0 +1,44 @@
+#include "krait/search/parameters.hpp"
+
+#include <bit>
+
+namespace krait {
+namespace {
+
+// False for NaN.
+bool within(float x, float low, float high) { return x >= low && x <= high; }
+bool above(float x, float low, float high) { return x > low && x <= high; }
+bool within(std::uint32_t x, std::uint32_t low, std::uint32_t high) { return x >= low && x <= high; }
+
+}  // namespace
+
+Parameters Parameters::paper() {
+  Parameters parameters;
+  parameters.cost_length = 0.0F;
+  parameters.raise_goal = true;
+  parameters.continuous = false;
+  parameters.prune_portals = false;
+  parameters.goal_margin = 0.0F;
+  return parameters;
+}
+
+Argument Parameters::first_bad() const {
+  if (!within(alpha, 1.0F, 64.0F)) return Argument::alpha;
+  if (!(beta > 0.0F && beta < 1.0F)) return Argument::beta;
+  if (!above(epsilon, 0.0F, 1.0F)) return Argument::epsilon;
+  if (!above(gamma, 0.0F, 1e6F)) return Argument::gamma;
+  if (!within(cost_length, 0.0F, 10.0F)) return Argument::cost_length;
+  if (!within(kappa, 1, 10000)) return Argument::kappa;
+  if (!within(dt, 0.001F, 1.0F)) return Argument::dt;
+  if (!within(max_steps, 1, 1000)) return Argument::max_steps;
+  if (!within(path_regions, 1, 64)) return Argument::path_regions;
+  if (!within(near_radius, 0.0F, 10.0F)) return Argument::near_radius;
+  if (!within(slowest, 0.05F, 1.0F)) return Argument::slowest;
+  if (!within(reverse_share, 0.0F, 1.0F)) return Argument::reverse_share;
+  if (!within(clearance, 0.0F, 10.0F)) return Argument::clearance;
+  if (!within(max_substeps, 1, 64) || !std::has_single_bit(max_substeps)) return Argument::max_substeps;
+  if (!within(goal_margin, 0.0F, 10.0F)) return Argument::goal_margin;
+  return Argument::none;
+}
+
+}  // namespace krait

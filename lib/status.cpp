@@ -1,0 +1,49 @@
+#include "krait/status.hpp"
+
+#include <cstddef>
+
+namespace krait {
+namespace {
+
+constexpr const char* kStatusNames[] = {
+    "searching",          "solved",           "no_route",        "budget_used",    "tree_full",
+    "time_used",          "bad_scene",        "bad_robot",       "bad_argument",   "start_outside",
+    "start_in_collision", "goal_in_obstacle", "arena_too_small", "bad_arithmetic", "internal"};
+static_assert(sizeof(kStatusNames) / sizeof(kStatusNames[0]) == static_cast<std::size_t>(Status::internal) + 1);
+
+constexpr const char* kArgumentNames[] = {"none",
+                                          "block",
+                                          "scene",
+                                          "start",
+                                          "goal",
+                                          "iterations",
+                                          "vertices",
+                                          "alpha",
+                                          "beta",
+                                          "gamma",
+                                          "kappa",
+                                          "epsilon",
+                                          "dt",
+                                          "max_steps",
+                                          "path_regions",
+                                          "near_radius",
+                                          "clearance",
+                                          "slowest",
+                                          "reverse_share",
+                                          "cost_length",
+                                          "goal_margin",
+                                          "max_substeps",
+                                          "robot_dimensions",
+                                          "robot_limits",
+                                          "robot_polygon",
+                                          "robot_sizes"};
+static_assert(sizeof(kArgumentNames) / sizeof(kArgumentNames[0]) ==
+              static_cast<std::size_t>(Argument::robot_sizes) + 1);
+
+}  // namespace
+
+const char* name(Status status) { return kStatusNames[static_cast<std::size_t>(status)]; }
+
+const char* name(Argument argument) { return kArgumentNames[static_cast<std::size_t>(argument)]; }
+
+}  // namespace krait
