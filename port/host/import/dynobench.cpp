@@ -1,0 +1,85 @@
+// dynobench's problems: a box-shaped world, box obstacles, and a robot's start and goal.
+#include <algorithm>
+#include <set>
+
+#include "host/import/shapes.hpp"
+#include "host/import/yaml.hpp"
+
+namespace krait::host {
+namespace {
+
+constexpr double kGoalRadius = 0.1;  // m; dynobench's goal is a state, ours a disc around its position
+constexpr double kMinLength = 1e-6;  // m
+
+bool recognise(const Source& source) { return has_top_key(source.content, "environment"); }
+
+double read_angle(const Field& obstacle) {
+  for (const char* key : {"angle", "rotation"}) {
+    if (obstacle.has(key)) return obstacle.at(key).number(-kMaxAngle, kMaxAngle);
+  }
+  return 0;
+}
+
+Obstacle read_obstacle(const Field& field) {
+  const Field type = field.at("type");
+  if (type.text() != "box") type.fail("only obstacles of type box are known, this is a " + cleaned_name(type.text()));
+  const Field size = field.at("size");
+  if (size.size() != 2) size.fail("must be [width, height]");
+  const Ring ring = box_ring(field.at("center").point(), size.item(0).number(kMinLength, kMaxCoordinate),
+                             size.item(1).number(kMinLength, kMaxCoordinate), read_angle(field));
+  return {field.place(), ring, {}};
+}
+
+struct Pose {
+  Point position;
+  double heading = 0;
+};
+
+// The first three numbers of a state; warns where the others, which have no place in a start, are not zero.
+Pose read_pose(const Field& state, std::vector<std::string>& warnings) {
+  const std::size_t size = state.size(3);
+  bool more = false;
+  for (std::size_t i = 3; i < size; ++i) more = more || state.item(i).number(-1e9, 1e9) != 0;
+  if (more) warnings.push_back(state.place() + ": only x, y and theta are used, its other numbers are not");
+  return {
+      {state.item(0).number(-kMaxCoordinate, kMaxCoordinate), state.item(1).number(-kMaxCoordinate, kMaxCoordinate)},
+      state.item(2).number(-kMaxAngle, kMaxAngle)};
+}
+
+void read_robot(const Field& robots, Workspace& workspace) {
+  if (robots.size() == 0) return;
+  if (robots.size() > 1) workspace.warnings.push_back("robots: only the first one's start and goal are used");
+  const Field robot = robots.item(0);
+  const Pose start = read_pose(robot.at("start"), workspace.warnings);
+  workspace.starts.push_back({"start", start.position, start.heading, {}});
+  const Pose goal = read_pose(robot.at("goal"), workspace.warnings);
+  workspace.goals.push_back({"goal", ring_inside_circle(goal.position, kGoalRadius)});
+  workspace.warnings.push_back("robots[0].goal: reached means within " + shown(kGoalRadius) +
+                               " m of its position, its heading is not asked for");
+}
+
+Workspace read(const Source& source, const ImportOptions&) {
+  const Json document = parse_yaml(source.content, source.path);
+  const Field field(document, source.path);
+  const Field environment = field.at("environment");
+  Workspace workspace;
+  if (field.has("name")) workspace.name = field.at("name").name();
+  workspace.min = environment.at("min").point();
+  workspace.max = environment.at("max").point();
+  if (!(workspace.min.x < workspace.max.x && workspace.min.y < workspace.max.y)) {
+    environment.fail("max must be greater than min in x and in y");
+  }
+  if (environment.has("obstacles") && !environment.at("obstacles").value().is_null()) {
+    const Field obstacles = environment.at("obstacles");
+    for (std::size_t i = 0; i < obstacles.size(); ++i) workspace.obstacles.push_back(read_obstacle(obstacles.item(i)));
+  }
+  if (field.has("robots")) read_robot(field.at("robots"), workspace);
+  for (std::string& warning : workspace.warnings) warning.insert(0, source.path + ": ");
+  return workspace;
+}
+
+}  // namespace
+
+const Format kDynobench = {"dynobench YAML", recognise, read};
+
+}  // namespace krait::host

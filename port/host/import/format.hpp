@@ -1,0 +1,27 @@
+// One file format of maps: how to recognise it and how to read it.
+#pragma once
+
+#include <string>
+
+#include "host/import/import.hpp"
+
+namespace krait::host {
+
+struct Source {
+  std::string path;
+  std::string content;
+};
+
+struct Format {
+  const char* name;
+  bool (*recognise)(const Source& source);  // by content and name; cheap, true for broken files of the format too
+  Workspace (*read)(const Source& source, const ImportOptions& options);  // throws InputError
+};
+
+extern const Format kSceneFile;
+extern const Format kNative;
+extern const Format kMapServer;
+extern const Format kMovingAi;
+extern const Format kDynobench;
+
+}  // namespace krait::host

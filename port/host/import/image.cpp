@@ -1,0 +1,28 @@
+#include "host/import/image.hpp"
+
+#include "host/input/file.hpp"
+#include "host/workspace/workspace.hpp"
+
+namespace krait::host {
+namespace {
+
+constexpr std::uint64_t kMaxFileBytes = 8 * kMaxCells;  // 16-bit RGBA without compression
+
+}  // namespace
+
+void require_cells(std::uint64_t columns, std::uint64_t rows, const std::string& file) {
+  if (columns >= 1 && rows >= 1 && columns <= kMaxCells && rows <= kMaxCells && columns * rows <= kMaxCells) return;
+  throw InputError(file + ": " + std::to_string(columns) + " x " + std::to_string(rows) +
+                   " cells: a map must have from 1 to " + std::to_string(kMaxCells));
+}
+
+bool is_image(const std::string& content) { return is_pgm(content) || is_png(content); }
+
+Image read_image(const std::string& path) {
+  const std::string content = read_file(path, kMaxFileBytes);
+  if (is_pgm(content)) return decode_pgm(content, path);
+  if (is_png(content)) return decode_png(content, path);
+  throw InputError(path + ": is neither a PGM (P2 or P5) nor a PNG image; convert it to one");
+}
+
+}  // namespace krait::host

@@ -1,0 +1,41 @@
+#include "host/import/import.hpp"
+
+#include <array>
+#include <filesystem>
+
+#include "host/import/format.hpp"
+#include "host/import/image.hpp"
+#include "host/input/file.hpp"
+#include "host/input/json.hpp"
+
+namespace krait::host {
+namespace {
+
+constexpr std::uint64_t kMaxFileBytes = 64U << 20;
+
+const std::array<const Format*, 5> kFormats = {&kSceneFile, &kNative, &kMovingAi, &kMapServer, &kDynobench};
+
+[[noreturn]] void refuse(const Source& source) {
+  if (is_image(source.content)) {
+    throw InputError(source.path +
+                     ": is an image alone; give the map's YAML file, which names the image and its scale");
+  }
+  std::string names;
+  for (const Format* format : kFormats) names += (names.empty() ? "" : ", ") + std::string(format->name);
+  throw InputError(source.path + ": is in no known format; known are " + names);
+}
+
+}  // namespace
+
+Workspace import_workspace(const std::string& path, const ImportOptions& options) {
+  const Source source{path, read_file(path, kMaxFileBytes)};
+  for (const Format* format : kFormats) {
+    if (!format->recognise(source)) continue;
+    Workspace workspace = format->read(source, options);
+    if (workspace.name.empty()) workspace.name = cleaned_name(std::filesystem::path(path).stem().string());
+    return workspace;
+  }
+  refuse(source);
+}
+
+}  // namespace krait::host

@@ -1,0 +1,202 @@
+// ROS map_server's maps: a YAML file with scale, origin and thresholds, and an image. Readings of pixels are those of
+// ROS 2's nav2_map_server; a pixel that is not opaque is unknown in every mode.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "host/import/image.hpp"
+#include "host/import/yaml.hpp"
+
+namespace krait::host {
+namespace {
+
+enum class Mode { trinary, scale, raw };
+enum class Reading { free, occupied, unknown };
+
+struct Rules {
+  Mode mode = Mode::trinary;
+  bool negate = false;
+  double occupied = 0;  // occupied above
+  double free = 0;      // free below
+  Unknown unknown = Unknown::map;
+};
+
+struct Counts {
+  std::size_t unknown = 0;
+  std::size_t saver_grey_free = 0;  // free, yet of the grey that map_saver writes for unknown
+};
+
+bool recognise(const Source& source) {
+  if (source.path.ends_with(".json") || has_top_key(source.content, "environment")) return false;
+  return has_top_key(source.content, "image") || has_top_key(source.content, "occupied_thresh") ||
+         has_top_key(source.content, "resolution");
+}
+
+Mode read_mode(const Field& field) {
+  if (!field.has("mode")) return Mode::trinary;
+  const std::string mode = field.at("mode").text();
+  if (mode == "trinary") return Mode::trinary;
+  if (mode == "scale") return Mode::scale;
+  if (mode == "raw") return Mode::raw;
+  field.at("mode").fail("must be trinary, scale or raw, is \"" + cleaned_name(mode) + "\"");
+}
+
+bool read_negate(const Field& field) {
+  if (!field.has("negate")) return false;
+  const Field negate = field.at("negate");
+  return negate.value().is_boolean() ? negate.value().get<bool>() : negate.integer(0, 1) == 1;
+}
+
+Rules read_rules(const Field& field, Unknown unknown) {
+  Rules rules{read_mode(field), read_negate(field), field.at("occupied_thresh").number(0, 1),
+              field.at("free_thresh").number(0, 1), unknown};
+  if (rules.free > rules.occupied) field.at("free_thresh").fail("must not be over occupied_thresh");
+  if (rules.mode == Mode::raw && rules.negate) {
+    field.at("negate").fail("ROS 1 and ROS 2 read it differently with mode raw; set it to 0 and invert the image");
+  }
+  return rules;
+}
+
+double color(const Pixel& pixel) { return (pixel.red + pixel.green + pixel.blue) / (3 * 65535.0); }
+
+// From 0 free to 1 occupied; below 0: no reading. In trinary mode map_server averages alpha with the colours.
+double occupancy(const Pixel& pixel, bool has_alpha, const Rules& rules) {
+  double shade = color(pixel);
+  if (rules.mode == Mode::trinary && has_alpha) {
+    shade = (pixel.red + pixel.green + pixel.blue + pixel.alpha) / (4 * 65535.0);
+  }
+  if (rules.mode != Mode::raw) return rules.negate ? shade : 1 - shade;
+  const double percent = std::round(shade * 255);
+  return percent <= 100 ? percent / 100 : -1;
+}
+
+Reading read_pixel(const Pixel& pixel, bool has_alpha, const Rules& rules) {
+  const double occupied = occupancy(pixel, has_alpha, rules);
+  if (pixel.alpha < 65535 || occupied < 0) return Reading::unknown;
+  if (rules.occupied < occupied) return Reading::occupied;
+  if (occupied < rules.free) return Reading::free;
+  return Reading::unknown;
+}
+
+bool is_saver_grey(const Pixel& pixel) { return std::lround(color(pixel) * 255) == 205; }
+
+std::uint8_t occupied_cell(const Pixel& pixel, bool has_alpha, const Rules& rules, Counts& counts) {
+  switch (read_pixel(pixel, has_alpha, rules)) {
+    case Reading::occupied:
+      return 1;
+    case Reading::unknown:
+      counts.unknown += 1;
+      return rules.unknown == Unknown::free ? 0 : 1;
+    case Reading::free:
+      if (!is_saver_grey(pixel)) return 0;
+      counts.saver_grey_free += 1;
+      return rules.unknown == Unknown::occupied ? 1 : 0;
+  }
+  return 1;
+}
+
+Counts fill(const Image& image, const Rules& rules, CellMap& cells) {
+  Counts counts;
+  cells.columns = image.columns;
+  cells.rows = image.rows;
+  cells.occupied.reserve(image.pixels.size());
+  for (int row = image.rows - 1; row >= 0; --row) {
+    for (int column = 0; column < image.columns; ++column) {
+      cells.occupied.push_back(occupied_cell(image.at(column, row), image.has_alpha, rules, counts));
+    }
+  }
+  return counts;
+}
+
+std::string share(std::size_t part, const CellMap& cells) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g %%",
+                100.0 * static_cast<double>(part) / static_cast<double>(cells.occupied.size()));
+  return text;
+}
+
+void warn(const std::string& file, const Counts& counts, const Rules& rules, Workspace& workspace) {
+  const CellMap& cells = *workspace.cells;
+  if (counts.unknown > 0 && rules.unknown == Unknown::map) {
+    workspace.warnings.push_back(file + ": " + share(counts.unknown, cells) +
+                                 " of the cells are unknown and count as obstacles; --unknown free makes them free");
+  }
+  if (counts.unknown > 0 && rules.unknown == Unknown::free) {
+    workspace.warnings.push_back(file + ": " + share(counts.unknown, cells) +
+                                 " of the cells are unknown and count as free, as asked");
+  }
+  if (counts.saver_grey_free > 0 && rules.unknown == Unknown::map) {
+    workspace.warnings.push_back(file + ": " + share(counts.saver_grey_free, cells) +
+                                 " of the cells are grey 205, map_saver's mark for unknown, which reads as free by "
+                                 "this file's thresholds (free_thresh " +
+                                 shown(rules.free) + "); --unknown occupied makes them obstacles");
+  }
+}
+
+Point placed(const CellMap& cells, double x, double y) {
+  const double c = std::cos(cells.yaw);
+  const double s = std::sin(cells.yaw);
+  return {cells.origin.x + c * x - s * y, cells.origin.y + s * x + c * y};
+}
+
+// The bounds are the rectangle that contains the placed map; what of it lies outside a turned map is an obstacle.
+void set_bounds(const Field& field, Workspace& workspace) {
+  const CellMap& cells = *workspace.cells;
+  const double width = cells.columns * cells.resolution;
+  const double height = cells.rows * cells.resolution;
+  const Ring corners = {placed(cells, 0, 0), placed(cells, width, 0), placed(cells, width, height),
+                        placed(cells, 0, height)};
+  workspace.min = workspace.max = corners[0];
+  for (const Point& corner : corners) {
+    if (std::abs(corner.x) > kMaxCoordinate || std::abs(corner.y) > kMaxCoordinate) {
+      field.at("resolution")
+          .fail("the map reaches further than " + shown(kMaxCoordinate) + " m from the world's origin");
+    }
+    workspace.min = {std::min(workspace.min.x, corner.x), std::min(workspace.min.y, corner.y)};
+    workspace.max = {std::max(workspace.max.x, corner.x), std::max(workspace.max.y, corner.y)};
+  }
+  if (cells.yaw == 0) return;
+  const Point low = {workspace.min.x - cells.resolution, workspace.min.y - cells.resolution};
+  const Point high = {workspace.max.x + cells.resolution, workspace.max.y + cells.resolution};
+  workspace.obstacles.push_back(
+      {"the outside of the turned map", {low, {high.x, low.y}, high, {low.x, high.y}}, {corners}});
+}
+
+void read_placement(const Field& field, CellMap& cells) {
+  cells.resolution = field.at("resolution").number(1e-4, 1e4);
+  const Field origin = field.at("origin");
+  if (origin.size() != 3) origin.fail("must be [x, y, yaw]");
+  cells.origin = {origin.item(0).number(-kMaxCoordinate, kMaxCoordinate),
+                  origin.item(1).number(-kMaxCoordinate, kMaxCoordinate)};
+  cells.yaw = origin.item(2).number(-kMaxAngle, kMaxAngle);
+}
+
+Image read_map_image(const Field& field, const std::string& file) {
+  const std::string name = field.at("image").text();
+  if (name.empty() || name.find('\0') != std::string::npos) field.at("image").fail("must be the path of an image");
+  try {
+    return read_image((std::filesystem::path(file).parent_path() / name).string());
+  } catch (const InputError& error) {
+    field.at("image").fail(error.what());
+  }
+}
+
+Workspace read(const Source& source, const ImportOptions& options) {
+  const Json document = parse_yaml(source.content, source.path);
+  const Field field(document, source.path);
+  const Rules rules = read_rules(field, options.unknown);
+  Workspace workspace;
+  workspace.cells.emplace();
+  read_placement(field, *workspace.cells);
+  const Counts counts = fill(read_map_image(field, source.path), rules, *workspace.cells);
+  set_bounds(field, workspace);
+  warn(source.path, counts, rules, workspace);
+  return workspace;
+}
+
+}  // namespace
+
+const Format kMapServer = {"map_server YAML", recognise, read};
+
+}  // namespace krait::host

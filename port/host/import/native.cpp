@@ -1,0 +1,117 @@
+// krait's own scene: JSON, metres and radians.
+#include <algorithm>
+#include <set>
+
+#include "host/import/format.hpp"
+#include "host/import/shapes.hpp"
+#include "host/input/json.hpp"
+
+namespace krait::host {
+namespace {
+
+constexpr double kMinLength = 1e-6;  // m, of boxes and radii
+constexpr std::size_t kMaxTrailers = 25;
+
+bool recognise(const Source& source) {
+  const std::size_t first = source.content.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  return source.path.ends_with(".json") || (first != std::string::npos && source.content[first] == '{');
+}
+
+Ring read_box(const Field& box) {
+  box.keys({"center", "size", "angle"});
+  const Field size = box.at("size");
+  if (size.size() != 2) size.fail("must be [width, height]");
+  const double angle = box.has("angle") ? box.at("angle").number(-kMaxAngle, kMaxAngle) : 0;
+  return box_ring(box.at("center").point(), size.item(0).number(kMinLength, kMaxCoordinate),
+                  size.item(1).number(kMinLength, kMaxCoordinate), angle);
+}
+
+using RoundRing = Ring (*)(const Point& center, double radius);
+
+Ring read_circle(const Field& circle, RoundRing round) {
+  circle.keys({"center", "radius"});
+  return round(circle.at("center").point(), circle.at("radius").number(kMinLength, kMaxCoordinate));
+}
+
+// The one of "polygon", "box" and "circle" that the object has.
+Ring read_shape(const Field& field, RoundRing round) {
+  const int shapes = int{field.has("polygon")} + int{field.has("box")} + int{field.has("circle")};
+  if (shapes != 1) field.fail("must have one of polygon, box and circle, has " + std::to_string(shapes));
+  if (field.has("polygon")) return field.at("polygon").ring();
+  if (field.has("box")) return read_box(field.at("box"));
+  return read_circle(field.at("circle"), round);
+}
+
+Obstacle read_obstacle(const Field& field) {
+  field.keys({"polygon", "holes", "box", "circle"});
+  Obstacle obstacle{field.place(), read_shape(field, ring_around_circle), {}};
+  if (!field.has("holes")) return obstacle;
+  const Field holes = field.at("holes");
+  if (!field.has("polygon")) holes.fail("only a polygon can have holes");
+  for (std::size_t i = 0; i < holes.size(); ++i) obstacle.holes.push_back(holes.item(i).ring());
+  return obstacle;
+}
+
+Goal read_goal(const Field& field) {
+  field.keys({"name", "polygon", "box", "circle"});
+  return {field.at("name").name(), read_shape(field, ring_inside_circle)};
+}
+
+Start read_start(const Field& field) {
+  field.keys({"name", "position", "heading", "angles"});
+  Start start{
+      field.at("name").name(), field.at("position").point(), field.at("heading").number(-kMaxAngle, kMaxAngle), {}};
+  if (!field.has("angles")) return start;
+  const Field angles = field.at("angles");
+  for (std::size_t i = 0; i < angles.size(0, kMaxTrailers); ++i) {
+    start.angles.push_back(angles.item(i).number(-kMaxAngle, kMaxAngle));
+  }
+  return start;
+}
+
+template <class Item>
+void require_distinct_names(const Field& list, const std::vector<Item>& items) {
+  std::set<std::string> names;
+  for (const Item& item : items) {
+    if (!names.insert(item.name).second) list.fail("the name \"" + item.name + "\" is given twice");
+  }
+}
+
+template <class Item>
+std::vector<Item> read_list(const Field& document, const char* key, Item (*read)(const Field&)) {
+  std::vector<Item> items;
+  if (!document.has(key)) return items;
+  const Field list = document.at(key);
+  for (std::size_t i = 0; i < list.size(); ++i) items.push_back(read(list.item(i)));
+  return items;
+}
+
+void read_bounds(const Field& bounds, Workspace& workspace) {
+  bounds.keys({"min", "max"});
+  workspace.min = bounds.at("min").point();
+  workspace.max = bounds.at("max").point();
+  if (!(workspace.min.x < workspace.max.x && workspace.min.y < workspace.max.y)) {
+    bounds.fail("max must be greater than min in x and in y");
+  }
+}
+
+Workspace read(const Source& source, const ImportOptions&) {
+  const Json document = parse_json(source.content, source.path);
+  const Field field(document, source.path);
+  field.keys({"name", "bounds", "obstacles", "goals", "starts"});
+  Workspace workspace;
+  if (field.has("name")) workspace.name = field.at("name").name();
+  read_bounds(field.at("bounds"), workspace);
+  workspace.obstacles = read_list(field, "obstacles", read_obstacle);
+  workspace.goals = read_list(field, "goals", read_goal);
+  workspace.starts = read_list(field, "starts", read_start);
+  if (field.has("goals")) require_distinct_names(field.at("goals"), workspace.goals);
+  if (field.has("starts")) require_distinct_names(field.at("starts"), workspace.starts);
+  return workspace;
+}
+
+}  // namespace
+
+const Format kNative = {"krait's JSON", recognise, read};
+
+}  // namespace krait::host

@@ -1,0 +1,50 @@
+#include "host/import/shapes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace krait::host {
+namespace {
+
+constexpr double kError = 0.01;     // m between polygon and circle, where 128 corners suffice for it
+constexpr double kRounding = 1e-9;  // relative; keeps "contains" and "inside" true after rounding
+
+// Half the angle that an edge spans.
+double half_edge_angle(double radius) {
+  const double wanted = std::acos(radius / (radius + kError));
+  return std::numbers::pi / std::clamp(std::ceil(std::numbers::pi / wanted), 8.0, 128.0);
+}
+
+Ring regular(const Point& center, double corner_radius, double half_angle) {
+  const auto corners = static_cast<std::size_t>(std::lround(std::numbers::pi / half_angle));
+  Ring ring(corners);
+  for (std::size_t i = 0; i < corners; ++i) {
+    const double angle = static_cast<double>(2 * i + 1) * half_angle;
+    ring[i] = {center.x + corner_radius * std::cos(angle), center.y + corner_radius * std::sin(angle)};
+  }
+  return ring;
+}
+
+}  // namespace
+
+Ring box_ring(const Point& center, double width, double height, double angle) {
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  Ring ring = {{-width / 2, -height / 2}, {width / 2, -height / 2}, {width / 2, height / 2}, {-width / 2, height / 2}};
+  for (Point& corner : ring) {
+    corner = {center.x + c * corner.x - s * corner.y, center.y + s * corner.x + c * corner.y};
+  }
+  return ring;
+}
+
+Ring ring_around_circle(const Point& center, double radius) {
+  const double half_angle = half_edge_angle(radius);
+  return regular(center, radius / std::cos(half_angle) * (1 + kRounding), half_angle);
+}
+
+Ring ring_inside_circle(const Point& center, double radius) {
+  return regular(center, radius * (1 - kRounding), half_edge_angle(radius));
+}
+
+}  // namespace krait::host

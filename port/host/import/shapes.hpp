@@ -1,0 +1,15 @@
+// Polygons of boxes and circles.
+#pragma once
+
+#include "host/workspace/workspace.hpp"
+
+namespace krait::host {
+
+// Counter-clockwise; the angle in radians turns the box about its centre.
+Ring box_ring(const Point& center, double width, double height, double angle);
+
+// Regular polygons of 8 to 128 corners, as few as keep within 1 cm of the circle.
+Ring ring_around_circle(const Point& center, double radius);  // contains the circle
+Ring ring_inside_circle(const Point& center, double radius);  // lies inside the circle
+
+}  // namespace krait::host

@@ -1,0 +1,108 @@
+#include "host/input/file.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+
+#include "host/workspace/workspace.hpp"
+
+namespace krait::host {
+namespace {
+
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (number_ >= 0) ::close(number_);
+  }
+  int number() const { return number_; }
+  int release() { return std::exchange(number_, -1); }
+
+ private:
+  int number_;
+};
+
+[[noreturn]] void fail(const std::string& path, const char* action, int error) {
+  throw InputError(path + ": cannot be " + action + ": " + std::strerror(error));
+}
+
+void write_all(int descriptor, const std::string& path, const std::string& content) {
+  for (std::size_t done = 0; done < content.size();) {
+    const ssize_t count = ::write(descriptor, content.data() + done, content.size() - done);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail(path, "written", errno);
+    done += static_cast<std::size_t>(count);
+  }
+}
+
+// Removes the temporary unless it became the file.
+struct Temporary {
+  std::string path;
+  bool renamed = false;
+  ~Temporary() {
+    if (!renamed) ::unlink(path.c_str());
+  }
+};
+
+void write_device(const std::string& path, const std::string& content) {
+  const Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+  if (file.number() < 0) fail(path, "written", errno);
+  write_all(file.number(), path, content);
+}
+
+void replace_file(const std::string& path, const std::string& target, const std::string& content) {
+  static unsigned serial = 0;
+  const std::string name = target + ".part" + std::to_string(::getpid()) + "-" + std::to_string(serial++);
+  Descriptor file(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  if (file.number() < 0) fail(path, "written", errno);
+  Temporary temporary{name};
+  write_all(file.number(), path, content);
+  if (::fsync(file.number()) != 0) fail(path, "written", errno);
+  if (::close(file.release()) != 0) fail(path, "written", errno);
+  if (std::rename(name.c_str(), target.c_str()) != 0) fail(path, "written", errno);
+  temporary.renamed = true;
+}
+
+}  // namespace
+
+std::string read_file(const std::string& path, std::uint64_t most) {
+  // O_NONBLOCK: opening a FIFO without a writer returns at once and is then refused as no regular file.
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  if (file.number() < 0) fail(path, "read", errno);
+  struct stat status = {};
+  if (::fstat(file.number(), &status) != 0) fail(path, "read", errno);
+  if (S_ISDIR(status.st_mode)) throw InputError(path + ": is a directory, not a file");
+  if (!S_ISREG(status.st_mode)) throw InputError(path + ": is not a regular file");
+  const auto size = static_cast<std::uint64_t>(status.st_size);
+  if (size == 0) throw InputError(path + ": is empty");
+  if (size > most) {
+    throw InputError(path + ": has " + std::to_string(size) + " bytes; at most " + std::to_string(most) + " are read");
+  }
+  std::string content(size, '\0');
+  for (std::size_t done = 0; done < content.size();) {
+    const ssize_t count = ::read(file.number(), content.data() + done, content.size() - done);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail(path, "read", errno);
+    if (count == 0) throw InputError(path + ": became shorter while it was read");
+    done += static_cast<std::size_t>(count);
+  }
+  return content;
+}
+
+void write_file(const std::string& path, const std::string& content) {
+  struct stat status = {};
+  const bool exists = ::stat(path.c_str(), &status) == 0;
+  if (exists && S_ISDIR(status.st_mode)) throw InputError(path + ": cannot be written: is a directory");
+  if (exists && !S_ISREG(status.st_mode)) return write_device(path, content);
+  replace_file(path, exists ? std::filesystem::canonical(path).string() : path, content);
+}
+
+}  // namespace krait::host

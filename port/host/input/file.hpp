@@ -1,0 +1,17 @@
+// Reads and writes whole files.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace krait::host {
+
+// The bytes of a regular file of 1 to `most` bytes. Throws InputError naming the path: missing, a directory, a
+// device, empty, too large, unreadable.
+std::string read_file(const std::string& path, std::uint64_t most);
+
+// Writes a file whole or not at all: to a temporary beside it, then by rename; a symbolic link is followed, and a
+// device (/dev/stdout) is written to directly. Throws InputError.
+void write_file(const std::string& path, const std::string& content);
+
+}  // namespace krait::host

@@ -1,0 +1,170 @@
+#include "host/input/json.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <set>
+
+namespace krait::host {
+namespace {
+
+// The parser's own text without its "[json.exception…]" mark, on one line.
+std::string reason(const Json::exception& error) {
+  std::string text = error.what();
+  const std::size_t mark = text.find("] ");
+  if (mark != std::string::npos) text.erase(0, mark + 2);
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c > '~'; }, '?');
+  return text;
+}
+
+double number_or_nan(const Json& value) {
+  return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
+}
+
+// Refuses deep nesting and repeated keys while the text is parsed.
+class Guard {
+ public:
+  explicit Guard(const std::string& file) : file_(file) {}
+
+  bool operator()(int depth, Json::parse_event_t event, const Json& value) {
+    if (depth > kMaxDepth) {
+      throw InputError(file_ + ": lists and objects are nested deeper than " + std::to_string(kMaxDepth));
+    }
+    if (event == Json::parse_event_t::object_start) {
+      keys_.emplace_back();
+    } else if (event == Json::parse_event_t::object_end) {
+      keys_.pop_back();
+    } else if (event == Json::parse_event_t::key) {
+      const std::string& key = value.get_ref<const std::string&>();
+      if (!keys_.back().insert(key).second) throw InputError(file_ + ": key \"" + key + "\" is given twice");
+    }
+    return true;
+  }
+
+ private:
+  const std::string& file_;
+  std::vector<std::set<std::string>> keys_;
+};
+
+}  // namespace
+
+std::string shown(double number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.8g", number);
+  return text;
+}
+
+Json parse_json(const std::string& text, const std::string& file) {
+  try {
+    Guard guard(file);
+    return Json::parse(
+        text, [&guard](int depth, Json::parse_event_t event, Json& value) { return guard(depth, event, value); });
+  } catch (const Json::exception& error) {
+    throw InputError(file + ": is not valid JSON: " + reason(error));
+  }
+}
+
+Json to_json(const Ring& ring) {
+  Json list = Json::array();
+  for (const Point& point : ring) list.push_back({point.x, point.y});
+  return list;
+}
+
+std::string cleaned_name(const std::string& text) {
+  std::string name = text.substr(0, kMaxNameBytes);
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return c < ' ' || c == 127; }, '?');
+  name = Json::parse(Json(name).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
+  return name;
+}
+
+Field::Field(const Json& document, const std::string& file)
+    : Field(document, std::make_shared<const std::string>(file), {}) {}
+
+Field::Field(const Json& value, std::shared_ptr<const std::string> file, std::string place)
+    : value_(&value), file_(std::move(file)), place_(std::move(place)) {}
+
+void Field::fail(const std::string& what) const {
+  throw InputError(*file_ + ": " + (place_.empty() ? "" : place_ + ": ") + what);
+}
+
+void Field::fail_expecting(const std::string& expected) const {
+  constexpr std::size_t kMostShown = 40;
+  std::string found = value_->is_structured() ? std::string(value_->is_array() ? "a list of " : "an object of ") +
+                                                    std::to_string(value_->size())
+                                              : value_->dump(-1, ' ', true, Json::error_handler_t::replace);
+  if (value_->is_number_float() && !std::isfinite(value_->get<double>())) found = shown(value_->get<double>());
+  if (found.size() > kMostShown) found = found.substr(0, kMostShown) + "...";
+  fail("must be " + expected + ", is " + found);
+}
+
+void Field::keys(std::initializer_list<const char*> known) const {
+  if (!value_->is_object()) fail_expecting("an object");
+  for (const auto& item : value_->items()) {
+    if (std::find(known.begin(), known.end(), item.key()) != known.end()) continue;
+    std::string names;
+    for (const char* name : known) names += (names.empty() ? "" : ", ") + std::string(name);
+    fail("unknown key \"" + item.key() + "\"; known here: " + names);
+  }
+}
+
+Field Field::at(const char* key) const {
+  if (!value_->is_object()) fail_expecting("an object");
+  const auto found = value_->find(key);
+  const std::string place = place_.empty() ? key : place_ + "." + key;
+  if (found == value_->end()) throw InputError(*file_ + ": " + place + ": is missing");
+  return Field(*found, file_, place);
+}
+
+std::size_t Field::size(std::size_t least, std::size_t most) const {
+  if (!value_->is_array()) fail_expecting("a list");
+  if (value_->size() < least) fail_expecting("a list of at least " + std::to_string(least));
+  if (value_->size() > most) fail_expecting("a list of at most " + std::to_string(most));
+  return value_->size();
+}
+
+Field Field::item(std::size_t index) const {
+  return Field((*value_)[index], file_, place_ + "[" + std::to_string(index) + "]");
+}
+
+double Field::number(double least, double most) const {
+  const double number = number_or_nan(*value_);
+  if (!(number >= least && number <= most)) fail_expecting("a number from " + shown(least) + " to " + shown(most));
+  return number;
+}
+
+long long Field::integer(long long least, long long most) const {
+  const double value = number_or_nan(*value_);
+  if (!(value >= static_cast<double>(least) && value <= static_cast<double>(most)) || value != std::floor(value)) {
+    fail_expecting("a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+  }
+  return static_cast<long long>(value);
+}
+
+std::string Field::text() const {
+  if (!value_->is_string()) fail_expecting("a text");
+  return value_->get<std::string>();
+}
+
+std::string Field::name() const {
+  std::string name = text();
+  if (name.empty() || name.size() > kMaxNameBytes || name != cleaned_name(name)) {
+    fail_expecting("a name of 1 to " + std::to_string(kMaxNameBytes) + " bytes without control characters");
+  }
+  return name;
+}
+
+Point Field::point(double most) const {
+  if (size() != 2) fail_expecting("[x, y]");
+  return {item(0).number(-most, most), item(1).number(-most, most)};
+}
+
+Ring Field::ring(std::size_t most, double most_coordinate) const {
+  Ring ring(size(3, most));
+  for (std::size_t i = 0; i < ring.size(); ++i) ring[i] = item(i).point(most_coordinate);
+  return ring;
+}
+
+}  // namespace krait::host

@@ -1,0 +1,66 @@
+// Parses JSON within bounds, and reads its fields so that every error names the file and the field.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "host/workspace/workspace.hpp"
+
+namespace krait::host {
+
+using Json = nlohmann::ordered_json;
+
+inline constexpr int kMaxDepth = 64;           // of nested lists and objects
+inline constexpr double kMaxCoordinate = 1e7;  // metres, world coordinates
+inline constexpr double kMaxAngle = 1000;      // radians
+inline constexpr std::size_t kMaxNameBytes = 200;
+
+// Throws InputError: a syntax error with its position, nesting beyond kMaxDepth, a key given twice.
+Json parse_json(const std::string& text, const std::string& file);
+
+// A value of a parsed document and the place where it stands. The document must outlive it.
+// Every reader throws InputError "FILE: PLACE: must be …, is …".
+class Field {
+ public:
+  Field(const Json& document, const std::string& file);
+
+  const Json& value() const { return *value_; }
+  const std::string& place() const { return place_; }  // "obstacles[3].circle"; empty for the document itself
+
+  void keys(std::initializer_list<const char*> known) const;  // an object that has no other keys
+  bool has(const char* key) const { return value_->is_object() && value_->contains(key); }
+  Field at(const char* key) const;                                             // the member of an object
+  std::size_t size(std::size_t least = 0, std::size_t most = SIZE_MAX) const;  // of a list, from least to most
+  Field item(std::size_t index) const;                                         // of a list
+
+  double number(double least, double most) const;  // finite
+  long long integer(long long least, long long most) const;
+  std::string text() const;
+  std::string name() const;                         // 1 to kMaxNameBytes bytes without control characters
+  Point point(double most = kMaxCoordinate) const;  // [x, y], both from -most to most
+  Ring ring(std::size_t most = SIZE_MAX, double most_coordinate = kMaxCoordinate) const;  // at least 3 points
+
+  [[noreturn]] void fail(const std::string& what) const;
+
+ private:
+  Field(const Json& value, std::shared_ptr<const std::string> file, std::string place);
+  [[noreturn]] void fail_expecting(const std::string& expected) const;
+
+  const Json* value_;
+  std::shared_ptr<const std::string> file_;
+  std::string place_;
+};
+
+Json to_json(const Ring& ring);  // [[x, y], …]
+
+// The text as a name may stand: valid UTF-8 (U+FFFD for what is not), cut to kMaxNameBytes, no control characters.
+std::string cleaned_name(const std::string& text);
+
+// With at most 8 digits, for messages.
+std::string shown(double number);
+
+}  // namespace krait::host

@@ -1,0 +1,69 @@
+// What an importer yields and everything else on the workstation reads: a map in metres, double precision.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace krait::host {
+
+struct Point {
+  double x = 0;
+  double y = 0;
+};
+
+using Ring = std::vector<Point>;  // closed implicitly; either orientation
+
+struct Obstacle {
+  std::string label;  // as a user would find it in the file: "obstacles[3]", "environment.obstacles[0]"
+  Ring outer;         // may be non-convex, overlap others, lie partly outside the bounds
+  std::vector<Ring> holes;
+};
+
+struct Goal {
+  std::string name;
+  Ring polygon;
+};
+
+struct Start {
+  std::string name;
+  Point position;
+  double heading = 0;
+  std::vector<double> angles;  // trailer headings; empty: all equal to heading
+};
+
+// A map of square cells. Cell (column, row) covers [column, column + 1] x [row, row + 1] * resolution in the
+// map's own frame (row 0 at the bottom), which is placed in the world by origin and yaw.
+struct CellMap {
+  int columns = 0;
+  int rows = 0;
+  double resolution = 0;  // metres
+  Point origin;           // world position of the corner of cell (0, 0)
+  double yaw = 0;         // radians, counter-clockwise
+  std::vector<std::uint8_t> occupied;  // rows * columns, row-major from the bottom row: 1 = obstacle
+
+  bool at(int column, int row) const {
+    return occupied[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column)] != 0;
+  }
+};
+
+struct Workspace {
+  std::string name;
+  Point min;  // the bounds, world coordinates
+  Point max;
+  std::vector<Obstacle> obstacles;
+  std::optional<CellMap> cells;  // a map's obstacles are its occupied cells, in addition to `obstacles`
+  std::vector<Goal> goals;
+  std::vector<Start> starts;
+  std::vector<std::string> warnings;  // one line each, for the user
+};
+
+// Unusable input: one line that says what, where and what to do. The command line prints it and exits with 2.
+class InputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace krait::host

@@ -1,0 +1,76 @@
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "../scratch.hpp"
+#include "host/import/import.hpp"
+
+namespace krait::host {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const std::string kBounds = "environment:\n  min: [0, 0]\n  max: [6.5, 5]\n";
+const std::string kRobot = "robots:\n  - type: unicycle1_v0\n    start: [1, 2, 0.5]\n    goal: [4, 3, 0]\n";
+
+class DynobenchTest : public ScratchTest {
+ protected:
+  Workspace read(const std::string& yaml) const { return import_workspace(write("d.yaml", yaml), {}); }
+  std::string error(const std::string& yaml) const {
+    return error_of([&] { read(yaml); });
+  }
+};
+
+TEST_F(DynobenchTest, ReadsBoxesStartAndGoal) {
+  const Workspace w = read("name: park\n" + kBounds +
+                           "  obstacles:\n    - {type: box, center: [2, 3], size: [1, 0.5]}\n"
+                           "    - {type: box, center: [2, 3], size: [1, 0.5], angle: 1.5707963267948966}\n" +
+                           kRobot);
+  EXPECT_EQ(w.name, "park");
+  EXPECT_EQ(w.max.x, 6.5);
+  ASSERT_EQ(w.obstacles.size(), 2U);
+  EXPECT_EQ(w.obstacles[0].label, "environment.obstacles[0]");
+  EXPECT_EQ(w.obstacles[0].outer[0].x, 1.5);
+  EXPECT_EQ(w.obstacles[0].outer[0].y, 2.75);
+  EXPECT_NEAR(w.obstacles[1].outer[0].x, 2.25, 1e-12);
+  EXPECT_NEAR(w.obstacles[1].outer[0].y, 2.5, 1e-12);
+  ASSERT_EQ(w.starts.size(), 1U);
+  EXPECT_EQ(w.starts[0].name, "start");
+  EXPECT_EQ(w.starts[0].heading, 0.5);
+  ASSERT_EQ(w.goals.size(), 1U);
+  EXPECT_EQ(w.goals[0].name, "goal");
+  for (const Point& p : w.goals[0].polygon) EXPECT_NEAR(std::hypot(p.x - 4, p.y - 3), 0.1, 1e-6);
+}
+
+TEST_F(DynobenchTest, NeitherObstaclesNorRobotsAreNeeded) {
+  EXPECT_THAT(read(kBounds + "  obstacles: []\n").obstacles, IsEmpty());
+  EXPECT_THAT(read(kBounds + "  obstacles:\n").starts, IsEmpty());
+  EXPECT_THAT(read(kBounds).goals, IsEmpty());
+}
+
+TEST_F(DynobenchTest, SaysWhatItDoesNotUse) {
+  EXPECT_THAT(read(kBounds + kRobot).warnings,
+              testing::ElementsAre(HasSubstr("robots[0].goal: reached means within 0.1 m")));
+  const Workspace w = read(kBounds + "robots:\n - start: [1, 2, 0, 3]\n   goal: [1, 2, 0]\n - start: [1]\n");
+  EXPECT_THAT(w.warnings, testing::Contains(HasSubstr("only the first one")));
+  EXPECT_THAT(w.warnings, testing::Contains(HasSubstr("robots[0].start: only x, y and theta")));
+}
+
+TEST_F(DynobenchTest, WrongFieldsAreNamed) {
+  EXPECT_THAT(error(kBounds + "  obstacles:\n    - {type: sphere, center: [2, 3], size: [1]}\n"),
+              HasSubstr("environment.obstacles[0].type: only obstacles of type box are known, this is a sphere"));
+  EXPECT_THAT(error(kBounds + "  obstacles:\n    - {type: box, center: [2, 3, 4], size: [1, 1]}\n"),
+              HasSubstr("center: must be [x, y]"));
+  EXPECT_THAT(error(kBounds + "  obstacles:\n    - {type: box, center: [2, 3], size: [1, 0]}\n"),
+              HasSubstr("size[1]: must be"));
+  EXPECT_THAT(error(kBounds + "robots:\n  - start: [1, 2]\n"),
+              HasSubstr("robots[0].start: must be a list of at least 3"));
+  EXPECT_THAT(error(kBounds + "robots:\n  - start: [1, 2, 0]\n"), HasSubstr("robots[0].goal: is missing"));
+  EXPECT_THAT(error("environment:\n  min: [0, 0]\n  max: [0, 5]\n"), HasSubstr("environment: max must be greater"));
+  EXPECT_THAT(error("environment:\n  min: [0, 0]\n"), HasSubstr("environment.max: is missing"));
+  EXPECT_THAT(error("environment: 3\n"), HasSubstr("environment: must be an object"));
+}
+
+}  // namespace
+}  // namespace krait::host

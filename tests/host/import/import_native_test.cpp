@@ -1,0 +1,156 @@
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "../scratch.hpp"
+#include "host/import/import.hpp"
+
+namespace krait::host {
+namespace {
+
+using testing::HasSubstr;
+
+class NativeTest : public ScratchTest {
+ protected:
+  // A document with the members after its bounds.
+  Workspace read(const std::string& members) const {
+    const std::string comma = members.empty() ? "" : ", ";
+    return import_workspace(write("s.json", R"({"bounds": {"min": [0, 0], "max": [10, 10]})" + comma + members + "}"),
+                            {});
+  }
+  std::string error(const std::string& members) const {
+    return error_of([&] { read(members); });
+  }
+};
+
+double area(const Ring& ring) {
+  double sum = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point& a = ring[i];
+    const Point& b = ring[(i + 1) % ring.size()];
+    sum += (a.x * b.y - b.x * a.y) / 2;
+  }
+  return sum;
+}
+
+double distance_to_edges(const Ring& ring, const Point& p) {
+  double least = 1e300;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point& a = ring[i];
+    const Point& b = ring[(i + 1) % ring.size()];
+    const double length = std::hypot(b.x - a.x, b.y - a.y);
+    least = std::min(least, ((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)) / length);
+  }
+  return least;
+}
+
+double distance_to_corners(const Ring& ring, const Point& p) {
+  double most = 0;
+  for (const Point& corner : ring) most = std::max(most, std::hypot(corner.x - p.x, corner.y - p.y));
+  return most;
+}
+
+TEST_F(NativeTest, TakesItsNameFromTheFileIfItHasNone) {
+  EXPECT_EQ(read("").name, "s");
+  EXPECT_EQ(read(R"("name": "yard")").name, "yard");
+}
+
+TEST_F(NativeTest, IsRecognisedByContentToo) {
+  EXPECT_EQ(import_workspace(write("yard", "\n {\"bounds\": {\"min\": [0,0], \"max\": [1,2]}}"), {}).max.y, 2);
+}
+
+TEST_F(NativeTest, KeepsPolygonsAndHolesAsTheyAre) {
+  const Workspace w = read(R"("obstacles": [{"polygon": [[0,0],[4,0],[4,4],[0,4]], "holes": [[[1,1],[1,2],[2,2]]]}])");
+  ASSERT_EQ(w.obstacles.size(), 1U);
+  EXPECT_EQ(w.obstacles[0].label, "obstacles[0]");
+  EXPECT_EQ(area(w.obstacles[0].outer), 16);
+  ASSERT_EQ(w.obstacles[0].holes.size(), 1U);
+  EXPECT_EQ(area(w.obstacles[0].holes[0]), -0.5);
+}
+
+TEST_F(NativeTest, TurnsABoxAboutItsCentre) {
+  const Workspace w =
+      read(R"("obstacles": [{"box": {"center": [5, 6], "size": [4, 2], "angle": 1.5707963267948966}}])");
+  const Ring& ring = w.obstacles[0].outer;
+  EXPECT_NEAR(area(ring), 8, 1e-12);
+  EXPECT_NEAR(ring[0].x, 6, 1e-12);  // the corner (-2, -1) turned to (1, -2)
+  EXPECT_NEAR(ring[0].y, 4, 1e-12);
+}
+
+TEST_F(NativeTest, ACircularObstacleIsContainedInItsPolygon) {
+  for (const double radius : {1e-6, 0.05, 0.5, 3.0, 40.0, 1e6}) {
+    const Workspace w =
+        read(R"("obstacles": [{"circle": {"center": [3, 4], "radius": )" + std::to_string(radius) + "}}]");
+    const double read_radius = std::stod(std::to_string(radius));
+    const Ring& ring = w.obstacles[0].outer;
+    EXPECT_GE(distance_to_edges(ring, {3, 4}), read_radius);
+    EXPECT_LE(ring.size(), 128U);
+    EXPECT_LE(distance_to_corners(ring, {3, 4}), radius < 30 ? read_radius + 0.0101 : read_radius * 1.001);
+  }
+}
+
+TEST_F(NativeTest, ACircularGoalContainsItsPolygon) {
+  for (const double radius : {0.05, 0.5, 3.0, 40.0}) {
+    const Workspace w =
+        read(R"("goals": [{"name": "g", "circle": {"center": [3, 4], "radius": )" + std::to_string(radius) + "}}]");
+    const Ring& ring = w.goals[0].polygon;
+    EXPECT_LE(distance_to_corners(ring, {3, 4}), radius);
+    EXPECT_GE(distance_to_edges(ring, {3, 4}), radius < 30 ? radius - 0.0101 : radius * 0.999);
+  }
+}
+
+TEST_F(NativeTest, ReadsGoalsAndStarts) {
+  const Workspace w = read(R"("goals": [{"name": "a", "box": {"center": [1, 1], "size": [1, 1]}},
+                                        {"name": "b", "polygon": [[0,0],[1,0],[0,1]]}],
+                              "starts": [{"name": "home", "position": [2, 3], "heading": -1.5, "angles": [1, 2]}])");
+  ASSERT_EQ(w.goals.size(), 2U);
+  EXPECT_EQ(w.goals[1].name, "b");
+  ASSERT_EQ(w.starts.size(), 1U);
+  EXPECT_EQ(w.starts[0].position.y, 3);
+  EXPECT_EQ(w.starts[0].heading, -1.5);
+  EXPECT_EQ(w.starts[0].angles, (std::vector<double>{1, 2}));
+}
+
+TEST_F(NativeTest, UnknownKeysAreNamed) {
+  EXPECT_THAT(error(R"("obstacels": [])"), HasSubstr("unknown key \"obstacels\"; known here: name, bounds, obstacles"));
+  EXPECT_THAT(error(R"("obstacles": [{"polygon": [[0,0],[1,0],[0,1]], "hole": []}])"),
+              HasSubstr("obstacles[0]: unknown key \"hole\""));
+  EXPECT_THAT(error(R"("goals": [{"name": "g", "circle": {"centre": [1,1], "radius": 1}}])"),
+              HasSubstr("goals[0].circle: unknown key \"centre\""));
+  EXPECT_THAT(error(R"("starts": [{"name": "s", "pose": 1}])"), HasSubstr("starts[0]: unknown key \"pose\""));
+}
+
+TEST_F(NativeTest, WrongValuesAreNamed) {
+  EXPECT_THAT(error(R"("obstacles": [{"circle": {"center": [1, 1], "radius": 0}}])"),
+              HasSubstr("obstacles[0].circle.radius"));
+  EXPECT_THAT(error(R"("obstacles": [{"circle": {"center": [1, 2e7], "radius": 1}}])"), HasSubstr("circle.center[1]"));
+  EXPECT_THAT(error(R"("obstacles": [{"box": {"center": [1, 1], "size": [1, -1]}}])"), HasSubstr("box.size[1]"));
+  EXPECT_THAT(error(R"("obstacles": [{"box": {"center": [1, 1], "size": 1}}])"), HasSubstr("box.size: must be a list"));
+  EXPECT_THAT(error(R"("obstacles": [{"polygon": [[0,0],[1,1]]}])"), HasSubstr("at least 3"));
+  EXPECT_THAT(error(R"("obstacles": [{"polygon": [[0,0],[1,1],[2]]}])"), HasSubstr("polygon[2]: must be [x, y]"));
+  EXPECT_THAT(error(R"("obstacles": [{}])"), HasSubstr("must have one of polygon, box and circle, has 0"));
+  EXPECT_THAT(error(R"("obstacles": [{"box": {}, "circle": {}}])"), HasSubstr("has 2"));
+  EXPECT_THAT(error(R"("obstacles": [{"circle": {"center": [1,1], "radius": 1}, "holes": []}])"),
+              HasSubstr("only a polygon"));
+  EXPECT_THAT(error(R"("obstacles": {})"), HasSubstr("obstacles: must be a list, is an object of 0"));
+  EXPECT_THAT(error(R"("goals": [{"polygon": [[0,0],[1,0],[0,1]]}])"), HasSubstr("goals[0].name: is missing"));
+  EXPECT_THAT(error(R"("starts": [{"name": "s", "position": [1,1], "heading": 1e300}])"),
+              HasSubstr("starts[0].heading"));
+  EXPECT_THAT(error(R"("starts": [{"name": "s", "position": [1,1], "heading": 0},
+                                  {"name": "s", "position": [1,2], "heading": 0}])"),
+              HasSubstr("the name \"s\" is given twice"));
+}
+
+TEST_F(NativeTest, UnusableBoundsAreRefused) {
+  const auto bounds = [&](const std::string& text) {
+    return error_of([&] { import_workspace(write("s.json", R"({"bounds": )" + text + "}"), {}); });
+  };
+  EXPECT_THAT(bounds(R"({"min": [0, 0], "max": [0, 1]})"), HasSubstr("bounds: max must be greater than min"));
+  EXPECT_THAT(bounds(R"({"min": [0, 0], "max": [NaN, 1]})"), HasSubstr("is not valid JSON"));
+  EXPECT_THAT(bounds(R"({"min": [0, 0], "max": [1e300, 1]})"), HasSubstr("bounds.max[0]: must be a number"));
+  EXPECT_THAT(bounds(R"({"min": [0, 0]})"), HasSubstr("bounds.max: is missing"));
+  EXPECT_THAT(error_of([&] { import_workspace(write("s.json", "{}"), {}); }), HasSubstr("bounds: is missing"));
+}
+
+}  // namespace
+}  // namespace krait::host

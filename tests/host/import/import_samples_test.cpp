@@ -1,0 +1,69 @@
+// Real files of others; skipped where the folder of samples is absent.
+#include <gmock/gmock.h>
+
+#include <numeric>
+
+#include "../scratch.hpp"
+#include "host/import/import.hpp"
+
+namespace krait::host {
+namespace {
+
+using testing::HasSubstr;
+
+class SamplesTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!std::filesystem::exists(root_)) GTEST_SKIP() << "no samples at " << root_;
+  }
+  Workspace read(const std::string& name, Unknown unknown = Unknown::map) const {
+    return import_workspace(root_ + "/" + name, {unknown});
+  }
+  static int occupied(const Workspace& w) {
+    return std::accumulate(w.cells->occupied.begin(), w.cells->occupied.end(), 0);
+  }
+
+ private:
+  std::string root_ = KRAIT_SOURCE_DIR "/../shared/samples";
+};
+
+TEST_F(SamplesTest, TurtlebotMapIsMostlyUnknown) {
+  const Workspace w = read("turtlebot3/map.yaml");
+  EXPECT_EQ(w.cells->columns, 384);
+  EXPECT_EQ(w.min.x, -10);
+  ASSERT_EQ(w.warnings.size(), 1U);
+  EXPECT_THAT(w.warnings[0], HasSubstr("94.1 % of the cells are unknown and count as obstacles"));
+  EXPECT_GT(occupied(w), occupied(read("turtlebot3/map.yaml", Unknown::free)) + 100000);
+}
+
+TEST_F(SamplesTest, DepotReadsUnknownAsFreeAndSaysSo) {
+  const Workspace w = read("nav2/depot.yaml");
+  EXPECT_EQ(w.cells->columns, 604);
+  EXPECT_EQ(w.cells->rows, 307);
+  ASSERT_EQ(w.warnings.size(), 1U);
+  EXPECT_THAT(w.warnings[0], HasSubstr("reads as free"));
+  EXPECT_GT(occupied(read("nav2/depot.yaml", Unknown::occupied)), occupied(w));
+  EXPECT_EQ(occupied(read("nav2/depot.yaml", Unknown::free)), occupied(w));
+}
+
+TEST_F(SamplesTest, ColouredAndTransparentPngsAreRead) {
+  EXPECT_EQ(read("karlkurzer/map.yaml").cells->resolution, 1);
+  EXPECT_GT(occupied(read("mir/maze.yaml")), 0);
+}
+
+TEST_F(SamplesTest, MovingAiMapsHaveTheirKnownSize) {
+  EXPECT_EQ(read("movingai/arena.map").cells->columns, 49);
+  EXPECT_EQ(read("movingai/den312d.map").cells->rows, 81);
+}
+
+TEST_F(SamplesTest, DynobenchProblemsHaveStartAndGoal) {
+  for (const char* name : {"dynobench/bugtrap_0.yaml", "dynobench/parallelpark_0.yaml"}) {
+    const Workspace w = read(name);
+    EXPECT_EQ(w.starts.size(), 1U);
+    EXPECT_EQ(w.goals.size(), 1U);
+    EXPECT_GE(w.obstacles.size(), 3U);
+  }
+}
+
+}  // namespace
+}  // namespace krait::host

@@ -1,0 +1,80 @@
+#include <gmock/gmock.h>
+
+#include "../scratch.hpp"
+#include "host/input/json.hpp"
+
+namespace krait::host {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+std::string parse_error(const std::string& text) {
+  return error_of([&] { parse_json(text, "f.json"); });
+}
+
+template <class Read>
+std::string field_error(const std::string& text, Read read) {
+  const Json document = parse_json(text, "f.json");
+  return error_of([&] { read(Field(document, "f.json")); });
+}
+
+TEST(Json, RefusesWhatIsNotJson) {
+  for (const char* text :
+       {"{", "[1,]", "[NaN]", "[1e999]", "{\"a\": Infinity}", "\x89PNG\r\n", "{} {}", "[\"\xFF\"]"}) {
+    EXPECT_THAT(parse_error(text), StartsWith("f.json: is not valid JSON: ")) << text;
+  }
+}
+
+TEST(Json, RefusesDeepNestingOfAnyLength) {
+  EXPECT_EQ(parse_error(std::string(60, '[') + std::string(60, ']')), "");
+  EXPECT_THAT(parse_error(std::string(100, '[') + std::string(100, ']')), HasSubstr("nested deeper than 64"));
+  EXPECT_THAT(parse_error(std::string(10'000'000, '[')), HasSubstr("nested deeper than 64"));
+}
+
+TEST(Json, RefusesAKeyGivenTwice) {
+  EXPECT_THAT(parse_error(R"({"a": {"b": 1}, "c": {"b": 1, "b": 2}})"), HasSubstr("key \"b\" is given twice"));
+}
+
+TEST(Field, NamesThePlaceOfAWrongNumber) {
+  const auto read = [](const Field& f) { f.at("a").item(1).at("b").number(0, 10); };
+  EXPECT_EQ(field_error(R"({"a": [0, {"b": 11}]})", read), "f.json: a[1].b: must be a number from 0 to 10, is 11");
+  EXPECT_EQ(field_error(R"({"a": [0, {"b": "x"}]})", read), "f.json: a[1].b: must be a number from 0 to 10, is \"x\"");
+  EXPECT_EQ(field_error(R"({"a": [0, {"c": 1}]})", read), "f.json: a[1].b: is missing");
+}
+
+TEST(Field, RefusesUnknownKeysByName) {
+  EXPECT_EQ(field_error(R"({"a": 1, "boxx": 2})",
+                        [](const Field& f) {
+                          f.keys({"a", "box"});
+                        }),
+            "f.json: unknown key \"boxx\"; known here: a, box");
+}
+
+TEST(Field, WholeNumbersAreWhole) {
+  const auto read = [](const Field& f) { f.integer(0, 25); };
+  EXPECT_EQ(field_error("25", read), "");
+  EXPECT_NE(field_error("2.5", read), "");
+  EXPECT_NE(field_error("26", read), "");
+  EXPECT_NE(field_error("-1", read), "");
+  EXPECT_NE(field_error("1e300", read), "");
+}
+
+TEST(Field, NamesHaveNoControlCharacters) {
+  const auto read = [](const Field& f) { f.name(); };
+  EXPECT_EQ(field_error("\"Tür 1\"", read), "");
+  EXPECT_NE(field_error(R"("")", read), "");
+  EXPECT_NE(field_error(R"("a\nb")", read), "");
+  EXPECT_NE(field_error(R"("a\u0000b")", read), "");
+  EXPECT_NE(field_error("\"" + std::string(201, 'n') + "\"", read), "");
+}
+
+TEST(CleanedName, IsAlwaysValid) {
+  for (const std::string& text : {std::string("a\xFF\n"), std::string(500, '\xC3'), std::string("\xE2\x82")}) {
+    EXPECT_NO_THROW(Json(cleaned_name(text)).dump()) << text;
+    EXPECT_EQ(cleaned_name(text).find('\n'), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace krait::host
