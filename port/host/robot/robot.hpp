@@ -1,0 +1,40 @@
+// A robot as a user names it: "--robot snake:15" or a ROBOT.json. Parameters by the names of the plan's JSON.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "host/input/json.hpp"
+#include "host/workspace/workspace.hpp"
+
+namespace krait::host {
+
+struct RobotSpec {
+  std::string model;                         // "snake", "truck", "car", "unicycle", "diff_drive"
+  int links = 0;                             // trailers; 0 for the models without
+  std::map<std::string, double> parameters;  // every number that dynamics and limits use; complete after parsing
+  std::vector<Ring> bodies;                  // bodies[k] in body k's frame, counter-clockwise, convex, 3-8 vertices
+};
+
+inline constexpr int kMaxLinks = 25;
+
+// "snake:15", "truck:2", "car", "unicycle", "diff_drive", or the path of a ROBOT.json (the form of the plan's
+// `robot` object; missing parameters take the model's defaults; bodies follow from the parameters if left out).
+// Throws InputError naming the field that is wrong.
+RobotSpec parse_robot(const std::string& text);
+
+// The robot of a ROBOT.json or of a plan. Throws as parse_robot.
+RobotSpec read_robot(const Field& field);
+
+// The form that read_robot reads, bodies included.
+Json to_json(const RobotSpec& robot);
+
+// The names of the models, in the order of the documentation.
+std::vector<std::string> robot_models();
+
+// The names and defaults of a model's parameters, in the order of the documentation. Throws InputError if unknown.
+std::vector<std::pair<std::string, double>> default_parameters(const std::string& model);
+
+}  // namespace krait::host
