@@ -1,0 +1,439 @@
+// The still pictures: one painting for Cairo, on an SVG or an image surface.
+#include <cairo-svg.h>
+#include <cairo.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <pugixml.hpp>
+#include <sstream>
+
+#include "host/picture/colors.hpp"
+#include "host/picture/figure.hpp"
+#include "host/picture/picture.hpp"
+#include "host/picture/poses.hpp"
+
+#ifdef __SANITIZE_ADDRESS__
+// Fontconfig never frees what it keeps for the life of the process: some kilobyte, however much is drawn.
+extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfig\n"; }
+extern "C" const char* __lsan_default_options() { return "print_suppressions=0"; }
+#endif
+
+namespace krait::host {
+
+namespace {
+
+struct Destroy {
+  void operator()(cairo_t* context) const { cairo_destroy(context); }
+  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+};
+using Surface = std::unique_ptr<cairo_surface_t, Destroy>;
+using Context = std::unique_ptr<cairo_t, Destroy>;
+
+constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kBarWidth = 250;  // points: the colour bar
+constexpr double kBarHeight = 11;
+constexpr double kLongestScaleBar = 150;
+
+enum class Align { left, center, right };
+
+// A pen on one sheet.
+class Painter {
+ public:
+  Painter(cairo_t* context, const Picture& picture) : cr_(context), picture_(picture), figure_(layout(picture)) {}
+
+  void paint() {
+    source(kPaper);
+    cairo_paint(cr_);
+    head();
+    cairo_save(cr_);
+    map_rectangle();
+    cairo_clip(cr_);
+    regions();
+    obstacles();
+    goal();
+    tree();
+    path();
+    bodies();
+    marks();
+    cairo_restore(cr_);
+    map_rectangle();
+    stroke(kInk, 1.2);
+    color_bar();
+    scale_bar();
+    key();
+  }
+
+ private:
+  // ---- strokes and fills
+  void source(Color color, double alpha = 1) {
+    cairo_set_source_rgba(cr_, color.red / 255.0, color.green / 255.0, color.blue / 255.0, alpha);
+  }
+  void fill(Color color, double alpha = 1) {
+    source(color, alpha);
+    cairo_fill(cr_);
+  }
+  void stroke(Color color, double width, double alpha = 1) {
+    source(color, alpha);
+    cairo_set_line_width(cr_, width);
+    cairo_stroke(cr_);
+  }
+  void fill_and_stroke(Color inside, Color line, double width) {
+    source(inside);
+    cairo_fill_preserve(cr_);
+    stroke(line, width);
+  }
+  void move_to(Point sheet) { cairo_move_to(cr_, sheet.x, sheet.y); }
+  void line_to(Point sheet) { cairo_line_to(cr_, sheet.x, sheet.y); }
+  void ring(const Ring& corners) {
+    cairo_new_sub_path(cr_);
+    for (const Point& corner : corners) line_to(figure_.at(corner));
+    cairo_close_path(cr_);
+  }
+  void disc(Point center, double radius) {
+    cairo_new_sub_path(cr_);
+    cairo_arc(cr_, center.x, center.y, radius, 0, kTurn);
+  }
+  void map_rectangle() { cairo_rectangle(cr_, figure_.left, figure_.top, figure_.map_width, figure_.map_height); }
+
+  // ---- text
+  void font(double size, bool bold = false) {
+    cairo_select_font_face(cr_, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
+                           bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_set_font_size(cr_, size);
+  }
+  double text_width(const std::string& text) {
+    cairo_text_extents_t extents;
+    cairo_text_extents(cr_, text.c_str(), &extents);
+    return extents.x_advance;
+  }
+  void write(const std::string& text, Point at, Align align, Color color) {
+    const double shift = align == Align::left ? 0 : text_width(text) * (align == Align::center ? 0.5 : 1.0);
+    cairo_move_to(cr_, at.x - shift, at.y);
+    source(color);
+    cairo_show_text(cr_, text.c_str());
+  }
+  // The longest beginning of the text that fits, with an ellipsis if it is not the whole.
+  std::string fitted(std::string text, double width) {
+    if (text_width(text) <= width) return text;
+    while (!text.empty() && text_width(text + "…") > width) {
+      while ((static_cast<unsigned char>(text.back()) & 0xC0) == 0x80) text.pop_back();
+      text.pop_back();
+    }
+    return text + "…";
+  }
+  // A word beside a mark, kept inside the map, legible on any colour.
+  void label(const std::string& text, Point mark) {
+    font(12.5, true);
+    const double width = text_width(text);
+    const double right = figure_.left + figure_.map_width;
+    const double x = mark.x + 10 + width > right - 4 ? mark.x - 10 - width : mark.x + 10;
+    const double y = std::clamp(mark.y - 8, figure_.top + 14, std::max(figure_.top + 14, bottom() - 6));
+    cairo_move_to(cr_, x, y);
+    cairo_text_path(cr_, text.c_str());
+    cairo_set_line_join(cr_, CAIRO_LINE_JOIN_ROUND);
+    source(kPaper, 0.92);
+    cairo_set_line_width(cr_, 3.5);
+    cairo_stroke_preserve(cr_);
+    fill(kInk);
+  }
+
+  double bottom() const { return figure_.top + figure_.map_height; }
+  double content_left() const { return kContentMargin; }
+  double content_right() const { return figure_.width - kContentMargin; }
+
+  // ---- the sheet from the top down
+  void head() {
+    const double width = content_right() - content_left();
+    font(19, true);
+    const std::string title = printable(picture_.title);
+    write(fitted(title.empty() ? "krait" : title, width), {content_left(), 29}, Align::left, kInk);
+    std::string line;
+    for (const std::string& fact : facts(picture_)) line += (line.empty() ? "" : "  ·  ") + fact;
+    font(12.5);
+    write(fitted(line, width), {content_left(), 49}, Align::left, kFaint);
+  }
+
+  // Triangles of one colour are one path; their thin outlines close the seams between neighbours.
+  void regions() {
+    map_rectangle();
+    fill(kFree);
+    std::array<std::vector<const Triangle*>, kLevels + 1> by_level;
+    const double top = picture_.frames.empty() ? 0 : top_cost(picture_.frames.back().costs);
+    for (std::size_t i = 0; i < picture_.triangles.size(); ++i) {
+      const auto level = picture_.frames.empty() ? std::uint8_t{0} : cost_level(picture_.frames.back().costs[i], top);
+      by_level[level].push_back(&picture_.triangles[i]);
+    }
+    cairo_set_line_join(cr_, CAIRO_LINE_JOIN_ROUND);
+    for (std::size_t level = 0; level < by_level.size(); ++level) {
+      if (by_level[level].empty()) continue;
+      for (const Triangle* triangle : by_level[level])
+        ring({std::begin(triangle->corners), std::end(triangle->corners)});
+      const Color color = picture_.frames.empty() ? kFree : level_color(static_cast<std::uint8_t>(level));
+      fill_and_stroke(color, color, 0.7);
+    }
+    for (const Triangle& triangle : picture_.triangles)
+      ring({std::begin(triangle.corners), std::end(triangle.corners)});
+    stroke(kInk, 0.35, 0.22);
+  }
+
+  void obstacles() {
+    for (const Ring& piece : picture_.obstacle_pieces) ring(piece);
+    fill_and_stroke(kObstacle, kObstacle, 0.6);
+  }
+
+  void goal() {
+    if (picture_.plan.goal_polygon.empty()) return;
+    ring(picture_.plan.goal_polygon);
+    cairo_set_line_join(cr_, CAIRO_LINE_JOIN_ROUND);
+    fill_and_stroke(kGoal, kInk, 1.6);
+  }
+
+  void tree() {
+    cairo_set_line_cap(cr_, CAIRO_LINE_CAP_ROUND);
+    for (const TreeVertex& vertex : picture_.tree) {
+      const TreeVertex& parent = picture_.tree[vertex.parent];
+      move_to(figure_.at({parent.x, parent.y}));
+      line_to(figure_.at({vertex.x, vertex.y}));
+    }
+    stroke(kInk, 0.55, 0.6);
+  }
+
+  void path() {
+    for (const std::vector<float>& state : picture_.plan.states) line_to(figure_.at({state[0], state[1]}));
+    cairo_set_line_join(cr_, CAIRO_LINE_JOIN_ROUND);
+    cairo_path_t* const line = cairo_copy_path(cr_);
+    stroke(kPaper, 4.2, 0.95);
+    cairo_append_path(cr_, line);
+    cairo_path_destroy(line);
+    stroke(kInk, 1.9);
+  }
+
+  void robot(const std::vector<float>& state, Color inside, Color line, double width) {
+    const std::vector<Pose> poses = body_poses(picture_.plan.robot, state);
+    cairo_set_line_join(cr_, CAIRO_LINE_JOIN_ROUND);
+    for (std::size_t k = poses.size(); k-- > 0;) {
+      const double c = std::cos(poses[k].heading);
+      const double s = std::sin(poses[k].heading);
+      Ring placed;
+      for (const Point& corner : picture_.plan.robot.bodies[k]) {
+        placed.push_back({poses[k].x + c * corner.x - s * corner.y, poses[k].y + s * corner.x + c * corner.y});
+      }
+      ring(placed);
+      fill_and_stroke(inside, line, width);
+    }
+  }
+
+  // From the first body's front to the last one's end, metres, when the robot is straight.
+  double robot_length() const {
+    const RobotSpec& spec = picture_.plan.robot;
+    double length = 0;
+    for (const Point& corner : spec.bodies.front()) length = std::max(length, 2 * std::hypot(corner.x, corner.y));
+    const auto hitch = spec.parameters.find("hitch_length");
+    return hitch == spec.parameters.end() ? length : length + spec.links * std::abs(hitch->second);
+  }
+
+  // Between the first state and the last, the robot appears again whenever it has gone once its own length and a
+  // bit, so that its images do not overlap, and at most some 60 times.
+  void bodies() {
+    const std::vector<std::vector<float>>& states = picture_.plan.states;
+    if (states.empty()) return;
+    std::vector<double> gone = {0};
+    for (std::size_t i = 1; i < states.size(); ++i) {
+      gone.push_back(gone.back() +
+                     std::hypot(static_cast<double>(states[i][0]) - static_cast<double>(states[i - 1][0]),
+                                static_cast<double>(states[i][1]) - static_cast<double>(states[i - 1][1])));
+    }
+    const double least = std::max({1.3 * robot_length(), 16 / figure_.scale, gone.back() / 60});
+    const double images = std::floor(gone.back() / least);
+    const double step = gone.back() / std::max(1.0, images);
+    double next = step;
+    for (std::size_t i = 1; i < states.size() && next < gone.back() - 0.5 * step; ++i) {
+      if (gone[i] < next) continue;
+      robot(states[i], kRobot, kInk, 0.8);
+      next += step;
+    }
+    robot(states.front(), kRobotStart, kInk, 1.1);
+    robot(states.back(), kRobotEnd, kPaper, 1.1);
+  }
+
+  bool has_start() const { return !picture_.plan.states.empty() || !picture_.tree.empty(); }
+  Point start() const {
+    if (picture_.plan.states.empty()) return figure_.at({picture_.tree.front().x, picture_.tree.front().y});
+    return figure_.at({picture_.plan.states.front()[0], picture_.plan.states.front()[1]});
+  }
+  void start_mark(Point at) {
+    disc(at, 5.5);
+    fill_and_stroke(kRobotStart, kInk, 1.8);
+  }
+
+  void marks() {
+    if (has_start()) {
+      start_mark(start());
+      label("start", start());
+    }
+    if (picture_.plan.goal_polygon.empty()) return;
+    Point top = figure_.at(picture_.plan.goal_polygon.front());
+    for (const Point& corner : picture_.plan.goal_polygon) {
+      const Point at = figure_.at(corner);
+      if (at.y < top.y || (at.y <= top.y && at.x > top.x)) top = at;
+    }
+    label("goal", top);
+  }
+
+  // ---- the legend: first row colour bar and scale bar, second row the key
+  void color_bar() {
+    if (picture_.frames.empty()) return;
+    const std::vector<float>& costs = picture_.frames.back().costs;
+    const double top = top_cost(costs);
+    const double x = content_left();
+    const double y = bottom() + 18;
+    for (int i = 0; i < kLevels; ++i) {
+      cairo_rectangle(cr_, x + i * kBarWidth / kLevels, y, kBarWidth / kLevels + (i + 1 < kLevels ? 0.5 : 0),
+                      kBarHeight);
+      fill(level_color(static_cast<std::uint8_t>(i)));
+    }
+    cairo_rectangle(cr_, x, y, kBarWidth, kBarHeight);
+    stroke(kInk, 0.7);
+    font(11);
+    if (top > 0) cost_ticks(x, y + kBarHeight, top);
+    write("cost to the goal (m)", {x + kBarWidth + 16, y + kBarHeight - 1.5}, Align::left, kInk);
+    if (std::none_of(costs.begin(), costs.end(), [](float cost) { return std::isinf(cost); })) return;
+    const double after = x + kBarWidth + 34 + text_width("cost to the goal (m)");
+    cairo_rectangle(cr_, after, y, 16, kBarHeight);
+    fill_and_stroke(kCutOff, kInk, 0.7);
+    write("cut off", {after + 22, y + kBarHeight - 1.5}, Align::left, kInk);
+  }
+
+  void cost_ticks(double x, double y, double top) {
+    const double step = round_length(top / 3);
+    for (double cost = 0; cost <= top; cost += step) {
+      const double at = x + kBarWidth * cost / top;
+      cairo_move_to(cr_, at, y);
+      cairo_line_to(cr_, at, y + 4);
+      stroke(kInk, 0.7);
+      write(short_number(cost), {at, y + 15}, cost > 0 ? Align::center : Align::left, kFaint);
+    }
+  }
+
+  void scale_bar() {
+    const double length = round_length(kLongestScaleBar / figure_.scale);
+    const double right = content_right();
+    const double left = right - length * figure_.scale;
+    const double y = bottom() + 18 + kBarHeight;
+    cairo_move_to(cr_, left, y - 6);
+    cairo_line_to(cr_, left, y);
+    cairo_line_to(cr_, right, y);
+    cairo_line_to(cr_, right, y - 6);
+    cairo_set_line_cap(cr_, CAIRO_LINE_CAP_BUTT);
+    cairo_set_line_join(cr_, CAIRO_LINE_JOIN_MITER);
+    stroke(kInk, 1.6);
+    font(11);
+    write(short_number(length) + " m", {(left + right) / 2, y + 15}, Align::center, kFaint);
+  }
+
+  void key() {
+    const double y = bottom() + 80;
+    double x = content_left();
+    font(11.5);
+    const auto entry = [&](const char* text, double symbol_width) {
+      write(text, {x + symbol_width + 7, y + 4}, Align::left, kInk);
+      x += symbol_width + 7 + text_width(text) + 20;
+    };
+    const auto box = [&](Color inside, Color line, double width) {
+      cairo_rectangle(cr_, x, y - 4.5, 16, 9);
+      fill_and_stroke(inside, line, width);
+    };
+    if (!picture_.obstacle_pieces.empty()) {
+      box(kObstacle, kObstacle, 0.6);
+      entry("obstacle", 16);
+    }
+    if (has_start()) {
+      start_mark({x + 5.5, y});
+      entry("start", 11);
+    }
+    if (!picture_.plan.goal_polygon.empty()) {
+      box(kGoal, kInk, 1.6);
+      entry("goal", 16);
+    }
+    if (!picture_.tree.empty()) {
+      cairo_move_to(cr_, x, y);
+      cairo_line_to(cr_, x + 18, y);
+      stroke(kInk, 0.55, 0.6);
+      entry("motion tree", 18);
+    }
+    if (picture_.plan.states.empty()) return;
+    cairo_move_to(cr_, x, y);
+    cairo_line_to(cr_, x + 18, y);
+    stroke(kInk, 1.9);
+    entry("plan", 18);
+    box(kRobotStart, kInk, 1.1);
+    entry("robot at the start", 16);
+    box(kRobot, kInk, 0.8);
+    entry("on its way", 16);
+    box(kRobotEnd, kRobotEnd, 1.1);
+    entry("at the end", 16);
+  }
+
+  static constexpr double kContentMargin = 28;
+
+  cairo_t* cr_;
+  const Picture& picture_;
+  Figure figure_;
+};
+
+cairo_status_t append(void* text, const unsigned char* bytes, unsigned int count) {
+  static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(bytes), count);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+void expect(cairo_status_t status) {
+  if (status != CAIRO_STATUS_SUCCESS)
+    throw InputError(std::string("picture: Cairo: ") + cairo_status_to_string(status));
+}
+
+// Cairo numbers its groups by a counter of the process and gives a drawing no name for screen readers.
+std::string with_name(const std::string& svg, const std::string& name) {
+  pugi::xml_document document;
+  document.load_buffer(svg.data(), svg.size());
+  pugi::xml_node root = document.child("svg");
+  root.append_attribute("role") = "img";
+  root.prepend_child("title").text() = name.c_str();
+  root.child("g").attribute("id") = "figure";
+  std::ostringstream out;
+  document.save(out, "", pugi::format_raw);
+  return out.str();
+}
+
+}  // namespace
+
+std::string draw_svg(const Picture& picture) {
+  check(picture);
+  const Figure figure = layout(picture);
+  std::string svg;
+  const Surface surface(cairo_svg_surface_create_for_stream(append, &svg, figure.width, figure.height));
+  const Context context(cairo_create(surface.get()));
+  Painter(context.get(), picture).paint();
+  expect(cairo_status(context.get()));
+  cairo_surface_finish(surface.get());
+  expect(cairo_surface_status(surface.get()));
+  return with_name(svg, printable(picture.title));
+}
+
+std::string draw_png(const Picture& picture) {
+  check(picture);
+  const Figure figure = layout(picture);
+  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, kPixelsPerPoint * static_cast<int>(figure.width),
+                                                   kPixelsPerPoint * static_cast<int>(figure.height)));
+  const Context context(cairo_create(surface.get()));
+  cairo_scale(context.get(), kPixelsPerPoint, kPixelsPerPoint);
+  Painter(context.get(), picture).paint();
+  expect(cairo_status(context.get()));
+  std::string png;
+  expect(cairo_surface_write_to_png_stream(surface.get(), append, &png));
+  return png;
+}
+
+}  // namespace krait::host
