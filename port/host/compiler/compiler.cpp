@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "host/compiler/compiler.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "host/compiler/frame.hpp"
+#include "host/compiler/goals.hpp"
+#include "host/compiler/mesh.hpp"
+#include "host/compiler/obstacles.hpp"
+#include "host/compiler/pieces.hpp"
+#include "host/compiler/rings.hpp"
+#include "host/compiler/simplify.hpp"
+#include "host/compiler/snap.hpp"
+#include "host/compiler/write.hpp"
+#include "krait/scene/format.hpp"
+#include "krait/scene/scene.hpp"
+
+namespace krait::host {
+namespace {
+
+using namespace compiler;
+
+constexpr double kStep = double(format::kGrid);  // metres
+constexpr double kRounding = 0.7072;             // grid steps: the furthest that rounding moves a point
+
+bool free(const Face& face) { return face.winding[0] != 0; }
+
+// How far an obstacle may grow, in metres.
+double growth_of(const Workspace& w, const CompileOptions& options) {
+  if (std::isnan(options.tolerance) || options.tolerance > 1e6)
+    throw InputError("the tolerance is not a length in metres");
+  if (options.tolerance >= 0) return options.tolerance / 2;
+  return w.cells ? w.cells->resolution / 2 : 0;
+}
+
+void check_starts(const Workspace& w, std::vector<std::string>& warnings) {
+  for (const Start& start : w.starts) {
+    const std::string label = "start '" + start.name + "'";
+    bool usable = std::isfinite(start.position.x) && std::isfinite(start.position.y) && std::abs(start.heading) < 1e6;
+    for (const double angle : start.angles) usable = usable && std::abs(angle) < 1e6;
+    if (!usable) throw InputError(label + ": a position or angle is not a finite number of a usable size");
+    const Point p = start.position;
+    if (p.x < w.min.x || p.x > w.max.x || p.y < w.min.y || p.y > w.max.y) {
+      warnings.push_back(label + " lies outside the bounds of the workspace");
+    }
+  }
+}
+
+void append_reversed(Edges& edges, const Edges& other) {
+  for (const Edge& e : other) edges.push_back({e.to, e.from, e.winding});
+}
+
+// The bounds as edges that divide nothing: they keep the triangulation's hull the workspace.
+void append_hull(Edges& edges, const GridBox& bounds) { append_ring(edges, ring_of(bounds), {0, 0}); }
+
+// The free space's boundary, free space on the left.
+struct FreeSpace {
+  Edges boundary;
+  int roundings = 0;
+};
+
+FreeSpace free_space(const Edges& solid, const GridBox& bounds) {
+  Edges edges;
+  append_ring(edges, ring_of(bounds), {1, 0});
+  append_reversed(edges, solid);
+  const Snapped snapped = snap(edges);
+  return {boundary(triangulate(snapped.edges), free), snapped.passes};
+}
+
+FreeSpace simplified(const FreeSpace& space, const GridBox& bounds, double growth) {
+  Edges edges;
+  for (const GridRing& ring : simplify(rings_of(space.boundary), growth)) append_ring(edges, ring, {1, 0});
+  append_hull(edges, bounds);
+  const Snapped snapped = snap(edges);
+  return {snapped.edges, space.roundings + snapped.passes};
+}
+
+Edges with_goals(const Edges& space, const std::vector<PlacedGoal>& goals) {
+  Edges edges = space;
+  for (std::size_t i = 0; i < goals.size(); ++i) {
+    append_ring(edges, goals[i].clipped, {0, static_cast<std::int32_t>(i) + 1});
+  }
+  return snap(edges).edges;
+}
+
+void warn_of_blocked_goals(const Workspace& w, const Mesh& mesh, std::vector<std::string>& warnings) {
+  std::vector<bool> reachable(w.goals.size(), false);
+  for (const FreeTriangle& t : mesh.triangles) {
+    if (t.goal != kNone) reachable[t.goal] = true;
+  }
+  for (std::size_t i = 0; i < reachable.size(); ++i) {
+    if (!reachable[i])
+      warnings.push_back("goal '" + w.goals[i].name + "' lies wholly inside obstacles: no plan can reach it");
+  }
+}
+
+// The core's own reader must take what leaves this program.
+void check_bytes(const std::vector<std::uint8_t>& bytes) {
+  Scene scene;
+  const Failure failure = Scene::open(bytes.data(), bytes.size(), scene);
+  if (failure.ok()) return;
+  throw std::logic_error("the compiled scene is unsound in section " + std::to_string(failure.section) + ", element " +
+                         std::to_string(failure.element));
+}
+
+}  // namespace
+
+CompiledScene compile(const Workspace& workspace, const CompileOptions& options) {
+  const auto tell = [&](const char* step) {
+    if (options.progress) options.progress(step);
+  };
+  CompiledScene result;
+  SceneParts parts;
+  parts.frame = frame_of(workspace);
+  parts.growth = growth_of(workspace, options);
+  check_starts(workspace, result.warnings);
+  parts.goals = place_goals(workspace, parts.frame);
+  const GridBox& bounds = parts.frame.bounds;
+
+  tell("uniting obstacles");
+  const Solid solid = solid_of(workspace, parts.frame, result.warnings);
+  FreeSpace space = free_space(solid.boundary, bounds);
+  tell("simplifying");
+  space = simplified(space, bounds, parts.growth / kStep);
+  const double shrink = parts.growth > 0 ? kShrink : 0;
+  parts.obstacle_error = (kRounding * (solid.roundings + space.roundings) + shrink) * kStep;
+
+  tell("cutting obstacles into convex pieces");
+  const Triangulation coarse = triangulate(space.boundary);
+  parts.pieces = convex_pieces(coarse, [](const Face& face) { return !free(face); });
+  parts.free_boundary = boundary(coarse, free);
+
+  tell("triangulating the free space");
+  parts.mesh = free_mesh(with_goals(space.boundary, parts.goals), bounds);
+  warn_of_blocked_goals(workspace, parts.mesh, result.warnings);
+
+  tell("measuring clearances");
+  result.bytes = write_scene(workspace, parts);
+  check_bytes(result.bytes);
+  return result;
+}
+
+}  // namespace krait::host

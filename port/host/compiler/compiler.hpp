@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Compiles a workspace into the bytes of a scene file (include/krait/scene/FORMAT.md).
+// GPL-3.0-or-later, as CGAL's triangulation packages are; linked into krait-compile only.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "host/workspace/workspace.hpp"
+
+namespace krait::host {
+
+struct CompileOptions {
+  double tolerance = -1;  // metres that simplification may close a passage by; negative: one cell for maps, 0 else
+  std::function<void(const std::string&)> progress;  // told the name of each step as it begins; may be empty
+};
+
+struct CompiledScene {
+  std::vector<std::uint8_t> bytes;
+  std::vector<std::string> warnings;  // one line each
+};
+
+// Throws InputError with one line naming the obstacle or goal that cannot be made sound.
+CompiledScene compile(const Workspace& workspace, const CompileOptions& options);
+
+}  // namespace krait::host

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// krait-compile: turns a map or drawing into a scene file. `krait compile` runs it.
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+#include "host/compiler/compiler.hpp"
+#include "host/import/import.hpp"
+
+namespace {
+
+using namespace krait::host;
+
+std::vector<double> numbers(const std::string& text, const std::string& option, const std::string& form) {
+  std::vector<double> values;
+  std::istringstream in(text);
+  for (std::string field; std::getline(in, field, ',');) {
+    std::size_t used = 0;
+    double value = 0;
+    try {
+      value = std::stod(field, &used);
+    } catch (const std::exception&) {
+      used = 0;
+    }
+    if (used == 0 || used != field.size() || !std::isfinite(value))
+      throw InputError(option + " '" + text + "': give " + form);
+    values.push_back(value);
+  }
+  if (values.size() != 3) throw InputError(option + " '" + text + "': give " + form);
+  return values;
+}
+
+void set_start(Workspace& workspace, const std::string& text) {
+  const auto v = numbers(text, "--start", "X,Y,HEADING in metres and radians");
+  workspace.starts = {{"start", {v[0], v[1]}, v[2], {}}};
+}
+
+// A polygon inside the disc, rounding to the scene's grid included.
+void add_goal(Workspace& workspace, const std::string& text) {
+  const auto v = numbers(text, "--goal", "X,Y,RADIUS in metres");
+  constexpr int kCorners = 32;
+  constexpr double kPi = 3.14159265358979323846, kRounding = 0.0002;
+  if (!(v[2] > 0.001)) throw InputError("--goal '" + text + "': the radius must be above 1 mm");
+  Goal goal{"goal", {}};
+  for (int i = 0; i < kCorners; ++i) {
+    const double angle = 2 * kPi * i / kCorners, radius = v[2] - kRounding;
+    goal.polygon.push_back({v[0] + radius * std::cos(angle), v[1] + radius * std::sin(angle)});
+  }
+  std::erase_if(workspace.goals, [](const Goal& g) { return g.name == "goal"; });
+  workspace.goals.push_back(std::move(goal));
+}
+
+// One line on standard error, rewritten, once a second has gone by; nothing unless that is a terminal.
+class Progress {
+ public:
+  void operator()(const std::string& step) {
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+    if (!terminal_ || seconds < 1) return;
+    std::fprintf(stderr, "\r\033[Kkrait-compile: %s (%.0f s)", step.c_str(), seconds);
+    shown_ = true;
+  }
+  void end() {
+    if (shown_) std::fputs("\r\033[K", stderr);
+    shown_ = false;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  bool terminal_ = isatty(STDERR_FILENO) != 0;
+  bool shown_ = false;
+};
+
+// Whole or not at all: to a temporary beside it, then by rename.
+void write_file(const std::string& path, const std::vector<std::uint8_t>& bytes) {
+  const std::string temporary = path + ".part" + std::to_string(getpid());
+  std::ofstream out(temporary, std::ios::binary);
+  out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  out.close();
+  if (!out || std::rename(temporary.c_str(), path.c_str()) != 0) {
+    std::remove(temporary.c_str());
+    throw InputError(path + ": cannot be written: check the folder and the space left");
+  }
+}
+
+struct Arguments {
+  std::string input, output, start, goal;
+  Unknown unknown = Unknown::map;
+  double tolerance = -1;
+};
+
+void run(const Arguments& arguments, Progress& progress) {
+  Workspace workspace = import_workspace(arguments.input, {arguments.unknown});
+  if (!arguments.start.empty()) set_start(workspace, arguments.start);
+  if (!arguments.goal.empty()) add_goal(workspace, arguments.goal);
+  const CompiledScene scene = compile(workspace, {arguments.tolerance, std::ref(progress)});
+  write_file(arguments.output, scene.bytes);
+  progress.end();
+  const auto warn = [](const std::string& text) { std::fprintf(stderr, "krait-compile: warning: %s\n", text.c_str()); };
+  std::for_each(workspace.warnings.begin(), workspace.warnings.end(), warn);
+  std::for_each(scene.warnings.begin(), scene.warnings.end(), warn);
+}
+
+std::string one_line(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app(
+      "Turns a map or drawing into a scene file that krait plans in.\n"
+      "Obstacles only ever grow: a plan for the scene holds on the map. Lengths in metres, angles in radians, world\n"
+      "coordinates. Exit code 0: done; 2: bad input, one line on standard error says what and where.",
+      "krait-compile");
+  Arguments arguments;
+  app.add_option("INPUT", arguments.input, "native JSON, map_server YAML, MovingAI .map, dynobench YAML")
+      ->required();
+  app.add_option("-o,--output", arguments.output, "the scene file to write")->required();
+  app.add_option("--start", arguments.start, "X,Y,HEADING: a start named 'start', in place of the file's");
+  app.add_option("--goal", arguments.goal, "X,Y,RADIUS: a further goal named 'goal', inside this disc");
+  const std::map<std::string, Unknown> names{
+      {"free", Unknown::free}, {"occupied", Unknown::occupied}, {"map", Unknown::map}};
+  app.add_option("--unknown", arguments.unknown,
+                 "how a map's unknown cells count: free, occupied, or map (by its own thresholds)")
+      ->transform(CLI::Transformer(names));
+  app.add_option("--tolerance", arguments.tolerance,
+                 "how much a passage may get narrower so that outlines need fewer corners; 0: not at all\n"
+                 "(default: one cell for maps, 0 for drawings)")
+      ->check(CLI::Range(0.0, 1e6));
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    std::fprintf(stderr, "krait-compile: %s (see --help)\n", one_line(error.what()).c_str());
+    return 2;
+  }
+  Progress progress;
+  try {
+    run(arguments, progress);
+    return 0;
+  } catch (const std::bad_alloc&) {
+    progress.end();
+    std::fprintf(stderr, "krait-compile: %s: not enough memory for a map of this size\n", arguments.input.c_str());
+    return 2;
+  } catch (const InputError& error) {
+    progress.end();
+    std::fprintf(stderr, "krait-compile: %s\n", one_line(error.what()).c_str());
+    return 2;
+  } catch (const std::exception& error) {
+    progress.end();
+    std::fprintf(stderr, "krait-compile: internal error, please report it: %s\n", one_line(error.what()).c_str());
+    return 3;
+  }
+}

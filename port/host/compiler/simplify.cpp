@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "host/compiler/simplify.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <queue>
+
+#include "host/compiler/cell_index.hpp"
+#include "host/compiler/lipschitz.hpp"
+
+namespace krait::host::compiler {
+namespace {
+
+constexpr std::uint32_t kLongestChain = 2000;  // vertices that one straight line may replace
+
+double distance(double x, double y, GridPoint a, GridPoint b) {
+  const double dx = double(b.x) - a.x, dy = double(b.y) - a.y;
+  const double t = std::clamp(((x - a.x) * dx + (y - a.y) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
+  return std::hypot(x - a.x - t * dx, y - a.y - t * dy);
+}
+
+class Simplifier {
+ public:
+  Simplifier(const std::vector<GridRing>& rings, double growth) : growth_(growth) {
+    for (const GridRing& ring : rings) {
+      const auto first = static_cast<std::uint32_t>(points_.size());
+      const auto size = static_cast<std::uint32_t>(ring.size());
+      for (std::uint32_t i = 0; i < size; ++i) {
+        points_.push_back(ring[i]);
+        nodes_.push_back({first + (i + size - 1) % size, first + (i + 1) % size, first, size, true});
+      }
+      left_.resize(points_.size(), size);
+    }
+  }
+
+  std::vector<GridRing> run() {
+    if (points_.empty()) return {};
+    const CellIndex index(box(), points_.size());
+    const CellLists lists(index.cells(), [&](auto emit) {
+      for (std::uint32_t i = 0; i < points_.size(); ++i) emit(index.cell_of(points_[i]), i);
+    });
+    for (std::uint32_t i = 0; i < points_.size(); ++i) push(i);
+    while (!queue_.empty()) {
+      const Candidate c = queue_.top();
+      queue_.pop();
+      const Node& node = nodes_[c.node];
+      if (!node.alive || c.previous != node.previous || c.next != node.next) continue;
+      if (removable(c.node, index, lists)) remove(c.node);
+    }
+    return remaining();
+  }
+
+ private:
+  struct Node {
+    std::uint32_t previous, next;
+    std::uint32_t ring_first, ring_size;
+    bool alive;
+  };
+  struct Candidate {
+    std::int64_t area;
+    std::uint32_t node, previous, next;
+    bool operator<(const Candidate& o) const { return area != o.area ? area > o.area : node > o.node; }
+  };
+
+  GridBox box() const {
+    GridBox b{points_.front(), points_.front()};
+    for (const GridPoint p : points_) {
+      b.min = {std::min(b.min.x, p.x), std::min(b.min.y, p.y)};
+      b.max = {std::max(b.max.x, p.x), std::max(b.max.y, p.y)};
+    }
+    return b;
+  }
+
+  void push(std::uint32_t i) {
+    const Node& n = nodes_[i];
+    const std::int64_t area = cross(points_[n.previous], points_[i], points_[n.next]);
+    const double base = std::sqrt(double(dot(points_[n.previous], points_[n.next], points_[n.next])));
+    if (growth_ <= 0 ? area != 0 : double(-area) > kShrink * base) return;
+    queue_.push({std::abs(area), i, n.previous, n.next});
+  }
+
+  bool removable(std::uint32_t i, const CellIndex& index, const CellLists& lists) const {
+    const Node& n = nodes_[i];
+    if (left_[n.ring_first] <= 3 || points_[n.previous] == points_[n.next]) return false;
+    return within_growth(n) && triangle_is_empty(i, index, lists);
+  }
+
+  // The original vertices from node a to node b, by index.
+  template <class Visit>
+  bool all_of_chain(std::uint32_t a, std::uint32_t b, Visit visit) const {
+    const Node& n = nodes_[a];
+    for (std::uint32_t i = a; i != b;) {
+      const std::uint32_t next = i + 1 == n.ring_first + n.ring_size ? n.ring_first : i + 1;
+      if (!visit(points_[i], points_[next])) return false;
+      i = next;
+    }
+    return true;
+  }
+
+  bool within_growth(const Node& n) const {
+    const GridPoint a = points_[n.previous], b = points_[n.next];
+    const double length = std::hypot(double(b.x) - a.x, double(b.y) - a.y);
+    const std::uint32_t size = nodes_[n.previous].ring_size;
+    if ((n.next + size - n.previous) % size > kLongestChain) return false;
+    const double shrink = growth_ > 0 ? kShrink : 0;
+    const bool sides = all_of_chain(n.previous, n.next, [&](GridPoint p, GridPoint) {
+      const double out = double(cross(a, b, p));  // positive: solid there becomes free
+      return out <= shrink * length && -out <= (2 * growth_ + 1) * length;
+    });
+    if (!sides) return false;
+    if (growth_ <= 0) return true;
+    const auto gap = [&](double t) {
+      const double x = a.x + (double(b.x) - a.x) * t / length, y = a.y + (double(b.y) - a.y) * t / length;
+      double nearest = 1e18;
+      all_of_chain(n.previous, n.next, [&](GridPoint p, GridPoint q) {
+        nearest = std::min(nearest, distance(x, y, p, q));
+        return true;
+      });
+      return nearest;
+    };
+    return never_exceeds(gap, 0, length, growth_, growth_ / 1000);
+  }
+
+  // No vertex lies in the closed triangle but its own three. Where another ring touches the vertex, its going must not
+  // part them.
+  bool triangle_is_empty(std::uint32_t i, const CellIndex& index, const CellLists& lists) const {
+    const GridPoint t[] = {points_[nodes_[i].previous], points_[i], points_[nodes_[i].next]};
+    const std::int64_t area = cross(t[0], t[1], t[2]);
+    const std::int64_t sign = area < 0 ? -1 : 1;
+    bool empty = true;
+    index.near(t, [&](std::size_t cell) {
+      if (!empty) return;
+      for (const std::uint32_t k : lists.at(cell)) {
+        if (!nodes_[k].alive || k == i) continue;
+        const GridPoint p = points_[k];
+        if (p == t[0] || p == t[2]) continue;
+        if (p == t[1]) {
+          if (area <= 0) empty = false;
+          continue;
+        }
+        if (area == 0 ? cross(t[0], t[2], p) == 0 && dot(p, t[0], t[2]) <= 0
+                      : sign * cross(t[0], t[1], p) >= 0 && sign * cross(t[1], t[2], p) >= 0 &&
+                            sign * cross(t[2], t[0], p) >= 0) {
+          empty = false;
+        }
+      }
+    });
+    return empty;
+  }
+
+  void remove(std::uint32_t i) {
+    Node& n = nodes_[i];
+    n.alive = false;
+    --left_[n.ring_first];
+    nodes_[n.previous].next = n.next;
+    nodes_[n.next].previous = n.previous;
+    push(n.previous);
+    push(n.next);
+  }
+
+  std::vector<GridRing> remaining() const {
+    std::vector<GridRing> rings;
+    for (std::uint32_t first = 0; first < nodes_.size(); first += nodes_[first].ring_size) {
+      GridRing ring;
+      for (std::uint32_t i = first; i < first + nodes_[first].ring_size; ++i) {
+        if (nodes_[i].alive) ring.push_back(points_[i]);
+      }
+      rings.push_back(std::move(ring));
+    }
+    return rings;
+  }
+
+  double growth_;
+  std::vector<GridPoint> points_;
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> left_;  // by a ring's first node: how many of its nodes are alive
+  std::priority_queue<Candidate> queue_;
+};
+
+}  // namespace
+
+std::vector<GridRing> simplify(const std::vector<GridRing>& rings, double growth) {
+  return Simplifier(rings, growth).run();
+}
+
+}  // namespace krait::host::compiler

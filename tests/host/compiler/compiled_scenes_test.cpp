@@ -1,0 +1,376 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whole scenes: every case runs through the brute-force checker.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "check_scene.hpp"
+
+namespace krait::host::test {
+namespace {
+
+double solid_area(const SceneView& v) {
+  double sum = 0;
+  for (const Ring& piece : v.pieces) sum += twice_area(piece) / 2;
+  return sum;
+}
+
+std::string complaint(const Workspace& w, double tolerance = -1) {
+  try {
+    compile(w, {tolerance, {}});
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// '#' is occupied, rows from the top.
+CellMap cells(const std::vector<std::string>& rows, double resolution) {
+  CellMap map;
+  map.rows = static_cast<int>(rows.size());
+  map.columns = static_cast<int>(rows.front().size());
+  map.resolution = resolution;
+  for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
+    for (const char c : *row) map.occupied.push_back(c == '#');
+  }
+  return map;
+}
+
+Workspace map_room(CellMap map, Point origin = {0, 0}, double yaw = 0) {
+  Workspace w;
+  w.name = "map";
+  map.origin = origin;
+  map.yaw = yaw;
+  const double width = map.columns * map.resolution, height = map.rows * map.resolution;
+  const Ring ring = rotated_box({0, 0}, width, height, yaw);
+  const Point center{origin.x + std::cos(yaw) * width / 2 - std::sin(yaw) * height / 2,
+                     origin.y + std::sin(yaw) * width / 2 + std::cos(yaw) * height / 2};
+  w.min = w.max = center;
+  for (const Point p : ring) {
+    w.min = {std::min(w.min.x, center.x + p.x), std::min(w.min.y, center.y + p.y)};
+    w.max = {std::max(w.max.x, center.x + p.x), std::max(w.max.y, center.y + p.y)};
+  }
+  w.cells = std::move(map);
+  return w;
+}
+
+CellMap random_cells(std::mt19937_64& random, int columns, int rows, double share) {
+  CellMap map;
+  map.columns = columns;
+  map.rows = rows;
+  map.resolution = 0.05;
+  std::bernoulli_distribution occupied(share);
+  for (int i = 0; i < columns * rows; ++i) map.occupied.push_back(occupied(random));
+  return map;
+}
+
+TEST(Scenes, EmptyRoom) {
+  const SceneView v = checked(empty_room(50, 30));
+  EXPECT_TRUE(v.pieces.empty());
+  EXPECT_GT(v.triangles.size(), 50U);
+}
+
+TEST(Scenes, FullyBlockedHasNoTriangles) {
+  Workspace w = empty_room(10, 10);
+  w.obstacles.push_back({"obstacles[0]", box(-1, -1, 11, 11), {}});
+  const SceneView v = checked(w);
+  EXPECT_TRUE(v.triangles.empty());
+  ASSERT_EQ(v.pieces.size(), 1U);
+  EXPECT_EQ(solid_area(v), 100);
+}
+
+TEST(Scenes, ABoxIsOnePiece) {
+  Workspace w = empty_room(20, 20);
+  w.obstacles.push_back({"obstacles[0]", box(5, 5, 9, 6), {}});
+  const SceneView v = checked(w);
+  EXPECT_EQ(v.pieces.size(), 1U);
+  EXPECT_EQ(solid_area(v), 4);
+}
+
+TEST(Scenes, EitherOrientationAndDuplicatesGiveTheSameSolid) {
+  Workspace w = empty_room(20, 20);
+  Ring clockwise = box(5, 5, 9, 6);
+  std::reverse(clockwise.begin(), clockwise.end());
+  clockwise.insert(clockwise.begin() + 1, clockwise[1]);
+  w.obstacles.push_back({"a", clockwise, {}});
+  w.obstacles.push_back({"b", box(5, 5, 9, 6), {}});
+  EXPECT_EQ(solid_area(checked(w)), 4);
+}
+
+TEST(Scenes, TouchingBoxesLeaveNoSlit) {
+  Workspace w = empty_room(20, 20);
+  w.obstacles.push_back({"a", box(0, 5, 9.3, 6), {}});
+  w.obstacles.push_back({"b", box(9.3, 4, 20, 7), {}});
+  const SceneView v = checked(w);
+  EXPECT_NEAR(solid_area(v), 9.3 + 3 * 10.7, 1e-2);
+}
+
+TEST(Scenes, HolesAndIslandsInHoles) {
+  Workspace w = empty_room(20, 20);
+  w.obstacles.push_back({"ring", box(2, 2, 18, 18), {box(4, 4, 16, 16)}});
+  w.obstacles.push_back({"island", box(8, 8, 12, 12), {}});
+  EXPECT_NEAR(solid_area(checked(w)), 256 - 144 + 16, 1e-9);
+}
+
+TEST(Scenes, AHoleBeyondItsOutlineCutsNothingElse) {
+  Workspace w = empty_room(20, 20);
+  w.obstacles.push_back({"a", box(2, 2, 8, 8), {box(6, 6, 12, 12)}});
+  w.obstacles.push_back({"b", box(10, 10, 14, 14), {}});
+  EXPECT_NEAR(solid_area(checked(w)), 36 - 4 + 16, 1e-9);
+}
+
+TEST(Scenes, SelfCrossingRingIsFilledAndNamed) {
+  Workspace w = empty_room(20, 20);
+  w.obstacles.push_back({"obstacles[0]", {{5, 5}, {15, 15}, {15, 5}, {5, 15}}, {}});
+  EXPECT_NEAR(solid_area(checked(w)), 50, 0.01);
+  EXPECT_THAT(compile(w, {}).warnings, testing::ElementsAre(testing::StartsWith("obstacles[0] crosses itself")));
+}
+
+TEST(Scenes, PartlyOutsideIsClipped) {
+  Workspace w = empty_room(20, 20);
+  w.obstacles.push_back({"a", rotated_box({0, 10}, 6, 6, 0.3), {}});
+  w.obstacles.push_back({"b", box(-5, -5, 30, 1), {}});
+  w.obstacles.push_back({"c", box(30, 30, 31, 31), {}});
+  checked(w);
+}
+
+TEST(Scenes, AWallWithoutAreaStaysAWall) {
+  Workspace w = empty_room(20, 20);
+  w.obstacles.push_back({"obstacles[0]", {{0, 10}, {20, 10}}, {}});
+  w.obstacles.push_back({"obstacles[1]", rotated_box({10, 5}, 8, 0.0001, 0.4), {}});
+  w.obstacles.push_back({"obstacles[2]", {{3, 3}}, {}});
+  const SceneView v = checked(w);
+  EXPECT_GE(v.pieces.size(), 3U);
+  EXPECT_THAT(compile(w, {}).warnings, testing::ElementsAre(testing::HasSubstr("obstacles[0] has no area"),
+                                                            testing::HasSubstr("obstacles[2] has no area")));
+  for (std::size_t k = 0; k < v.neighbors.size(); ++k) {
+    if (v.neighbors[k] == format::kNone32) continue;
+    const double y = v.triangles[k / 3][0].y + v.triangles[k / 3][1].y + v.triangles[k / 3][2].y;
+    const Ring& other = v.triangles[v.neighbors[k]];
+    EXPECT_EQ(y > 30, other[0].y + other[1].y + other[2].y > 30) << "a portal leads through the wall";
+  }
+}
+
+TEST(Scenes, ThinSpikesStay) {
+  Workspace w = empty_room(20, 20);
+  w.obstacles.push_back({"a", {{2, 2}, {4, 2}, {4, 4}, {3.00005, 4}, {3, 15}, {2.99995, 4}, {2, 4}}, {}});
+  checked(w);
+}
+
+TEST(Scenes, FarFromTheOrigin) {
+  Workspace w;
+  w.min = {1e6 + 0.25, -2e6};
+  w.max = {1e6 + 40, -2e6 + 30};
+  w.obstacles.push_back({"a", rotated_box({1e6 + 20, -2e6 + 10}, 10, 2, 1), {}});
+  const SceneView v = checked(w);
+  EXPECT_EQ(v.header.origin_x, 1e6 + 20);
+  EXPECT_EQ(v.header.origin_y, -2e6 + 15);
+}
+
+TEST(Scenes, GoalsAreRegionsOfTheirOwn) {
+  Workspace w = empty_room(50, 50);
+  w.obstacles.push_back({"a", box(10, 0, 11, 20), {}});
+  w.goals.push_back({"dock", rotated_box({11, 21}, 3, 3, 0.4)});
+  w.goals.push_back({"corner", box(-2, -2, 3, 3)});
+  const SceneView v = checked(w);
+  EXPECT_EQ(v.names, (std::vector<std::string>{"room", "dock", "corner"}));
+  for (std::uint16_t g = 0; g < 2; ++g) {
+    double area = 0;
+    for (std::size_t t = 0; t < v.triangles.size(); ++t) {
+      const Point c{(v.triangles[t][0].x + v.triangles[t][1].x + v.triangles[t][2].x) / 3,
+                    (v.triangles[t][0].y + v.triangles[t][1].y + v.triangles[t][2].y) / 3};
+      const bool inside = winding(c, w.goals[g].polygon) != 0;
+      if (distance(c, w.goals[g].polygon) > 0.001) {
+        EXPECT_EQ(v.triangle_goals[t] == g, inside);
+      }
+      if (v.triangle_goals[t] == g) area += twice_area(v.triangles[t]) / 2;
+    }
+    EXPECT_GT(area, 7);
+  }
+}
+
+TEST(Scenes, AGoalInsideAnObstacleIsKeptWithAWarning) {
+  Workspace w = empty_room(50, 50);
+  w.obstacles.push_back({"a", box(10, 10, 20, 20), {}});
+  w.goals.push_back({"dock", box(12, 12, 14, 14)});
+  const SceneView v = checked(w);
+  EXPECT_EQ(v.goals.size(), 1U);
+  EXPECT_THAT(compile(w, {}).warnings, testing::ElementsAre(testing::HasSubstr("'dock' lies wholly inside obstacles")));
+}
+
+TEST(Scenes, BadGoalsAreNamed) {
+  Workspace w = empty_room(50, 50);
+  w.goals = {{"a", box(1, 1, 5, 5)}, {"b", box(4, 4, 8, 8)}};
+  EXPECT_THAT(complaint(w),
+              testing::AllOf(testing::HasSubstr("'a'"), testing::HasSubstr("'b'"), testing::HasSubstr("overlap")));
+  w.goals = {{"out", box(60, 60, 61, 61)}};
+  EXPECT_THAT(complaint(w), testing::HasSubstr("'out' lies outside"));
+  w.goals = {{"knot", {{5, 5}, {15, 15}, {15, 5}, {5, 15}}}};
+  EXPECT_THAT(complaint(w), testing::HasSubstr("'knot'"));
+  w.goals = {{"nan", {{5, 5}, {15, std::nan("")}, {15, 5}}}};
+  EXPECT_THAT(complaint(w), testing::HasSubstr("'nan'"));
+  w.goals = {{"touching", box(1, 1, 5, 5)}, {"neighbour", box(5, 1, 8, 5)}};
+  EXPECT_EQ(complaint(w), "");
+}
+
+TEST(Scenes, BadNumbersAreRefused) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  Workspace w = empty_room(10, 10);
+  w.obstacles.push_back({"obstacles[4]", {{1, 1}, {2, infinity}, {3, 1}}, {}});
+  EXPECT_THAT(complaint(w), testing::HasSubstr("obstacles[4]"));
+  w.obstacles[0].outer[1].y = 1e300;
+  EXPECT_THAT(complaint(w), testing::HasSubstr("obstacles[4]"));
+  w.obstacles.clear();
+  for (const double bad : {std::nan(""), infinity, 1e300, 0.0, -1.0}) {
+    w.max.x = bad;
+    EXPECT_THAT(complaint(w), testing::HasSubstr("bounds")) << bad;
+  }
+  w.max.x = 10;
+  w.starts = {{"home", {1, std::nan("")}, 0, {}}};
+  EXPECT_THAT(complaint(w), testing::HasSubstr("'home'"));
+  w.starts.clear();
+  EXPECT_THAT(complaint(w, std::nan("")), testing::HasSubstr("tolerance"));
+}
+
+TEST(Scenes, SameInputSameBytes) {
+  Workspace w = empty_room(50, 50);
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> at(0, 50), size(0.1, 6), angle(0, 3);
+  for (int i = 0; i < 30; ++i) {
+    const Point center{at(random), at(random)};
+    const double width = size(random), height = size(random);
+    w.obstacles.push_back({"o", rotated_box(center, width, height, angle(random)), {}});
+  }
+  EXPECT_EQ(compile(w, {}).bytes, compile(w, {}).bytes);
+}
+
+TEST(Scenes, TrianglesStayFewWhenTheSceneGrows) {
+  std::size_t counts[2];
+  for (const int scale : {1, 4}) {
+    const double extent = 50.0 * scale;
+    Workspace w = empty_room(extent, extent);
+    for (int k = 1; k <= 5; ++k) {
+      const double x = extent * k / 6, low = k % 2 == 0 ? 5 : extent - 8, high = k % 2 == 0 ? extent - 6 : 8;
+      const double wide = low, narrow = high;
+      std::vector<std::pair<double, double>> gaps{{wide, wide + 1.4}, {narrow, narrow + 0.4}};
+      std::sort(gaps.begin(), gaps.end());
+      w.obstacles.push_back({"w", box(x, 0, x + 1, gaps[0].first), {}});
+      w.obstacles.push_back({"w", box(x, gaps[0].second, x + 1, gaps[1].first), {}});
+      w.obstacles.push_back({"w", box(x, gaps[1].second, x + 1, extent), {}});
+    }
+    counts[scale == 4] = checked(w, -1, 300).triangles.size();
+  }
+  EXPECT_GT(counts[0], 300U);
+  EXPECT_LT(counts[0], 1000U);
+  EXPECT_LT(counts[1], 2 * counts[0]);
+}
+
+TEST(Maps, StaircasesBecomeDiagonals) {
+  std::vector<std::string> rows;
+  for (int i = 0; i < 40; ++i)
+    rows.push_back(std::string(static_cast<std::size_t>(i), '#') + std::string(static_cast<std::size_t>(60 - i), '.'));
+  const SceneView plain = checked(map_room(cells(rows, 0.05)), 0);
+  const SceneView smooth = checked(map_room(cells(rows, 0.05)));
+  EXPECT_LE(smooth.pieces.size(), 3U);
+  EXPECT_GE(plain.pieces.size(), 10U);
+  EXPECT_LT(smooth.triangles.size(), plain.triangles.size());
+}
+
+TEST(Maps, AOneCellPassageStaysOpen) {
+  const SceneView v = checked(map_room(cells({"..#..", "..#..", ".....", "..#..", "..#.."}, 0.1)), 0.1);
+  std::vector<bool> seen(v.triangles.size(), false);
+  std::vector<std::uint32_t> waiting{0};
+  seen[0] = true;
+  while (!waiting.empty()) {
+    const std::uint32_t t = waiting.back();
+    waiting.pop_back();
+    for (std::uint32_t k = 3 * t; k < 3 * t + 3; ++k) {
+      const std::uint32_t other = v.neighbors[k];
+      if (other == format::kNone32 || seen[other]) continue;
+      seen[other] = true;
+      waiting.push_back(other);
+    }
+  }
+  EXPECT_EQ(std::count(seen.begin(), seen.end(), false), 0);
+}
+
+TEST(Maps, CellsThatTouchInACornerBlock) {
+  const SceneView v = checked(map_room(cells({"#..", ".#.", "..#"}, 1)), 0.5);
+  for (std::size_t k = 0; k < v.neighbors.size(); ++k) {
+    if (v.neighbors[k] == format::kNone32) continue;
+    const auto above = [&](const Ring& t) { return t[0].y + t[1].y + t[2].y > 9 - (t[0].x + t[1].x + t[2].x); };
+    EXPECT_EQ(above(v.triangles[k / 3]), above(v.triangles[v.neighbors[k]]));
+  }
+}
+
+TEST(Maps, EmptyAndFull) {
+  EXPECT_TRUE(checked(map_room(cells({"...", "..."}, 0.5))).pieces.empty());
+  const SceneView full = checked(map_room(cells({"###", "###"}, 0.5)));
+  EXPECT_TRUE(full.triangles.empty());
+  EXPECT_EQ(full.pieces.size(), 1U);
+}
+
+TEST(Maps, YawedAndFarAway) {
+  std::mt19937_64 random(3);
+  const SceneView v = checked(map_room(random_cells(random, 30, 20, 0.1), {1e6, 2e6}, 0.5));
+  EXPECT_NE(v.header.origin_x, 0);
+  EXPECT_FALSE(v.triangles.empty());
+}
+
+class RandomMaps : public testing::TestWithParam<int> {};
+
+TEST_P(RandomMaps, Hold) {
+  std::mt19937_64 random(static_cast<std::uint64_t>(GetParam()));
+  const double share = std::uniform_real_distribution<double>(0.02, 0.7)(random);
+  const double tolerance = GetParam() % 3 == 0 ? 0 : 0.05 * (GetParam() % 3 == 1 ? 1.0 : 2.5);
+  checked(map_room(random_cells(random, 24, 18, share), {-3.3, 7.7}, GetParam() % 4 == 0 ? 0.3 : 0), tolerance, 500);
+}
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomMaps, testing::Range(0, 24));
+
+class RandomDrawings : public testing::TestWithParam<int> {};
+
+TEST_P(RandomDrawings, Hold) {
+  std::mt19937_64 random(static_cast<std::uint64_t>(GetParam()));
+  std::uniform_real_distribution<double> at(-2, 22), angle(0, 7), size(0.0005, 3);
+  Workspace w = empty_room(20, 20);
+  const int count = 1 + GetParam() % 20;
+  for (int i = 0; i < count; ++i) {
+    const Point center{at(random), at(random)};
+    Ring ring;
+    if (i % 2 == 0) {
+      const double width = size(random), height = size(random);
+      ring = rotated_box(center, width, height, angle(random));
+    } else {
+      for (int k = 0; k < 3 + i % 6; ++k) {  // crosses itself as it likes
+        const double radius = size(random), direction = angle(random);
+        ring.push_back({center.x + radius * std::cos(direction), center.y + radius * std::sin(direction)});
+      }
+    }
+    w.obstacles.push_back({"obstacles[" + std::to_string(i) + "]", ring, {}});
+  }
+  w.goals.push_back({"goal", rotated_box({10, 10}, 2, 2, angle(random))});
+  checked(w, GetParam() % 3 == 0 ? 0.2 : 0, 500);
+}
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomDrawings, testing::Range(0, 40));
+
+TEST(Scenes, TenThousandOverlappingBoxes) {
+  Workspace w = empty_room(50, 50);
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> at(0, 50), size(0.05, 2), angle(0, 3);
+  for (int i = 0; i < 10000; ++i) {
+    const Point center{at(random), at(random)};
+    const double width = size(random), height = size(random);
+    w.obstacles.push_back({"o", rotated_box(center, width, height, angle(random)), {}});
+  }
+  const SceneView v = Reader(compile(w, {}).bytes).read();
+  double area = 0;
+  for (const Ring& t : v.triangles) area += twice_area(t) / 2;
+  EXPECT_NEAR(area + solid_area(v), 2500, 0.1);
+  EXPECT_GT(v.pieces.size(), 100U);
+}
+
+}  // namespace
+}  // namespace krait::host::test

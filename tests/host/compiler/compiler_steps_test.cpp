@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Single steps of the compiler, where whole scenes would hit the hard case too rarely.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "host/compiler/simplify.hpp"
+#include "host/compiler/snap.hpp"
+#include "host/workspace/workspace.hpp"
+
+namespace krait::host::compiler {
+namespace {
+
+bool meet_inside(const Edge& a, const Edge& b) {
+  const auto on = [](const Edge& e, GridPoint p) {
+    return p != e.from && p != e.to && cross(e.from, e.to, p) == 0 && dot(p, e.from, e.to) <= 0;
+  };
+  const auto side = [](const Edge& e, GridPoint p) {
+    return (cross(e.from, e.to, p) > 0) - (cross(e.from, e.to, p) < 0);
+  };
+  return on(a, b.from) || on(a, b.to) || on(b, a.from) || on(b, a.to) ||
+         (side(a, b.from) * side(a, b.to) < 0 && side(b, a.from) * side(b, a.to) < 0);
+}
+
+void expect_sound(const Edges& edges) {
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    for (std::size_t j = i + 1; j < edges.size(); ++j) EXPECT_FALSE(meet_inside(edges[i], edges[j]));
+  }
+}
+
+TEST(Snap, CrossedDiagonalsOfOneGridCellComeToRest) {
+  Edges edges{{{0, 0}, {1, 1}}, {{1, 0}, {0, 1}}};
+  expect_sound(snap(edges).edges);
+}
+
+TEST(Snap, DenseRandomEdgesEndSound) {
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    std::mt19937_64 random(seed);
+    std::uniform_int_distribution<std::int32_t> at(0, seed % 2 == 0 ? 12 : 300);
+    Edges edges;
+    for (int i = 0; i < 30; ++i) {
+      const GridPoint a{at(random), at(random)}, b{at(random), at(random)};
+      edges.push_back({a, b});
+    }
+    expect_sound(snap(edges).edges);
+  }
+}
+
+TEST(Snap, OverlappingEdgesAddTheirWindings) {
+  const Edges edges = snap({{{0, 0}, {10, 0}, {1, 0}}, {{15, 0}, {5, 0}, {1, 0}}}).edges;
+  ASSERT_EQ(edges.size(), 3U);
+  EXPECT_EQ(edges[0].winding[0], 1);
+  EXPECT_EQ(edges[1].winding[0], 0);
+  EXPECT_EQ(edges[2].winding[0], -1);
+}
+
+TEST(Snap, LeadsEdgesThroughPointsNearby) {
+  const Edges edges = snap({{{0, 0}, {1000, 3}}}, {{500, 1}, {500, 4}}).edges;
+  ASSERT_EQ(edges.size(), 2U);
+  EXPECT_EQ(edges[0].to, (GridPoint{500, 1}));
+}
+
+TEST(Snap, TooManyCrossingsAreRefused) {
+  Edges edges;
+  for (std::int32_t i = 0; i < 1100; ++i) {
+    edges.push_back({{0, 10 * i}, {20000, 10 * i + 1}});
+    edges.push_back({{10 * i, -5}, {10 * i + 1, 20000}});
+  }
+  EXPECT_THROW(snap(edges), InputError);
+}
+
+// Free space on the left: a room, counter-clockwise, whose walls do the case at hand.
+TEST(Simplify, TakesOnlyStraightVerticesAtGrowthZero) {
+  const GridRing room{{0, 0}, {500, 0}, {1000, 0}, {1000, 1000}, {500, 1001}, {0, 1000}};
+  const auto simple = simplify({room}, 0);
+  ASSERT_EQ(simple.size(), 1U);
+  EXPECT_THAT(simple[0], testing::ElementsAre(GridPoint{0, 0}, GridPoint{1000, 0}, GridPoint{1000, 1000},
+                                              GridPoint{500, 1001}, GridPoint{0, 1000}));
+}
+
+TEST(Simplify, ShrinksObstaclesByOneGridStepAtMost) {
+  for (const std::int32_t bump : {1, 3}) {  // the wall y = 0 bulges up into the room
+    const GridRing room{{0, 0}, {500, bump}, {1000, 0}, {1000, 1000}, {0, 1000}};
+    EXPECT_EQ(simplify({room}, 10)[0].size(), bump == 1 ? 4U : 5U) << bump;
+  }
+}
+
+TEST(Simplify, ObstaclesThatTouchInAVertexStayTouching) {
+  // The wall y = 0 bulges by one step, and there an obstacle's lowest corner touches it.
+  const GridRing room{{0, 0}, {500, 1}, {1000, 0}, {1000, 1000}, {0, 1000}};
+  const GridRing island{{500, 1}, {400, 400}, {500, 800}, {600, 400}};
+  const auto simple = simplify({room, island}, 10);
+  EXPECT_THAT(simple[0], testing::Contains(GridPoint{500, 1}));
+}
+
+TEST(Simplify, KeepsWhatStandsInTheWay) {
+  // A notch in the floor, too small to matter, but a post stands in it.
+  const GridRing room{{0, 0}, {490, 0}, {500, -10}, {510, 0}, {1000, 0}, {1000, 1000}, {0, 1000}};
+  const GridRing post{{500, -3}, {499, -2}, {500, -1}, {501, -2}};
+  EXPECT_THAT(simplify({room, post}, 50)[0], testing::Contains(GridPoint{500, -10}));
+  EXPECT_THAT(simplify({room}, 50)[0], testing::Not(testing::Contains(GridPoint{500, -10})));
+}
+
+}  // namespace
+}  // namespace krait::host::compiler
