@@ -8,7 +8,7 @@
 namespace krait {
 
 // What a pool holds; the planner reports the high-water mark of each.
-enum class Pool : std::uint8_t { regions, portals, groups, vertices, states, controls, members, count };
+enum class Pool : std::uint8_t { regions, portals, groups, vertices, states, controls, members, nearest, count };
 inline constexpr std::size_t kPoolCount = static_cast<std::size_t>(Pool::count);
 
 const char* name(Pool pool);
@@ -22,7 +22,7 @@ class Arena {
   Arena() = default;
 
   // `block` must be aligned to kAlignment and outlive everything taken from it.
-  Arena(void* block, std::size_t bytes) : block_(static_cast<std::byte*>(block)), bytes_(bytes) {}
+  Arena(void* block, std::uint64_t bytes) : block_(static_cast<std::byte*>(block)), bytes_(bytes) {}
 
   // Room for `count` objects, uninitialised; null while counting or when the block is too small. O(1).
   template <class T>

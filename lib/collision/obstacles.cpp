@@ -49,7 +49,8 @@ float Obstacles::distance_to_piece(const PlacedBody& body, Index piece) const {
 }
 
 float Obstacles::room(const PlacedBody& body, float reach) const {
-  float room = room_to_bounds(body);
+  if (!finite(body.center)) return -kInfinity;
+  float room = least(room_to_bounds(body), reach);
   if (room <= 0.0F) return room;
   const float around = body.radius + reach + margin_;
   const CellGrid& grid = scene_->buckets();

@@ -167,11 +167,22 @@ Index Regions::random_goal_triangle(Random& random) const {
   return chosen;
 }
 
-Vec2 Regions::random_point(Index region, Random& random) const {
-  if (goal_.is_disc() && is_goal(region)) return random_point_in_disc(goal_.center(), goal_.radius(), random);
-  if (region != goal_region_) return random_point_in_triangle(*scene_, region, random);
+Vec2 Regions::random_goal_point(Random& random) const {
+  if (goal_.is_disc()) return random_point_in_disc(goal_.center(), goal_.radius(), random);
   const Index triangle = random_goal_triangle(random);
   return random_point_in_triangle(*scene_, triangle, random);
+}
+
+Vec2 Regions::random_point(Index region, Random& random) const {
+  return is_goal(region) ? random_goal_point(random) : random_point_in_triangle(*scene_, region, random);
+}
+
+Index Regions::random_ahead(Index region, std::uint32_t most, Random& random) const {
+  std::uint32_t length = 0;
+  for (Index r = next(region); r != kNone && length < most; r = next(r)) ++length;
+  if (length == 0) return region;
+  for (std::uint32_t steps = 1 + random.below(length); steps > 0; --steps) region = next(region);
+  return region;
 }
 
 }  // namespace krait

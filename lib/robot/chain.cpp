@@ -5,7 +5,7 @@
 namespace krait {
 namespace {
 
-constexpr PidGains kHeadingGains{2.0F, 0.05F, 0.05F};  // radians of steering per radian of heading error
+constexpr PidGains kHeadingGains{4.0F, 0.05F, 0.05F};  // radians of steering per radian of heading error
 constexpr PidGains kSpeedGains{10.0F, 0.1F, 0.1F};     // m/s^2 per m/s
 constexpr float kInside = 1.0F - 1e-5F;                // keeps rounding from carrying a state across its limit
 constexpr float kTurnReserve = 1.1F;                   // truck: how much wider than the tightest steady turn
@@ -13,6 +13,13 @@ constexpr float kUnfoldRate = 2.0F;                    // truck, 1/s: how fast a
 constexpr float kFoldBound = 1.2F;                     // truck, radians: the hitch angle that steering keeps clear of
 
 float absolute(float x) { return x < 0.0F ? -x : x; }
+
+// Largest |x| on the way from x at `rate` for dt.
+float largest(float x, float rate, float dt) {
+  const float before = absolute(x);
+  const float after = absolute(x + rate * dt);
+  return before > after ? before : after;
+}
 
 bool positive(float x) { return x > 0.0F && finite(x); }
 
@@ -28,7 +35,7 @@ Chain::Chain(const ChainParameters& parameters, bool slip) : parameters_(paramet
 
 void Chain::set_body(int k, Polygon polygon) {
   Body& body = bodies_[k];
-  body.count = polygon.count < format::kMaxPieceVertices ? polygon.count : format::kMaxPieceVertices;
+  body.count = polygon.count <= format::kMaxPieceVertices ? polygon.count : 0;
   for (int i = 0; i < body.count; ++i) body.vertices[i] = polygon[i];
   farthest_[k] = krait::farthest(body.vertices, body.count);
 }
@@ -76,16 +83,17 @@ void Chain::steer(StateView s, const Target& target, Steering& steering, Control
   const bool backward = target.speed < 0.0F;
   const float error = backward ? -atan2(-cross(along, to), -dot(along, to)) : atan2(cross(along, to), dot(along, to));
   const float wanted = steering.heading(kHeadingGains, error, target.dt);
-  const float most = p.max_steering * kInside;
+  const float lock = p.max_steering * kInside;
   const float side = steering_limit(s, wanted, s[3]);
   const float psi =
-      wanted < 0.0F ? clamp(wanted, -clamp(side, -most, most), most) : clamp(wanted, -most, clamp(side, -most, most));
-  u[1] = clamp((clamp(psi, -most, most) - s[4]) / target.dt, -p.max_steering_rate, p.max_steering_rate);
+      wanted < 0.0F ? clamp(wanted, -clamp(side, -lock, lock), lock) : clamp(wanted, -lock, clamp(side, -lock, lock));
+  u[1] = clamp((clamp(psi, -lock, lock) - s[4]) / target.dt, -p.max_steering_rate, p.max_steering_rate);
 
   const float set_point = target.speed * (backward ? -p.min_speed : p.max_speed);
   const float push = steering.speed(kSpeedGains, set_point - s[3], target.dt);
   const float gain = clamp(push, -p.max_acceleration, p.max_acceleration);
-  const float speed = clamp(s[3] + gain * target.dt, p.min_speed * kInside, p.max_speed * kInside);
+  const float inset = (1.0F - kInside) * (p.max_speed - p.min_speed);
+  const float speed = clamp(s[3] + gain * target.dt, p.min_speed + inset, p.max_speed - inset);
   u[0] = clamp((speed - s[3]) / target.dt, -p.max_acceleration, p.max_acceleration);
 }
 
@@ -95,10 +103,27 @@ bool Chain::within_limits(StateView s) const {
   if (!(s[4] >= -p.max_steering && s[4] <= p.max_steering)) return false;
   float ahead = s[2];
   for (int i = 5; i < state_size(); ++i) {
-    if (!(absolute(ahead - s[i]) <= p.max_hitch_angle)) return false;
+    if (!(absolute(ahead - s[i]) <= p.max_hitch_angle && absolute(s[i]) <= kMaxAngle)) return false;
     ahead = s[i];
   }
-  return finite(position(s)) && finite(s[2]);
+  return finite(position(s)) && absolute(s[2]) <= kMaxAngle;
+}
+
+// Speed and steering are linear in time. A hitch angle that goes from a to b in dt at a rate of at most D reaches at
+// most
+// (|a| + |b| + D dt) / 2. The car turns at most at v |psi| / L, the first trailer at v / d; for all others
+// |theta(i-1)' - theta(i)'| is at most (v / d) (|sin| + |cos|) of the hitch angle before, so at most sqrt(2) v / d.
+bool Chain::keeps_limits(StateView s, ControlView u, float dt, StateView next) const {
+  const ChainParameters& p = parameters_;
+  const float way = dt * largest(s[3], u[0], dt);
+  float change = way * (largest(s[4], u[1], dt) / p.wheelbase + 1.0F / p.hitch_length);
+  for (int i = 5; i < state_size(); ++i) {
+    const int ahead = i == 5 ? 2 : i - 1;
+    const float ends = absolute(s[ahead] - s[i]) + absolute(next[ahead] - next[i]);
+    if (!(ends + change <= 2.0F * p.max_hitch_angle)) return false;
+    change = 1.4142136F * way / p.hitch_length;
+  }
+  return true;
 }
 
 void Chain::place(StateView s, Pose* poses) const {
@@ -115,10 +140,8 @@ void Chain::place(StateView s, Pose* poses) const {
 // v P e_i - v (1 - cos psi) e_0, where |P| <= 1 and e are unit vectors: the second term is its slip.
 float Chain::travel(StateView s, ControlView u, float dt, int k) const {
   const ChainParameters& p = parameters_;
-  const float speed_after = absolute(s[3] + u[0] * dt);
-  const float speed = absolute(s[3]) > speed_after ? absolute(s[3]) : speed_after;
-  const float steering_after = absolute(s[4] + u[1] * dt);
-  const float steering = absolute(s[4]) > steering_after ? absolute(s[4]) : steering_after;
+  const float speed = largest(s[3], u[0], dt);
+  const float steering = largest(s[4], u[1], dt);
   const float slip = slip_ && k > 0 ? 0.5F * steering * steering : 0.0F;
   const float turn = k == 0 ? steering / p.wheelbase : 1.0F / p.hitch_length;
   return dt * speed * (1.0F + slip + farthest(k) * turn);

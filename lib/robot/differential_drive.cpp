@@ -36,7 +36,7 @@ void DifferentialDrive::steer(StateView s, const Target& target, Steering& steer
 
 bool DifferentialDrive::within_limits(StateView s) const {
   const float most = parameters_.max_wheel_speed;
-  return finite(position(s)) && finite(s[2]) && absolute(s[3]) <= most && absolute(s[4]) <= most;
+  return finite(position(s)) && absolute(s[2]) <= kMaxAngle && absolute(s[3]) <= most && absolute(s[4]) <= most;
 }
 
 // Each wheel's rim moves at most at the larger of its two speeds; the axle's middle at their mean, the body turns at

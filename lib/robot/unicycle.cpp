@@ -25,6 +25,8 @@ void Unicycle::steer(StateView s, const Target& target, Steering& steering, Cont
   u[1] = clamp(steering.heading(kHeadingGains, error, target.dt), -p.max_turn_rate, p.max_turn_rate);
 }
 
+bool Unicycle::within_limits(StateView s) const { return finite(position(s)) && absolute(s[2]) <= kMaxAngle; }
+
 float Unicycle::travel(StateView, ControlView u, float dt, int) const {
   return dt * (absolute(u[0]) + farthest() * absolute(u[1]));
 }

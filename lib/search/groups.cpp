@@ -61,8 +61,7 @@ void Groups::insert(const Regions& regions, Index region, Index vertex) {
     group.newest_block = members_used_;
     members_used_ += 1 + kFirstBlock * filled;
   }
-  std::uint32_t block_size = kFirstBlock;
-  while (2 * block_size - kFirstBlock <= group.vertices) block_size *= 2;
+  const std::uint32_t block_size = block_of(group.vertices);
   members_[group.newest_block + 1 + (group.vertices - (block_size - kFirstBlock))] = vertex;
   ++group.vertices;
 }
@@ -93,8 +92,7 @@ Index Groups::select() {
 Index Groups::random_vertex(Index region, Random& random) const {
   const Group& group = groups_[group_of_[region]];
   const std::uint32_t chosen = random.below(group.vertices);
-  std::uint32_t block_size = kFirstBlock;
-  while (2 * block_size - kFirstBlock < group.vertices) block_size *= 2;
+  std::uint32_t block_size = block_of(group.vertices - 1);
   Index block = group.newest_block;
   while (chosen < block_size - kFirstBlock) {
     block = members_[block];

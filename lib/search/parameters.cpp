@@ -38,6 +38,12 @@ Argument Parameters::first_bad() const {
   if (!within(clearance, 0.0F, 10.0F)) return Argument::clearance;
   if (!within(max_substeps, 1, 64) || !std::has_single_bit(max_substeps)) return Argument::max_substeps;
   if (!within(goal_margin, 0.0F, 10.0F)) return Argument::goal_margin;
+  if (!within(prior.epsilon, 1e-30F, 1.0F)) return Argument::prior_epsilon;
+  if (!within(prior.path_regions, 1, 64)) return Argument::prior_path_regions;
+  if (!within(prior.path_share, 0.0F, 1.0F)) return Argument::prior_path_share;
+  if (!within(prior.goal_share, 0.0F, 1.0F - prior.path_share)) return Argument::prior_goal_share;
+  if (!within(prior.nearest_share, 0.0F, 1.0F)) return Argument::prior_nearest_share;
+  if (!within(rrt.goal_share, 0.0F, 1.0F)) return Argument::rrt_goal_share;
   return Argument::none;
 }
 

@@ -2,8 +2,8 @@
 //
 // A step is free when it is proven so: no point of body k travels further than t(k) during it, so where the body is
 // a(k) from everything at the step's beginning and b(k) at its end, a(k) + b(k) > t(k) means that it was never touched.
-// Where that does not hold the step is halved, down to 1 / max_substeps of it; what is then still unproven counts as
-// a collision.
+// Where that is not so, or the robot's limits are not proven to hold in between, the step is halved, down to one part
+// of max_substeps; what is then still unproven counts as a collision.
 #pragma once
 
 #include "krait/collision/obstacles.hpp"
@@ -41,11 +41,12 @@ class MotionCheck {
     for (int k = 0; k < bodies_; ++k) left_.room[k] = -1.0F;  // not known yet
   }
 
-  // Whether the step from `state` (that of begin, or the last step's end) under `control` to `next` is proven free.
+  // Whether the step from `state` (that of begin, or the last step's end) under `control` to `next`, both within the
+  // robot's limits, is proven free and within them.
   // On success the next step begins from `next`.
   bool step_free(const float* state, const float* control, float dt, const float* next) {
     place(next, right_);
-    const Outcome whole = judge(state, control, dt);
+    const Outcome whole = judge(state, control, dt, next);
     if (whole == Outcome::hit) return false;
     if (whole == Outcome::unproven && !march(state, control, dt, next)) return false;
     swap_sides();
@@ -57,6 +58,8 @@ class MotionCheck {
 
  private:
   enum class Outcome { free, unproven, hit };
+
+  static constexpr float kLeastReach = 1e-3F;  // metres: how far obstacles are looked for around a body that stands
 
   struct Placement {
     Pose poses[R::kMaxBodies];
@@ -119,16 +122,18 @@ class MotionCheck {
   float room(Placement& placement, int k, float half) const {
     const float by_grid = obstacles_.room_by_grid(center(placement, k), circles_[k].radius);
     if (by_grid > half) return placement.room[k] = by_grid;
-    return placement.room[k] = obstacles_.room(placed(placement, k, placement.poses[k].position), 2.5F * half);
+    const float reach = 2.5F * half + kLeastReach;
+    return placement.room[k] = obstacles_.room(placed(placement, k, placement.poses[k].position), reach);
   }
 
-  // Judges left_ to right_, the ends of a step from `state` of dt seconds.
-  Outcome judge(const float* state, const float* control, float dt) {
+  // Judges left_ to right_, the ends of a step of dt seconds from `state` to `next`.
+  Outcome judge(const float* state, const float* control, float dt, const float* next) {
     const StateView s(state, robot_->state_size());
     const ControlView u(control, robot_->control_size());
     float travel[R::kMaxBodies];
     float longest = 0.0F;
-    Outcome outcome = Outcome::free;
+    const bool limited = keeps_limits(*robot_, s, u, dt, StateView(next, robot_->state_size()));
+    Outcome outcome = limited ? Outcome::free : Outcome::unproven;
     for (int k = 0; k < bodies_; ++k) {
       travel[k] = robot_->travel(s, u, dt, k);
       if (travel[k] > longest) longest = travel[k];
@@ -158,7 +163,7 @@ class MotionCheck {
         propagate(*robot_, from, control, duration, to);
       }
       place(to, right_);
-      const Outcome outcome = judge(from, control, duration);
+      const Outcome outcome = judge(from, control, duration, to);
       if (outcome == Outcome::hit) return false;
       if (outcome == Outcome::unproven) {
         part /= 2;

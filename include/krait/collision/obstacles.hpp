@@ -28,8 +28,8 @@ class Obstacles {
   // Metres that the clearance grid proves free around a circle, beyond the margin; may be negative. One look-up.
   float room_by_grid(Vec2 center, float radius) const { return scene_->clearance(center) - radius - margin_; }
 
-  // Metres from the body to the nearest obstacle or bound, less the margin: exact where it is below `reach`, else at
-  // least `reach`; zero or less where the body is too close. Worst case: every piece in the buckets that
+  // Metres from the body to the nearest obstacle or bound, less the margin: exact where it is below `reach` > 0, else
+  // `reach`; zero or less where the body is too close or not finite. Worst case: every piece in the buckets that
   // the circle, grown by `reach` and the margin, meets, one GJK each.
   float room(const PlacedBody& body, float reach) const;
 

@@ -50,6 +50,12 @@ class Regions {
   // give a point of the disc.
   Vec2 random_point(Index region, Random& random) const;
 
+  // A point drawn uniformly in the goal.
+  Vec2 random_goal_point(Random& random) const;
+
+  // One of the first `most` regions after r on its shortest path, each as likely; r where there is none. O(most).
+  Index random_ahead(Index region, std::uint32_t most, Random& random) const;
+
  private:
   bool is_goal_triangle(Index triangle) const {
     return goal_region_ != kNone && scene_->goal_of(triangle) == goal_.index();

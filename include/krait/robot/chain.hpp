@@ -45,7 +45,8 @@ class Chain {
   bool reversible() const { return parameters_.min_speed < 0.0F; }
   bool sound() const;
 
-  // Replaces body k's polygon: 3 to 8 vertices, convex, counter-clockwise, in its frame; copied.
+  // Replaces body k's polygon: 3 to 8 vertices, convex, counter-clockwise, in its frame; copied. Of more it keeps none,
+  // which init refuses as bad_robot.
   void set_body(int k, Polygon polygon);
   Polygon body(int k) const { return {bodies_[k].vertices, bodies_[k].count}; }
 
@@ -54,6 +55,7 @@ class Chain {
 
   void steer(StateView s, const Target& target, Steering& steering, ControlRef u) const;
   bool within_limits(StateView s) const;
+  bool keeps_limits(StateView s, ControlView u, float dt, StateView next) const;
   void place(StateView s, Pose* poses) const;
   float travel(StateView s, ControlView u, float dt, int k) const;
 

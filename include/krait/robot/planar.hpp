@@ -19,9 +19,10 @@ class PlanarBody {
   int body_count() const { return 1; }
   Polygon body(int) const { return {vertices_, count_}; }
 
-  // Replaces the polygon: 3 to 8 vertices, convex, counter-clockwise, in the axle's frame; copied.
+  // Replaces the polygon: 3 to 8 vertices, convex, counter-clockwise, in the axle's frame; copied. Of more it keeps
+  // none, which init refuses as bad_robot.
   void set_body(int, Polygon polygon) {
-    count_ = polygon.count < format::kMaxPieceVertices ? polygon.count : format::kMaxPieceVertices;
+    count_ = polygon.count <= format::kMaxPieceVertices ? polygon.count : 0;
     for (int i = 0; i < count_; ++i) vertices_[i] = polygon[i];
     farthest_ = krait::farthest(vertices_, count_);
   }

@@ -86,6 +86,17 @@ bool sound(const R& robot) {
   return true;
 }
 
+// Whether a step that holds u for dt from s to next, both within the limits, is proven to stay within them all the
+// way; a robot may say. Without a word it does, as what is linear in time must.
+template <Robot R>
+bool keeps_limits(const R& robot, StateView s, ControlView u, float dt, StateView next) {
+  if constexpr (requires {
+                  { robot.keeps_limits(s, u, dt, next) } -> std::same_as<bool>;
+                })
+    return robot.keeps_limits(s, u, dt, next);
+  return true;
+}
+
 // Whether the robot can drive backwards; a robot may say.
 template <Robot R>
 bool reversible(const R& robot) {

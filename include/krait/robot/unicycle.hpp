@@ -42,7 +42,7 @@ class Unicycle : public PlanarBody {
     ds[2] = u[1];
   }
   void steer(StateView s, const Target& target, Steering& steering, ControlRef u) const;
-  bool within_limits(StateView s) const { return finite(position(s)) && finite(s[2]); }
+  bool within_limits(StateView s) const;
   float travel(StateView s, ControlView u, float dt, int k) const;
 
  private:

@@ -2,6 +2,8 @@
 // group to expand (Eqns 7, 8).
 #pragma once
 
+#include <bit>
+
 #include "krait/arena.hpp"
 #include "krait/decomposition/regions.hpp"
 #include "krait/random.hpp"
@@ -20,6 +22,8 @@ class Groups {
   // For `regions` regions and `vertices` vertices in all; its pools cannot fill before the tree's does.
   void take(Arena& arena, Index regions, std::uint32_t vertices);
 
+  void take(Arena& arena, const Scene& scene, std::uint32_t vertices) { take(arena, scene.triangle_count(), vertices); }
+
   // No groups, no selections.
   void clear(const GroupWeights& weights);
 
@@ -35,6 +39,10 @@ class Groups {
 
   // A vertex of the region's group, each as likely. O(log of the group's size), O(1) on average.
   Index random_vertex(Index region, Random& random) const;
+
+  // Calls visit(vertex) for every vertex of the region's group. O(the group's size).
+  template <class Visit>
+  void for_each_vertex(Index region, Visit visit) const;
 
   std::uint32_t count() const { return group_count_; }
   std::uint32_t size(Index region) const { return groups_[group_of_[region]].vertices; }
@@ -55,6 +63,9 @@ class Groups {
 
   static constexpr std::uint32_t kFirstBlock = 4;  // vertices; every further block has twice the last one's
 
+  // Size of the block that holds a group's n-th vertex, counted from 0: 4, 8, 16, …
+  static std::uint32_t block_of(std::uint32_t n) { return std::bit_floor(n / kFirstBlock + 1) * kFirstBlock; }
+
   float log_progress(const Regions& regions, Index region) const;
   void set_weight(std::uint32_t id);
 
@@ -68,5 +79,18 @@ class Groups {
   GroupWeights weights_;
   float log_beta_ = 0.0F;
 };
+
+template <class Visit>
+void Groups::for_each_vertex(Index region, Visit visit) const {
+  const Group& group = groups_[group_of_[region]];
+  std::uint32_t block_size = block_of(group.vertices - 1);
+  std::uint32_t end = group.vertices;
+  for (Index block = group.newest_block; block != kNone; block = members_[block]) {
+    const std::uint32_t before = block_size - kFirstBlock;  // vertices in the blocks before this one
+    for (std::uint32_t i = 0; i < end - before; ++i) visit(members_[block + 1 + i]);
+    end = before;
+    block_size /= 2;
+  }
+}
 
 }  // namespace krait

@@ -7,6 +7,20 @@
 
 namespace krait {
 
+// What the planner of prior work adds ([18], PriorPlanner); it has no use for epsilon, gamma, kappa and path_regions.
+struct PriorParameters {
+  float epsilon = 1e-11F;           // 1e-30 … 1: keeps every weight positive
+  std::uint32_t path_regions = 10;  // 1 … 64: as Parameters::path_regions
+  float path_share = 0.85F;         // 0 … 1: share of targets in the regions ahead
+  float goal_share = 0.05F;         // 0 … 1 - path_share: in the goal; the rest is uniform over the free workspace
+  float nearest_share = 0.9F;       // 0 … 1: how often the group's vertex nearest to the target grows, not any
+};
+
+// What RRT adds (RrtPlanner); of Algorithms 1 and 2 it has a step, a target and an expansion.
+struct RrtParameters {
+  float goal_share = 0.05F;  // 0 … 1: share of targets in the goal; the rest is uniform over the bounds
+};
+
 struct Parameters {
   // Eqn 7.
   float alpha = 8.0F;     // 1 … 64: strength of the heuristic
@@ -31,6 +45,9 @@ struct Parameters {
   bool prune_portals = true;        // whether portals too narrow for the robot are removed before the search
   // The goal.
   float goal_margin = 0.03F;  // 0 … 10 m, at most a tenth of the goal's size: how deep inside the plan must end
+  // Other planners.
+  PriorParameters prior;
+  RrtParameters rrt;
 
   // Algorithms 1 and 2 with the paper's constants: discrete collision checks, no pruning, Eqn 9 as printed.
   static Parameters paper();

@@ -1,4 +1,4 @@
-// What every planner of the library shares: the query's checks, the motion tree, the steps of an expansion
+// What every planner of the library shares: its memory, the query's checks, the motion tree, the steps of an expansion
 // (Algorithm 2, lines 4 to 15), and the plan at the end.
 #pragma once
 
@@ -24,9 +24,56 @@ struct Query {
   std::uint64_t seed = 1;
 };
 
-template <Robot R>
+// `Guide` is what a planner keeps by vertex to choose where to grow from. It has
+//   take(arena, scene, vertices)   its pools
+//   scratch()                      one Index a vertex, free once the search has ended
+template <Robot R, class Guide>
 class Search {
  public:
+  // Bytes of the block that init needs. The same on every target. O(1).
+  static std::uint64_t bytes_required(const Scene& scene, const R& robot, const Limits& limits) {
+    Arena counting;
+    Search search;
+    search.robot_ = &robot;
+    search.scene_ = &scene;
+    search.limits_ = limits;
+    search.take_pools(counting);
+    return counting.needed();
+  }
+
+  // The limits that spend a block of `bytes` best: as many vertices as fit, at least 2. O(1).
+  static Limits limits_for(std::uint64_t bytes, const Scene& scene, const R& robot) {
+    Limits limits;
+    std::uint32_t fits = 2;
+    std::uint32_t too_many = kMostVertices;
+    while (too_many - fits > 1) {
+      limits.vertices = fits + (too_many - fits) / 2;
+      (bytes_required(scene, robot, limits) <= bytes ? fits : too_many) = limits.vertices;
+    }
+    limits.vertices = fits;
+    return limits;
+  }
+
+  // Takes the block, which like robot and scene must outlive the planner and stay where it is. Gives solved, or why
+  // not: bad_arithmetic, bad_robot, bad_argument, arena_too_small. May be called again.
+  Failure init(void* block, std::uint64_t bytes, const Scene& scene, const R& robot, const Parameters& parameters,
+               const Limits& limits) {
+    ready_ = false;
+    if (!check_setup(robot, scene, parameters, limits).ok()) return failure_;
+    const std::uint64_t needed = bytes_required(scene, robot, limits);
+    if (bytes < needed) return failure_ = {Status::arena_too_small, 0, 0, needed};
+    const bool usable = block != nullptr && reinterpret_cast<std::uintptr_t>(block) % Arena::kAlignment == 0;
+    if (!usable) return failure_ = bad_argument(Argument::block);
+    Arena arena(block, bytes);
+    take_pools(arena);
+    statistics_ = {};
+    statistics_.bytes_given = bytes;
+    statistics_.bytes_used = needed;
+    ready_ = true;
+    failure_ = bad_argument(Argument::start);  // until there is one
+    return {};
+  }
+
   const MotionTree& tree() const { return tree_; }
   const Regions& regions() const { return regions_; }
   Status status() const { return failure_.status; }
@@ -39,6 +86,7 @@ class Search {
 
   // Empty unless solved. Valid until the next start.
   Plan plan() const {
+    if (path_states_ == 0) return {};
     return {tree_, path_, path_states_, parameters_.dt, robot_->state_size(), robot_->control_size()};
   }
 
@@ -57,31 +105,11 @@ class Search {
     Index last;  // the last vertex that was added, or where the expansion began
   };
 
-  // The arguments that do not change between queries. Gives solved, or what is wrong.
-  Failure check_setup(const R& robot, const Scene& scene, const Parameters& parameters, const Limits& limits) {
-    robot_ = &robot;
-    scene_ = &scene;
-    parameters_ = parameters;
-    limits_ = limits;
-    path_states_ = 0;
-    if (!exact_arithmetic()) return failure_ = {Status::bad_arithmetic};
-    const Argument bad_robot = first_bad_of_robot(robot);
-    if (bad_robot != Argument::none) return failure_ = {Status::bad_robot, 0, static_cast<std::uint32_t>(bad_robot)};
-    Argument bad = parameters.first_bad();
-    if (bad == Argument::none && limits.vertices < 2) bad = Argument::vertices;
-    if (bad == Argument::none && limits.iterations < 1) bad = Argument::iterations;
-    if (bad != Argument::none) return failure_ = bad_argument(bad);
-    robot_length_ = krait::robot_length(robot);
-    return failure_ = {};
-  }
+  // Whether init has succeeded: start needs it, else it gives init's answer again.
+  bool ready() const { return ready_; }
 
-  // Cuts the pools that every planner has.
-  void take_pools(Arena& arena) {
-    regions_.take(arena, *scene_);
-    tree_.take(arena, limits_.vertices, robot_->state_size(), robot_->control_size());
-  }
-
-  // Checks the query, computes the heuristic costs and plants the root. searching when the search can begin.
+  // Checks the query, computes the heuristic costs and plants the root. searching when the search can begin; solved
+  // when the start lies in the goal.
   Status begin(const Query& query) {
     path_states_ = 0;
     const std::uint64_t given = statistics_.bytes_given;
@@ -123,6 +151,28 @@ class Search {
     return {Expansion::target_not_reached, v};
   }
 
+  // One iteration more; false when the budget is used up.
+  bool count_iteration() {
+    if (statistics_.iterations == limits_.iterations) {
+      finish(Status::budget_used);
+      return false;
+    }
+    ++statistics_.iterations;
+    return true;
+  }
+
+  Target target_at(Vec2 point) {
+    const float speed = random_speed();
+    return {point, speed, parameters_.dt};
+  }
+
+  Vec2 random_point_in_bounds() {
+    const Box bounds = scene_->bounds();
+    const float u = random_.unit();
+    const float v = random_.unit();
+    return {bounds.min.x + u * (bounds.max.x - bounds.min.x), bounds.min.y + v * (bounds.max.y - bounds.min.y)};
+  }
+
   float random_speed() {
     const bool backward = reversible(*robot_) && random_.unit() < parameters_.reverse_share;
     const float share = parameters_.slowest + (1.0F - parameters_.slowest) * random_.unit();
@@ -134,9 +184,9 @@ class Search {
     return status;
   }
 
-  // Ends the search with the plan that leads to vertex `last`, after replaying it. `memory` holds one index a vertex
-  // and is no longer needed for anything else.
-  Status finish_solved(Index last, Index* memory) {
+  // Ends the search with the plan that leads to vertex `last`, after replaying it.
+  Status finish_solved(Index last) {
+    Index* const memory = guide_.scratch();
     std::uint32_t states = 0;
     for (Index v = last; v != kNone; v = tree_.parent(v)) ++states;
     Index place = states;
@@ -155,18 +205,15 @@ class Search {
     return finish(Status::solved);
   }
 
-  static Failure bad_argument(Argument argument) {
-    return {Status::bad_argument, 0, static_cast<std::uint32_t>(argument)};
-  }
-
   const R* robot_ = nullptr;
   const Scene* scene_ = nullptr;
   Parameters parameters_;
   Limits limits_;
-  Failure failure_;
+  Failure failure_ = bad_argument(Argument::block);  // until init has one
   Statistics statistics_;
   Regions regions_;
   MotionTree tree_;
+  Guide guide_;
   MotionCheck<R> check_;
   Random random_;
   Goal goal_ = Goal::named(0);
@@ -174,6 +221,35 @@ class Search {
 
  private:
   static constexpr float kLeastCost = 0.05F;  // of an edge, in robot lengths: keeps h + C above h
+  static constexpr std::uint32_t kMostVertices = 1U << 28U;
+
+  static Failure bad_argument(Argument argument) {
+    return {Status::bad_argument, 0, static_cast<std::uint32_t>(argument)};
+  }
+
+  void take_pools(Arena& arena) {
+    regions_.take(arena, *scene_);
+    tree_.take(arena, limits_.vertices, robot_->state_size(), robot_->control_size());
+    guide_.take(arena, *scene_, limits_.vertices);
+  }
+
+  // The arguments that do not change between queries. Gives solved, or what is wrong.
+  Failure check_setup(const R& robot, const Scene& scene, const Parameters& parameters, const Limits& limits) {
+    robot_ = &robot;
+    scene_ = &scene;
+    parameters_ = parameters;
+    limits_ = limits;
+    path_states_ = 0;
+    if (!exact_arithmetic()) return failure_ = {Status::bad_arithmetic};
+    const Argument bad_robot = first_bad_of_robot(robot);
+    if (bad_robot != Argument::none) return failure_ = {Status::bad_robot, 0, static_cast<std::uint32_t>(bad_robot)};
+    Argument bad = parameters.first_bad();
+    if (bad == Argument::none && limits.vertices < 2) bad = Argument::vertices;
+    if (bad == Argument::none && limits.iterations < 1) bad = Argument::iterations;
+    if (bad != Argument::none) return failure_ = bad_argument(bad);
+    robot_length_ = krait::robot_length(robot);
+    return failure_ = {};
+  }
 
   Failure check_query(const Query& query) {
     if (query.start == nullptr) return bad_argument(Argument::start);
@@ -195,6 +271,7 @@ class Search {
     for (int i = 0; i < robot_->state_size(); ++i) tree_.state(root)[i] = start[i];
     for (int i = 0; i < robot_->control_size(); ++i) tree_.control(root)[i] = 0.0F;
     if (regions_.cost(tree_.region(root)) == kInfinity) return finish(Status::no_route);
+    if (goal_.contains(*scene_, at, 0.0F)) return finish_solved(root);
     return finish(Status::searching);
   }
 
@@ -203,7 +280,9 @@ class Search {
     const StateView state(tree_.state(v), robot_->state_size());
     robot_->steer(state, target, steering, ControlRef(control, robot_->control_size()));
     propagate(*robot_, tree_.state(v), control, parameters_.dt, next);
-    if (!robot_->within_limits(StateView(next, robot_->state_size()))) return false;
+    const StateView after(next, robot_->state_size());
+    const ControlView held(control, robot_->control_size());
+    if (!robot_->within_limits(after) || !keeps_limits(*robot_, state, held, parameters_.dt, after)) return false;
     if (!scene_->inside_bounds({next[0], next[1]})) return false;
     if (parameters_.continuous) return check_.step_free(tree_.state(v), control, parameters_.dt, next);
     return check_.free(next);
@@ -230,6 +309,7 @@ class Search {
     return true;
   }
 
+  bool ready_ = false;
   float goal_depth_ = 0.0F;
   Index* path_ = nullptr;
   std::uint32_t path_states_ = 0;
