@@ -7,18 +7,20 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <iostream>
 #include <sstream>
 
 #include "host/compiler/compiler.hpp"
 #include "host/import/import.hpp"
+#include "host/input/file.hpp"
+#include "host/input/json.hpp"
 
 namespace {
 
 using namespace krait::host;
 
-std::vector<double> numbers(const std::string& text, const std::string& option, const std::string& form) {
+// Three numbers with commas between, the third at most `most_last`.
+std::vector<double> numbers(const std::string& text, const std::string& option, const std::string& form,
+                            double most_last) {
   std::vector<double> values;
   std::istringstream in(text);
   for (std::string field; std::getline(in, field, ',');) {
@@ -29,7 +31,8 @@ std::vector<double> numbers(const std::string& text, const std::string& option, 
     } catch (const std::exception&) {
       used = 0;
     }
-    if (used == 0 || used != field.size() || !std::isfinite(value))
+    const double most = values.size() < 2 ? kMaxCoordinate : most_last;
+    if (used == 0 || used != field.size() || !(std::abs(value) <= most))
       throw InputError(option + " '" + text + "': give " + form);
     values.push_back(value);
   }
@@ -38,13 +41,13 @@ std::vector<double> numbers(const std::string& text, const std::string& option, 
 }
 
 void set_start(Workspace& workspace, const std::string& text) {
-  const auto v = numbers(text, "--start", "X,Y,HEADING in metres and radians");
+  const auto v = numbers(text, "--start", "X,Y,HEADING (metres to 1e7, metres to 1e7, radians to 1000)", kMaxAngle);
   workspace.starts = {{"start", {v[0], v[1]}, v[2], {}}};
 }
 
 // A polygon inside the disc, rounding to the scene's grid included.
 void add_goal(Workspace& workspace, const std::string& text) {
-  const auto v = numbers(text, "--goal", "X,Y,RADIUS in metres");
+  const auto v = numbers(text, "--goal", "X,Y,RADIUS (metres to 1e7)", kMaxCoordinate);
   constexpr int kCorners = 32;
   constexpr double kPi = 3.14159265358979323846, kRounding = 0.0002;
   if (!(v[2] > 0.001)) throw InputError("--goal '" + text + "': the radius must be above 1 mm");
@@ -77,18 +80,6 @@ class Progress {
   bool shown_ = false;
 };
 
-// Whole or not at all: to a temporary beside it, then by rename.
-void write_file(const std::string& path, const std::vector<std::uint8_t>& bytes) {
-  const std::string temporary = path + ".part" + std::to_string(getpid());
-  std::ofstream out(temporary, std::ios::binary);
-  out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  out.close();
-  if (!out || std::rename(temporary.c_str(), path.c_str()) != 0) {
-    std::remove(temporary.c_str());
-    throw InputError(path + ": cannot be written: check the folder and the space left");
-  }
-}
-
 struct Arguments {
   std::string input, output, start, goal;
   Unknown unknown = Unknown::map;
@@ -96,11 +87,12 @@ struct Arguments {
 };
 
 void run(const Arguments& arguments, Progress& progress) {
+  check_writable(arguments.output);
   Workspace workspace = import_workspace(arguments.input, {arguments.unknown});
   if (!arguments.start.empty()) set_start(workspace, arguments.start);
   if (!arguments.goal.empty()) add_goal(workspace, arguments.goal);
   const CompiledScene scene = compile(workspace, {arguments.tolerance, std::ref(progress)});
-  write_file(arguments.output, scene.bytes);
+  write_file(arguments.output, std::string(scene.bytes.begin(), scene.bytes.end()));
   progress.end();
   const auto warn = [](const std::string& text) { std::fprintf(stderr, "krait-compile: warning: %s\n", text.c_str()); };
   std::for_each(workspace.warnings.begin(), workspace.warnings.end(), warn);
@@ -121,8 +113,7 @@ int main(int argc, char** argv) {
       "coordinates. Exit code 0: done; 2: bad input, one line on standard error says what and where.",
       "krait-compile");
   Arguments arguments;
-  app.add_option("INPUT", arguments.input, "native JSON, map_server YAML, MovingAI .map, dynobench YAML")
-      ->required();
+  app.add_option("INPUT", arguments.input, "native JSON, map_server YAML, MovingAI .map, dynobench YAML")->required();
   app.add_option("-o,--output", arguments.output, "the scene file to write")->required();
   app.add_option("--start", arguments.start, "X,Y,HEADING: a start named 'start', in place of the file's");
   app.add_option("--goal", arguments.goal, "X,Y,RADIUS: a further goal named 'goal', inside this disc");
@@ -130,11 +121,13 @@ int main(int argc, char** argv) {
       {"free", Unknown::free}, {"occupied", Unknown::occupied}, {"map", Unknown::map}};
   app.add_option("--unknown", arguments.unknown,
                  "how a map's unknown cells count: free, occupied, or map (by its own thresholds)")
-      ->transform(CLI::Transformer(names));
+      ->transform(CLI::Transformer(names))
+      ->option_text("free|occupied|map (default: map)");
   app.add_option("--tolerance", arguments.tolerance,
                  "how much a passage may get narrower so that outlines need fewer corners; 0: not at all\n"
                  "(default: one cell for maps, 0 for drawings)")
-      ->check(CLI::Range(0.0, 1e6));
+      ->check(CLI::Range(0.0, 1e6))
+      ->option_text("METRES, 0 to 1e6");
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp& help) {

@@ -97,10 +97,19 @@ std::string read_file(const std::string& path, std::uint64_t most) {
   return content;
 }
 
-void write_file(const std::string& path, const std::string& content) {
+void check_writable(const std::string& path) {
   struct stat status = {};
   const bool exists = ::stat(path.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode)) throw InputError(path + ": cannot be written: is a directory");
+  const std::string folder = std::filesystem::absolute(path).parent_path().string();
+  const std::string& written = exists && !S_ISREG(status.st_mode) ? path : folder;
+  if (::access(written.c_str(), W_OK) != 0) fail(path, "written", errno);
+}
+
+void write_file(const std::string& path, const std::string& content) {
+  check_writable(path);
+  struct stat status = {};
+  const bool exists = ::stat(path.c_str(), &status) == 0;
   if (exists && !S_ISREG(status.st_mode)) return write_device(path, content);
   replace_file(path, exists ? std::filesystem::canonical(path).string() : path, content);
 }

@@ -39,13 +39,14 @@ struct Start {
 struct CellMap {
   int columns = 0;
   int rows = 0;
-  double resolution = 0;  // metres
-  Point origin;           // world position of the corner of cell (0, 0)
-  double yaw = 0;         // radians, counter-clockwise
+  double resolution = 0;               // metres
+  Point origin;                        // world position of the corner of cell (0, 0)
+  double yaw = 0;                      // radians, counter-clockwise
   std::vector<std::uint8_t> occupied;  // rows * columns, row-major from the bottom row: 1 = obstacle
 
   bool at(int column, int row) const {
-    return occupied[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column)] != 0;
+    return occupied[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+                    static_cast<std::size_t>(column)] != 0;
   }
 };
 

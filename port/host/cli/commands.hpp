@@ -1,0 +1,25 @@
+// The commands of the program `krait`. Each adds itself to the app; its callback returns by throwing nothing, or
+// throws Exit with the program's exit code, or InputError for bad input (exit 2).
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace krait::host {
+
+inline constexpr int kDone = 0;
+inline constexpr int kHonestNo = 1;
+inline constexpr int kBadInput = 2;
+inline constexpr int kOwnBug = 3;
+
+struct Exit {
+  int code;
+};
+
+// `program` is the path of the running executable: krait-compile lies beside it.
+void add_compile(CLI::App& app, const char* program);
+void add_info(CLI::App& app);
+void add_plan(CLI::App& app);
+void add_verify(CLI::App& app);
+void add_scene(CLI::App& app);
+
+}  // namespace krait::host

@@ -1,0 +1,112 @@
+#include "host/cli/options.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace krait::host {
+namespace {
+
+constexpr std::uint64_t kMostMemory = std::uint64_t{64} << 30U;
+
+std::optional<double> parse_number(std::string_view text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+// Three numbers with commas between, each from minus to plus its bound; nothing if the text has another form.
+std::optional<std::array<double, 3>> parse_triple(std::string_view text, const std::array<double, 3>& most) {
+  std::array<double, 3> values{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t comma = text.find(',');
+    if ((comma == std::string_view::npos) != (i == 2)) return std::nullopt;
+    const auto value = parse_number(text.substr(0, comma));
+    if (!value || std::abs(*value) > most[i]) return std::nullopt;
+    values[i] = *value;
+    text = i < 2 ? text.substr(comma + 1) : std::string_view();
+  }
+  return values;
+}
+
+}  // namespace
+
+std::uint64_t parse_memory(const std::string& text) {
+  std::uint64_t value = 0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  const std::string_view unit(rest, static_cast<std::size_t>(end - rest));
+  unsigned shift = 64;
+  if (unit.empty()) shift = 0;
+  if (unit == "K") shift = 10;
+  if (unit == "M") shift = 20;
+  if (unit == "G") shift = 30;
+  if (error != std::errc() || shift == 64 || value > (kMostMemory >> shift)) {
+    throw InputError("--memory " + text + ": give bytes, as 131072, 128K, 64M or 1G, at most 64G");
+  }
+  return value << shift;
+}
+
+void parse_start(const std::string& text, SearchRequest& request) {
+  if (const auto pose = parse_triple(text, {kMaxCoordinate, kMaxCoordinate, kMaxAngle})) {
+    request.start = StartPose{{(*pose)[0], (*pose)[1]}, (*pose)[2]};
+  } else if (text.find(',') != std::string::npos) {
+    throw InputError("--start " + text +
+                     ": give X,Y,HEADING (metres to 1e7, metres to 1e7, radians to 1000) or a start's name");
+  } else {
+    request.start_name = text;
+  }
+}
+
+void parse_goal(const std::string& text, SearchRequest& request) {
+  if (const auto disc = parse_triple(text, {kMaxCoordinate, kMaxCoordinate, kMaxCoordinate}); disc && (*disc)[2] > 0) {
+    request.goal = GoalDisc{{(*disc)[0], (*disc)[1]}, (*disc)[2]};
+  } else if (text.find(',') != std::string::npos) {
+    throw InputError("--goal " + text + ": give X,Y,RADIUS (metres to 1e7, the radius above 0) or a goal's name");
+  } else {
+    request.goal_name = text;
+  }
+}
+
+CLI::Validator whole_number(std::uint64_t most) {
+  const auto check = [most](const std::string& text) -> std::string {
+    std::uint64_t value = 0;
+    const char* end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, value);
+    if (error == std::errc() && rest == end && value <= most) return {};
+    return text + " is no whole number from 0 to " + std::to_string(most);
+  };
+  return {check, "", "whole number"};
+}
+
+Unknown parse_unknown(const std::string& text) {
+  if (text == "free") return Unknown::free;
+  return text == "occupied" ? Unknown::occupied : Unknown::map;
+}
+
+void add_unknown(CLI::App& command, std::string& unknown) {
+  command
+      .add_option("--unknown", unknown, "how a map's unknown cells count: by its own thresholds (map), free, occupied")
+      ->check(CLI::IsMember({"map", "free", "occupied"}))
+      ->capture_default_str();
+}
+
+void QueryOptions::add(CLI::App& command) {
+  command
+      .add_option("--robot", robot,
+                  "snake:N, truck:N (N trailers, 0 to 25), car, unicycle, diff_drive, or a ROBOT.json")
+      ->capture_default_str();
+  command.add_option("--start", start,
+                     "a start of the scene by NAME, or X,Y,HEADING in metres and radians (default: its first)");
+  command.add_option("--goal", goal,
+                     "a goal of the scene by NAME, or a disc X,Y,RADIUS in metres (default: its first)");
+}
+
+void QueryOptions::read(SearchRequest& request) const {
+  request.robot = parse_robot(robot);
+  if (!start.empty()) parse_start(start, request);
+  if (!goal.empty()) parse_goal(goal, request);
+}
+
+}  // namespace krait::host

@@ -1,0 +1,40 @@
+// Options that several commands share, and how their texts are read.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <string>
+
+#include "host/import/import.hpp"
+#include "host/search/search.hpp"
+
+namespace krait::host {
+
+// "128K", "64M", "1G" (powers of 1024) or a number of bytes; at most 64G. Throws InputError.
+std::uint64_t parse_memory(const std::string& text);
+
+// --start NAME or X,Y,HEADING (metres, radians, world) into the request. Throws InputError.
+void parse_start(const std::string& text, SearchRequest& request);
+
+// --goal NAME or X,Y,RADIUS into the request. Throws InputError.
+void parse_goal(const std::string& text, SearchRequest& request);
+
+// Lets an option take whole numbers from 0 to `most` only: -1 and numbers that do not fit are refused, not wrapped.
+CLI::Validator whole_number(std::uint64_t most);
+
+Unknown parse_unknown(const std::string& text);
+
+// The texts of what plan and verify both ask: robot, start and goal.
+struct QueryOptions {
+  std::string robot = "snake:15";
+  std::string start;
+  std::string goal;
+
+  void add(CLI::App& command);
+  void read(SearchRequest& request) const;
+};
+
+// Adds --unknown free|occupied|map.
+void add_unknown(CLI::App& command, std::string& unknown);
+
+}  // namespace krait::host

@@ -1,0 +1,212 @@
+// krait plan: searches, checks its own result, writes and draws it.
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include "host/cli/commands.hpp"
+#include "host/cli/options.hpp"
+#include "host/cli/terminal.hpp"
+#include "host/picture/picture.hpp"
+#include "host/verify/verify.hpp"
+
+namespace krait::host {
+namespace {
+
+struct PlanOptions {
+  std::string scene;
+  QueryOptions query;
+  std::string planner = "adaptive";
+  std::uint64_t seed = 1;
+  std::string memory = "64M";
+  std::uint64_t iterations = 1'000'000;
+  std::optional<double> time_limit;
+  std::optional<double> alpha;
+  std::optional<double> beta;
+  std::optional<double> gamma;
+  std::optional<std::uint32_t> kappa;
+  std::optional<double> clearance;
+  bool paper = false;
+  std::string json;
+  std::string csv;
+  std::string svg;
+  std::string png;
+  std::string html;
+};
+
+SearchRequest request_of(const PlanOptions& options) {
+  SearchRequest request;
+  options.query.read(request);
+  request.planner = options.planner;
+  request.seed = options.seed;
+  request.memory = parse_memory(options.memory);
+  request.iterations = options.iterations;
+  request.time_limit = options.time_limit;
+  if (options.paper) request.parameters = Parameters::paper();
+  Parameters& p = request.parameters;
+  if (options.alpha) p.alpha = static_cast<float>(*options.alpha);
+  if (options.beta) p.beta = static_cast<float>(*options.beta);
+  if (options.gamma) p.gamma = static_cast<float>(*options.gamma);
+  if (options.kappa) p.kappa = *options.kappa;
+  if (options.clearance) p.clearance = static_cast<float>(*options.clearance);
+  if (request.time_limit && !(*request.time_limit > 0)) throw InputError("--time-limit: give seconds above 0");
+  return request;
+}
+
+std::string csv_of(const PlanFile& plan) {
+  std::string text = "t";
+  for (const std::string& name : plan.state_names) text += "," + name;
+  for (const char* name : {"u0", "u1"}) text += std::string(",") + name;
+  text += "\n";
+  char number[32];
+  const auto append = [&](double value) {
+    std::snprintf(number, sizeof number, "%.9g", value);
+    text += number;
+  };
+  for (std::size_t i = 0; i < plan.states.size(); ++i) {
+    append(plan.dt * static_cast<double>(i));
+    for (const float value : plan.states[i]) {
+      text += ",";
+      append(static_cast<double>(value));
+    }
+    for (std::size_t k = 0; k < 2; ++k) {
+      text += ",";
+      if (i < plan.controls.size()) append(static_cast<double>(plan.controls[i][k]));
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+Verdict verdict_on(const SearchResult& result, const PlanOptions& options) {
+  ProgressLine line;
+  line.show("verifying");
+  return verify(import_workspace(options.scene, {}), result.plan, result.asked);
+}
+
+// A plan that does not hold is no plan: its arrays are emptied and the status says why.
+int judge(SearchResult& result, const PlanOptions& options) {
+  if (result.plan.status != "solved") return result.plan.status == "internal" ? kOwnBug : kHonestNo;
+  const Verdict verdict = verdict_on(result, options);
+  if (verdict.holds) return kDone;
+  result.plan.status = "verification_failed";
+  result.plan.states.clear();
+  result.plan.controls.clear();
+  for (const std::string& complaint : verdict.complaints) std::fprintf(stderr, "krait: %s\n", complaint.c_str());
+  if (options.paper) return kHonestNo;
+  std::fprintf(stderr,
+               "krait: the plan does not hold: a bug of krait, please report it with the scene and the options\n");
+  return kOwnBug;
+}
+
+void draw(const SearchRequest& request, const SceneBytes& bytes, const SearchResult& result,
+          const PlanOptions& options) {
+  if (options.svg.empty() && options.png.empty() && options.html.empty()) return;
+  ProgressLine line;
+  line.show("drawing");
+  const Picture picture = watch_search(options.scene, bytes, request, result.plan);
+  if (!options.svg.empty()) write_file(options.svg, draw_svg(picture));
+  if (!options.png.empty()) write_file(options.png, draw_png(picture));
+  if (!options.html.empty()) write_file(options.html, draw_html(picture));
+}
+
+void print_summary(const PlanFile& plan) {
+  const auto& s = plan.statistics;
+  std::printf("%s: %s (%zu bodies) in %s, seed %llu: %.4f s, %llu iterations, %llu vertices\n", plan.status.c_str(),
+              plan.robot.model.c_str(), plan.robot.bodies.size(), plan.scene.c_str(),
+              static_cast<unsigned long long>(plan.seed), s.at("time_s").get<double>(),
+              s.at("iterations").get<unsigned long long>(), s.at("vertices").get<unsigned long long>());
+  if (plan.states.empty()) return;
+  std::printf("plan: %zu steps, %.1f s, %.1f m, hash %s, verified\n", plan.controls.size(),
+              s.at("plan_duration_s").get<double>(), s.at("plan_length_m").get<double>(),
+              s.at("hash").get<std::string>().c_str());
+}
+
+SearchResult search(const PlanOptions& options, const SearchRequest& request, const SceneBytes& bytes) {
+  ProgressLine line;
+  return run_search(
+      options.scene, bytes, request, [&](std::uint64_t iterations, std::uint64_t vertices, double seconds) {
+        if (seconds < 1) return;
+        char text[120];
+        std::snprintf(text, sizeof text, "planning: %.0f s, %llu iterations, %llu vertices", seconds,
+                      static_cast<unsigned long long>(iterations), static_cast<unsigned long long>(vertices));
+        line.show(text);
+      });
+}
+
+// Before a search that may take long, and before any file is written.
+void check_outputs(const PlanOptions& options) {
+  for (const std::string* path : {&options.json, &options.csv, &options.svg, &options.png, &options.html}) {
+    if (!path->empty()) check_writable(*path);
+  }
+}
+
+void plan(const PlanOptions& options) {
+  const SearchRequest request = request_of(options);
+  check_outputs(options);
+  const SceneBytes bytes = SceneBytes::read(options.scene);
+  SearchResult result = search(options, request, bytes);
+  const int code = judge(result, options);
+  if (!options.json.empty()) write_file(options.json, to_json(result.plan).dump() + "\n");
+  if (!options.csv.empty()) write_file(options.csv, csv_of(result.plan));
+  draw(request, bytes, result, options);
+  print_summary(result.plan);
+  throw Exit{code};
+}
+
+std::string defaults_table() {
+  std::string text =
+      "Robots, with their parameters' defaults (metres, radians, seconds; change them in a ROBOT.json):\n";
+  for (const char* model : {"snake", "truck", "car", "unicycle", "diff_drive"}) {
+    text += std::string("  ") + model + ":";
+    for (const auto& [name, value] : default_parameters(model)) {
+      char entry[64];
+      std::snprintf(entry, sizeof entry, " %s %.7g", name.c_str(), value);
+      text += entry;
+    }
+    text += "\n";
+  }
+  return text + "Ends: solved (exit 0); no_route, budget_used, tree_full, time_used (exit 1); bad input (exit 2).";
+}
+
+}  // namespace
+
+void add_plan(CLI::App& app) {
+  const auto o = std::make_shared<PlanOptions>();
+  const Parameters defaults;
+  CLI::App* command = app.add_subcommand("plan", "find a plan in a scene, check it, write it and draw it");
+  command->add_option("SCENE", o->scene, "a .krait file, from krait compile")->required();
+  o->query.add(*command);
+  command
+      ->add_option("--planner", o->planner,
+                   "the search: adaptive (the paper's), prior ([18], its costs never change), rrt")
+      ->check(CLI::IsMember({"adaptive", "prior", "rrt"}))
+      ->capture_default_str();
+  command->add_option("--seed", o->seed, "of the random numbers: the same seed gives the same plan")
+      ->check(whole_number(UINT64_MAX))
+      ->capture_default_str();
+  command->add_option("--memory", o->memory, "the planner's one block, as 128K, 64M")->capture_default_str();
+  command->add_option("--iterations", o->iterations, "expansions, at most")
+      ->check(whole_number(UINT64_MAX))
+      ->capture_default_str();
+  command->add_option("--time-limit", o->time_limit,
+                      "seconds (default: none; a limit makes the result depend on the machine)");
+  command->add_option("--alpha", o->alpha, "strength of the heuristic, 1 to 64 (default 8)");
+  command->add_option("--beta", o->beta, "penalty of a selection, between 0 and 1 (default 0.85)");
+  command->add_option("--gamma", o->gamma, "how much failures raise edge costs, above 0 (default 50)");
+  command->add_option("--kappa", o->kappa, "expansions between updates of the costs, 1 to 10000 (default 20)")
+      ->check(whole_number(UINT32_MAX));
+  command->add_option("--clearance", o->clearance,
+                      "metres kept to obstacles on top of rounding, 0 to 10 (default 0.001)");
+  command->add_flag("--paper", o->paper,
+                    "Algorithms 1 and 2 with the paper's constants: states are checked, steps between them are not");
+  command->add_option("-o,--output", o->json, "write the plan as JSON");
+  command->add_option("--csv", o->csv, "write states and controls as a table");
+  command->add_option("--svg", o->svg, "draw the plan");
+  command->add_option("--png", o->png, "draw the plan");
+  command->add_option("--html", o->html,
+                      "write a page that replays the plan and the search, for any browser, without network");
+  command->footer(defaults_table());
+  command->callback([o] { plan(*o); });
+}
+
+}  // namespace krait::host

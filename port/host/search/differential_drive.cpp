@@ -1,0 +1,13 @@
+#include "krait/robot/differential_drive.hpp"
+
+#include "host/search/planner_session.hpp"
+#include "host/search/sessions.hpp"
+
+namespace krait::host {
+
+std::unique_ptr<Session> differential_drive_session(const krait::Scene& scene, const SearchRequest& request,
+                                                    Block& block) {
+  return robot_session(DifferentialDrive(differential_drive_parameters(request.robot)), scene, request, block);
+}
+
+}  // namespace krait::host

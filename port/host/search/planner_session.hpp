@@ -1,0 +1,63 @@
+// The template behind Session. Every pair of robot and planner is compiled once, each robot in a file of its own.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "host/search/session.hpp"
+#include "krait/search/planner.hpp"
+#include "krait/search/prior.hpp"
+#include "krait/search/rrt.hpp"
+
+namespace krait::host {
+
+// Throws InputError with one line for every status that is not an honest answer.
+void refuse(const Failure& failure, const SearchRequest& request);
+
+template <class R, class P>
+class PlannerSession : public Session {
+ public:
+  PlannerSession(R robot, const krait::Scene& scene, const SearchRequest& request, Block& block)
+      : robot_(std::move(robot)), query_(resolve(scene, robot_, request)) {
+    Limits limits = P::limits_for(request.memory, scene, robot_);
+    limits.iterations = request.iterations;
+    refuse(planner_.init(block.data(), request.memory, scene, robot_, request.parameters, limits), request);
+    planner_.start({query_.start.data(), query_.goal, request.seed});
+    refuse(planner_.failure(), request);
+  }
+  // The planner points to the robot.
+  PlannerSession(const PlannerSession&) = delete;
+  PlannerSession& operator=(const PlannerSession&) = delete;
+
+  Status advance(std::uint64_t iterations) override { return planner_.advance(iterations); }
+  void stop_for_time() override { planner_.stop_for_time(); }
+  Status status() const override { return planner_.status(); }
+  Statistics statistics() const override { return planner_.statistics(); }
+  const MotionTree& tree() const override { return planner_.tree(); }
+  const Regions& regions() const override { return planner_.regions(); }
+  Plan plan() const override { return planner_.plan(); }
+  const ResolvedQuery& query() const override { return query_; }
+
+ private:
+  R robot_;
+  ResolvedQuery query_;
+  P planner_;
+};
+
+template <class R>
+std::unique_ptr<Session> robot_session(R robot, const krait::Scene& scene, const SearchRequest& request, Block& block) {
+  robot = with_bodies(std::move(robot), request.robot);
+  if (request.planner == "adaptive") {
+    return std::make_unique<PlannerSession<R, Planner<R>>>(std::move(robot), scene, request, block);
+  }
+  if (request.planner == "prior") {
+    return std::make_unique<PlannerSession<R, PriorPlanner<R>>>(std::move(robot), scene, request, block);
+  }
+  if (request.planner == "rrt") {
+    return std::make_unique<PlannerSession<R, RrtPlanner<R>>>(std::move(robot), scene, request, block);
+  }
+  throw InputError("no planner '" + request.planner + "' (there is: adaptive, prior, rrt)");
+}
+
+}  // namespace krait::host

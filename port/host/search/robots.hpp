@@ -1,0 +1,29 @@
+// From a robot's specification to the core's robot.
+#pragma once
+
+#include <utility>
+
+#include "host/robot/robot.hpp"
+#include "krait/krait.hpp"
+
+namespace krait::host {
+
+ChainParameters chain_parameters(const RobotSpec& spec);
+UnicycleParameters unicycle_parameters(const RobotSpec& spec);
+DifferentialDriveParameters differential_drive_parameters(const RobotSpec& spec);
+
+// Gives the robot the specification's bodies.
+template <class R>
+R with_bodies(R robot, const RobotSpec& spec) {
+  for (std::size_t k = 0; k < spec.bodies.size(); ++k) {
+    Vec2 vertices[format::kMaxPieceVertices];
+    int count = 0;
+    for (const Point& p : spec.bodies[k]) {
+      if (count < format::kMaxPieceVertices) vertices[count++] = {static_cast<float>(p.x), static_cast<float>(p.y)};
+    }
+    robot.set_body(static_cast<int>(k), {vertices, count});
+  }
+  return robot;
+}
+
+}  // namespace krait::host

@@ -1,0 +1,122 @@
+#include "host/search/search.hpp"
+
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+#include "host/input/file.hpp"
+#include "host/search/session.hpp"
+
+namespace krait::host {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::uint64_t kSlice = 64;  // expansions between looks at the clock
+
+double since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+
+void search_to_end(Session& session, const SearchRequest& request, Clock::time_point begin, const Progress& progress) {
+  double shown = 0;
+  while (session.advance(kSlice) == Status::searching) {
+    const double seconds = since(begin);
+    if (request.time_limit && seconds > *request.time_limit) session.stop_for_time();
+    if (seconds - shown > 0.2 && progress) {
+      shown = seconds;
+      const Statistics statistics = session.statistics();
+      progress(statistics.iterations, statistics.vertices, seconds);
+    }
+  }
+}
+
+nlohmann::ordered_json statistics_json(const Statistics& s, double seconds) {
+  char hash[17];
+  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(s.hash));
+  return {{"time_s", seconds},
+          {"iterations", s.iterations},
+          {"vertices", s.vertices},
+          {"collision_checks", s.collision_checks},
+          {"dijkstra_runs", s.dijkstra_runs},
+          {"regions_repaired", s.regions_repaired},
+          {"bytes_used", s.bytes_used},
+          {"bytes_given", s.bytes_given},
+          {"plan_steps", s.plan_steps},
+          {"plan_length_m", static_cast<double>(s.plan_length)},
+          {"plan_duration_s", static_cast<double>(s.plan_duration)},
+          {"hash", hash}};
+}
+
+void take_plan_out(const Plan& plan, PlanFile& file) {
+  if (plan.empty()) return;
+  const auto floats = [](const float* values, int count) { return std::vector<float>(values, values + count); };
+  file.states.push_back(floats(plan.state(0), plan.state_size()));
+  for (std::uint32_t i = 0; i < plan.steps(); ++i) {
+    file.controls.push_back(floats(plan.control(i), plan.control_size()));
+    file.states.push_back(floats(plan.state(i + 1), plan.state_size()));
+  }
+}
+
+}  // namespace
+
+SceneBytes SceneBytes::read(const std::string& path) {
+  const std::string content = read_file(path, UINT32_MAX);
+  SceneBytes bytes;
+  bytes.size_ = content.size();
+  bytes.words_.resize((content.size() + 7) / 8);
+  std::memcpy(bytes.words_.data(), content.data(), content.size());
+  return bytes;
+}
+
+std::string section_name(std::uint8_t section) {
+  static constexpr const char* kNames[format::kSectionCount] = {"vertices",
+                                                                "triangle_vertices",
+                                                                "triangle_neighbors",
+                                                                "triangle_portals",
+                                                                "triangle_goals",
+                                                                "portal_widths",
+                                                                "goal_offsets",
+                                                                "goal_vertices",
+                                                                "starts",
+                                                                "start_angles",
+                                                                "piece_offsets",
+                                                                "piece_vertices",
+                                                                "piece_boxes",
+                                                                "bucket_triangle_offsets",
+                                                                "bucket_triangles",
+                                                                "bucket_piece_offsets",
+                                                                "bucket_pieces",
+                                                                "clearance",
+                                                                "names"};
+  return section < format::kSectionCount ? kNames[section] : "header";
+}
+
+krait::Scene open_scene(const std::string& path, const SceneBytes& bytes) {
+  if (bytes.size() >= sizeof format::kMagic && std::memcmp(bytes.data(), format::kMagic, sizeof format::kMagic) != 0) {
+    throw InputError(path + ": bad_scene: is no compiled scene; krait compile makes one of a map or drawing");
+  }
+  krait::Scene scene;
+  const Failure failure = krait::Scene::open(bytes.data(), bytes.size(), scene);
+  if (!failure.ok()) {
+    const char* unit = failure.section == krait::Scene::kHeaderSection ? ", byte " : ", element ";
+    throw InputError(path + ": bad_scene: section " + section_name(failure.section) + unit +
+                     std::to_string(failure.element) + ": not a whole scene file of this version (compile it again)");
+  }
+  return scene;
+}
+
+SearchResult run_search(const std::string& scene_path, const SceneBytes& bytes, const SearchRequest& request,
+                        const Progress& progress) {
+  Block block = block_of(request);
+  const Clock::time_point begin = Clock::now();
+  const krait::Scene scene = open_scene(scene_path, bytes);
+  const std::unique_ptr<Session> session = start_session(scene, request, block);
+  search_to_end(*session, request, begin, progress);
+  SearchResult result{session->query().form, session->query().asked, since(begin)};
+  result.plan.status = name(session->status());
+  take_plan_out(session->plan(), result.plan);
+  result.plan.statistics = statistics_json(session->statistics(), result.seconds);
+  return result;
+}
+
+}  // namespace krait::host

@@ -1,0 +1,80 @@
+// Runs the core on a scene for a robot named by the user: the bridge from the workstation to the library.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/picture/picture.hpp"
+#include "host/plan/plan.hpp"
+#include "host/verify/verify.hpp"
+#include "krait/scene/scene.hpp"
+#include "krait/search/parameters.hpp"
+
+namespace krait::host {
+
+// A pose or disc of the command line, world coordinates.
+struct StartPose {
+  Point position;
+  double heading = 0;
+};
+struct GoalDisc {
+  Point center;
+  double radius = 0;
+};
+
+struct SearchRequest {
+  RobotSpec robot;
+  std::string planner = "adaptive";
+  std::uint64_t seed = 1;
+  std::optional<StartPose> start;  // absent: the scene's start `start_name`, or its first
+  std::string start_name;
+  std::optional<GoalDisc> goal;  // absent: the scene's goal `goal_name`, or its first
+  std::string goal_name;
+  std::uint64_t memory = std::uint64_t{64} << 20U;  // bytes of the block
+  std::uint64_t iterations = 1'000'000;
+  std::optional<double> time_limit;  // seconds
+  Parameters parameters;
+};
+
+// Bytes of a scene file, aligned as Scene::open needs them.
+class SceneBytes {
+ public:
+  // Throws InputError.
+  static SceneBytes read(const std::string& path);
+
+  const void* data() const { return words_.data(); }
+  std::size_t size() const { return size_; }
+
+ private:
+  std::vector<std::uint64_t> words_;
+  std::size_t size_ = 0;
+};
+
+// Opens the scene; throws InputError that names section and element of what is wrong.
+krait::Scene open_scene(const std::string& path, const SceneBytes& bytes);
+
+// "magic", "triangle_vertices", …
+std::string section_name(std::uint8_t section);
+
+using Progress = std::function<void(std::uint64_t iterations, std::uint64_t vertices, double seconds)>;
+
+struct SearchResult {
+  PlanFile plan;
+  Asked asked;     // what the verifier holds it to, world coordinates
+  double seconds;  // from opening the scene to the plan
+};
+
+// Opens, plans, and takes the plan out. Every end of a search (Status) that is an honest answer comes back in
+// plan.status; arguments that cannot be used throw InputError. `progress` is called a few times a second.
+SearchResult run_search(const std::string& scene_path, const SceneBytes& bytes, const SearchRequest& request,
+                        const Progress& progress);
+
+// The same search again, watched: the workspace, its regions, the costs as they changed, the tree as it grew.
+Picture watch_search(const std::string& scene_path, const SceneBytes& bytes, const SearchRequest& request,
+                     const PlanFile& plan);
+
+}  // namespace krait::host

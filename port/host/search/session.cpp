@@ -1,0 +1,65 @@
+#include "host/search/session.hpp"
+
+#include "host/search/planner_session.hpp"
+#include "host/search/sessions.hpp"
+
+namespace krait::host {
+namespace {
+
+std::string explanation(const Failure& failure, const SearchRequest& request) {
+  const std::string argument = name(static_cast<Argument>(failure.element));
+  switch (failure.status) {
+    case Status::arena_too_small:
+      return "--memory " + std::to_string(request.memory) +
+             " bytes is too little: this scene and robot need at least " + std::to_string(failure.bytes_needed) +
+             " bytes";
+    case Status::start_outside:
+      return "the start lies outside the workspace's bounds";
+    case Status::start_in_collision:
+      return "the robot overlaps an obstacle, the bounds or itself at the start";
+    case Status::goal_in_obstacle:
+      return "no free part of the goal is left: it lies in obstacles or outside";
+    case Status::bad_robot:
+      return argument + " cannot be used";
+    case Status::bad_argument:
+      if (argument == name(Argument::goal)) return "the goal's centre lies outside the workspace's bounds";
+      return argument + " is not finite or out of its range (krait plan --help has the ranges)";
+    case Status::bad_arithmetic:
+      return "the program was built with contracted or relaxed floating point";
+    default:
+      return "unusable input";
+  }
+}
+
+bool honest_answer(Status status) {
+  switch (status) {
+    case Status::searching:
+    case Status::solved:
+    case Status::no_route:
+    case Status::budget_used:
+    case Status::tree_full:
+    case Status::time_used:
+    case Status::internal:
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+void refuse(const Failure& failure, const SearchRequest& request) {
+  if (honest_answer(failure.status)) return;
+  throw InputError(std::string(name(failure.status)) + ": " + explanation(failure, request));
+}
+
+std::unique_ptr<Session> start_session(const krait::Scene& scene, const SearchRequest& request, Block& block) {
+  const std::string& model = request.robot.model;
+  if (model == "snake") return snake_session(scene, request, block);
+  if (model == "truck") return truck_session(scene, request, block);
+  if (model == "car") return car_session(scene, request, block);
+  if (model == "unicycle") return unicycle_session(scene, request, block);
+  return differential_drive_session(scene, request, block);
+}
+
+}  // namespace krait::host

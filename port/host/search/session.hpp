@@ -1,0 +1,38 @@
+// A search that a request asked for, set up and started: robot and planner behind one interface.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "host/search/query.hpp"
+#include "host/search/search.hpp"
+#include "krait/decomposition/regions.hpp"
+#include "krait/plan.hpp"
+#include "krait/search/statistics.hpp"
+
+namespace krait::host {
+
+// As the core's planners; what it gives is the planner's own and lives as long.
+class Session {
+ public:
+  virtual ~Session() = default;
+  virtual Status advance(std::uint64_t iterations) = 0;
+  virtual void stop_for_time() = 0;
+  virtual Status status() const = 0;
+  virtual Statistics statistics() const = 0;
+  virtual const MotionTree& tree() const = 0;
+  virtual const Regions& regions() const = 0;
+  virtual Plan plan() const = 0;
+  virtual const ResolvedQuery& query() const = 0;
+};
+
+// The planner's one block.
+using Block = std::vector<std::uint64_t>;
+
+inline Block block_of(const SearchRequest& request) { return Block((request.memory + 7) / 8); }
+
+// Scene and block must outlive the session. Throws InputError for whatever cannot be used.
+std::unique_ptr<Session> start_session(const krait::Scene& scene, const SearchRequest& request, Block& block);
+
+}  // namespace krait::host

@@ -1,0 +1,12 @@
+#include "krait/robot/unicycle.hpp"
+
+#include "host/search/planner_session.hpp"
+#include "host/search/sessions.hpp"
+
+namespace krait::host {
+
+std::unique_ptr<Session> unicycle_session(const krait::Scene& scene, const SearchRequest& request, Block& block) {
+  return robot_session(Unicycle(unicycle_parameters(request.robot)), scene, request, block);
+}
+
+}  // namespace krait::host
