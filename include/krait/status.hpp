@@ -45,6 +45,7 @@ enum class Argument : std::uint8_t {
   path_regions,
   near_radius,
   clearance,
+  stray_share,
   slowest,
   reverse_share,
   cost_length,

@@ -26,6 +26,13 @@ bool first_meeting(const CellGrid& grid, const Box& box, Cell first, Cell cell) 
 
 }  // namespace
 
+Obstacles::Obstacles(const Scene& scene, float clearance) : scene_(&scene) {
+  const Box bounds = scene.bounds();
+  const float largest =
+      most(most(absolute(bounds.min.x), absolute(bounds.min.y)), most(absolute(bounds.max.x), absolute(bounds.max.y)));
+  margin_ = clearance + kRounding + kPositionRounding * largest + scene.header().obstacle_error;
+}
+
 float Obstacles::room_to_bounds(const PlacedBody& body) const {
   const Box bounds = scene_->bounds();
   float room = kInfinity;

@@ -15,6 +15,7 @@ bool within(std::uint32_t x, std::uint32_t low, std::uint32_t high) { return x >
 Parameters Parameters::paper() {
   Parameters parameters;
   parameters.cost_length = 0.0F;
+  parameters.stray_share = 0.0F;
   parameters.raise_goal = true;
   parameters.continuous = false;
   parameters.prune_portals = false;
@@ -33,6 +34,7 @@ Argument Parameters::first_bad() const {
   if (!within(max_steps, 1, 1000)) return Argument::max_steps;
   if (!within(path_regions, 1, 64)) return Argument::path_regions;
   if (!within(near_radius, 0.0F, 10.0F)) return Argument::near_radius;
+  if (!within(stray_share, 0.0F, 1.0F)) return Argument::stray_share;
   if (!within(slowest, 0.05F, 1.0F)) return Argument::slowest;
   if (!within(reverse_share, 0.0F, 1.0F)) return Argument::reverse_share;
   if (!within(clearance, 0.0F, 10.0F)) return Argument::clearance;

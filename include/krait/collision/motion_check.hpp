@@ -183,7 +183,7 @@ class MotionCheck {
   // `longest` from left. Bodies whose circles are far apart are skipped, and with them all that the chain cannot
   // bring closer.
   bool self_free(const Placement& left, const Placement& right, float longest, const float* travel) const {
-    if (bodies_ <= gap_) return true;
+    if (R::kMaxBodies == 1 || bodies_ <= gap_) return true;
     Vec2 centers[R::kMaxBodies];
     float along[R::kMaxBodies];  // length of the line through the centres
     for (int k = 0; k < bodies_; ++k) {

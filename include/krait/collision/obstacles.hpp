@@ -22,8 +22,7 @@ class Obstacles {
   Obstacles() = default;
 
   // `clearance` metres, >= 0, are kept between every body and every obstacle or bound, on top of what rounding needs.
-  Obstacles(const Scene& scene, float clearance)
-      : scene_(&scene), margin_(clearance + kRounding + scene.header().obstacle_error) {}
+  Obstacles(const Scene& scene, float clearance);
 
   // Metres that the clearance grid proves free around a circle, beyond the margin; may be negative. One look-up.
   float room_by_grid(Vec2 center, float radius) const { return scene_->clearance(center) - radius - margin_; }
@@ -37,6 +36,7 @@ class Obstacles {
 
  private:
   static constexpr float kRounding = 1e-4F;          // metres: GJK in float near the body, and the snap of the query
+  static constexpr float kPositionRounding = 3e-6F;  // of the largest coordinate: 25 trailers placed one by one
   static constexpr float kRelativeRounding = 1e-6F;  // of a piece's largest coordinate seen from the body
 
   float room_to_bounds(const PlacedBody& body) const;

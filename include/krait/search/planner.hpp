@@ -51,8 +51,11 @@ class Planner : public Search<R, Groups> {
     }
   }
 
-  // Algorithm 2, lines 2 and 3: a region among the first of the shortest path after the group's, a point in it.
+  // Algorithm 2, lines 2 and 3: a region among the first of the shortest path after the group's, a point in it; now and
+  // then any point of the workspace, which ends long series of failures at one place.
   Target choose_target(Index group) {
+    const float stray = this->parameters_.stray_share;
+    if (stray > 0.0F && this->random_.unit() < stray) return this->target_at(this->random_point_in_bounds());
     const Regions& regions = this->regions_;
     const Index region = regions.random_ahead(group, this->parameters_.path_regions, this->random_);
     const Vec2 point = regions.random_point(region, this->random_);

@@ -125,7 +125,10 @@ class Search {
     if (status() != Status::searching) return status();
     const float tenth = 0.1F * goal_.size(*scene_);
     goal_depth_ = parameters_.goal_margin < tenth ? parameters_.goal_margin : tenth;
-    const float least_width = parameters_.prune_portals ? 2.0F * (inner_radius(*robot_) + parameters_.clearance) : 0.0F;
+    // The position keeps the disc's radius and the clearance to obstacles, if it lies inside the body at all.
+    const float inner = inner_radius(*robot_);
+    const bool prune = parameters_.prune_portals && inner > 0.0F;
+    const float least_width = prune ? 2.0F * (inner + parameters_.clearance) : 0.0F;
     if (!regions_.reset(goal_, least_width, kLeastCost * robot_length_)) return finish(Status::goal_in_obstacle);
     ++statistics_.dijkstra_runs;
     return plant(query.start);

@@ -1,0 +1,114 @@
+// When a position is in the goal, and how deep.
+#include "krait/decomposition/goal.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scene_builder.hpp"
+
+namespace krait::test {
+namespace {
+
+SceneData with_polygon(const std::vector<Vec2>& goal) {
+  Room room;
+  room.goals = {{1, 1, 2, 2}};
+  SceneData data = data_of(room);
+  data.goals[0] = goal;
+  return data;
+}
+
+struct Opened {
+  explicit Opened(const SceneData& data) : bytes(data.bytes()) {
+    EXPECT_TRUE(Scene::open(bytes.data(), bytes.size(), scene).ok());
+  }
+  SceneBytes bytes;
+  Scene scene;
+};
+
+double border_distance(Point p, const Ring& polygon) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    least = std::min(least, distance_to_segment(p, polygon[i], polygon[(i + 1) % polygon.size()]));
+  }
+  return least;
+}
+
+// By the sum of the angles under which the sides are seen.
+bool winds_around(Point p, const Ring& polygon) {
+  double sum = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+    const double ax = a.x - p.x, ay = a.y - p.y, bx = b.x - p.x, by = b.y - p.y;
+    sum += std::atan2(ax * by - ay * bx, ax * bx + ay * by);
+  }
+  return std::abs(sum) > 3;
+}
+
+void expect_membership(const std::vector<Vec2>& polygon) {
+  const Opened opened(with_polygon(polygon));
+  const Ring expected = ring({polygon.data(), static_cast<int>(polygon.size())});
+  std::mt19937 random(1);
+  int inside = 0;
+  for (int i = 0; i < 50'000; ++i) {
+    const Vec2 p{uniform_float(random, 0, 10), uniform_float(random, 0, 10)};
+    const double border = border_distance(point(p), expected);
+    for (const float depth : {0.0F, 0.03F, 0.5F}) {
+      if (std::abs(border - static_cast<double>(depth)) < 1e-5) continue;
+      const bool deep = winds_around(point(p), expected) && border > static_cast<double>(depth);
+      ASSERT_EQ(Goal::named(0).contains(opened.scene, p, depth), deep) << p.x << " " << p.y << " " << depth;
+      inside += deep ? 1 : 0;
+    }
+  }
+  EXPECT_GT(inside, 1000);
+}
+
+TEST(Goal, ContainsByPositionAndDepthInAConvexPolygon) { expect_membership({{2, 2}, {8, 3}, {7, 8}, {3, 7}}); }
+
+TEST(Goal, ContainsByPositionAndDepthInAPolygonThatIsNotConvex) {
+  expect_membership({{1, 1}, {9, 1}, {9, 9}, {7, 9}, {7, 3}, {3, 3}, {3, 9}, {1, 9}});
+}
+
+TEST(Goal, DiscContainsByDistance) {
+  const OpenScene open{Room{}};
+  const Goal disc = Goal::disc({5, 5}, 2);
+  EXPECT_TRUE(disc.contains(open.scene, {6.9F, 5}, 0));
+  EXPECT_FALSE(disc.contains(open.scene, {6.9F, 5}, 0.2F));
+  EXPECT_FALSE(disc.contains(open.scene, {7.1F, 5}, 0));
+  EXPECT_TRUE(disc.contains(open.scene, {5, 5}, 2));
+}
+
+TEST(Goal, NanIsInNoGoal) {
+  Room room;
+  room.goals = {{1, 1, 2, 2}};
+  const OpenScene open(room);
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_FALSE(Goal::named(0).contains(open.scene, {nan, 1.5F}, 0));
+  EXPECT_FALSE(Goal::named(0).contains(open.scene, {1.5F, nan}, 0));
+  EXPECT_FALSE(Goal::disc({5, 5}, 2).contains(open.scene, {nan, nan}, 0));
+}
+
+TEST(Goal, ValidWhereItExistsInTheScene) {
+  Room room;
+  room.goals = {{1, 1, 2, 2}};
+  const OpenScene open(room);
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_TRUE(Goal::named(0).valid(open.scene));
+  EXPECT_FALSE(Goal::named(1).valid(open.scene));
+  EXPECT_FALSE(Goal::named(kNone).valid(open.scene));
+  EXPECT_TRUE(Goal::disc({0, 10}, 0.1F).valid(open.scene));
+  for (const Goal& bad : {Goal::disc({-0.1F, 5}, 1), Goal::disc({5, 10.1F}, 1), Goal::disc({5, 5}, 0),
+                          Goal::disc({5, 5}, -1), Goal::disc({5, 5}, nan), Goal::disc({5, 5}, kInfinity),
+                          Goal::disc({nan, 5}, 1), Goal::disc({5, kInfinity}, 1)}) {
+    EXPECT_FALSE(bad.valid(open.scene));
+  }
+}
+
+TEST(Goal, SizeIsTheSideOfASquareOfItsArea) {
+  const Opened opened(with_polygon({{1, 1}, {9, 1}, {9, 9}, {7, 9}, {7, 3}, {3, 3}, {3, 9}, {1, 9}}));
+  EXPECT_NEAR(static_cast<double>(Goal::named(0).size(opened.scene)), std::sqrt(40.0), 1e-5);
+  EXPECT_NEAR(static_cast<double>(Goal::disc({5, 5}, 2).size(opened.scene)), std::sqrt(4 * 3.14159265358979), 1e-5);
+}
+
+}  // namespace
+}  // namespace krait::test

@@ -1,0 +1,177 @@
+// The core's own functions against libm in double precision, within the errors that their comments promise.
+#include "krait/math.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <random>
+
+namespace krait {
+namespace {
+
+constexpr double kTrueAngle = 3.14159265358979323846;
+const float kNan = std::numeric_limits<float>::quiet_NaN();
+
+double wide(float x) { return static_cast<double>(x); }
+
+// Calls check(x) for a dense sweep of [low, high].
+template <class Check>
+void sweep(float low, float high, int count, Check check) {
+  for (int i = 0; i <= count; ++i) {
+    check(static_cast<float>(wide(low) + (wide(high) - wide(low)) * i / count));
+  }
+}
+
+TEST(Math, SineAndCosineWithin8e8) {
+  double worst = 0;
+  const auto check = [&](float x) {
+    const SinCos got = sin_cos(x);
+    worst = std::max(worst, std::abs(wide(got.sin) - std::sin(wide(x))));
+    worst = std::max(worst, std::abs(wide(got.cos) - std::cos(wide(x))));
+  };
+  sweep(-8.0F, 8.0F, 400'000, check);
+  sweep(-kMaxAngle, kMaxAngle, 1'000'000, check);
+  for (int i = -5215; i <= 5215; ++i) {  // around the multiples of pi/2, where the reduction is hardest
+    float x = static_cast<float>(i * kTrueAngle / 2);
+    for (int step = 0; step < 3; ++step, x = std::nextafter(x, 1e9F)) check(x);
+  }
+  EXPECT_LT(worst, 8e-8);
+  RecordProperty("worst", std::to_string(worst));
+}
+
+TEST(Math, SineAndCosineOfZeroAreExact) {
+  EXPECT_EQ(sin_cos(0.0F).sin, 0.0F);
+  EXPECT_EQ(sin_cos(0.0F).cos, 1.0F);
+}
+
+TEST(Math, SineAndCosineNeverExceedOneByMoreThanAnUlp) {
+  sweep(-kMaxAngle, kMaxAngle, 500'000, [](float x) {
+    ASSERT_LE(std::abs(sin_cos(x).sin), 1.0F + 1.2e-7F) << x;
+    ASSERT_LE(std::abs(sin_cos(x).cos), 1.0F + 1.2e-7F) << x;
+  });
+}
+
+TEST(Math, SineAndCosineRefuseWhatIsOutOfRange) {
+  for (const float x : {kNan, kInfinity, -kInfinity, std::nextafter(kMaxAngle, 1e9F), -1e30F, 3e38F}) {
+    EXPECT_TRUE(std::isnan(sin_cos(x).sin)) << x;
+    EXPECT_TRUE(std::isnan(sin_cos(x).cos)) << x;
+  }
+  EXPECT_FALSE(std::isnan(sin_cos(kMaxAngle).sin));
+  EXPECT_FALSE(std::isnan(sin_cos(-kMaxAngle).cos));
+}
+
+TEST(Math, Atan2Within4e7OnEveryScale) {
+  double worst = 0;
+  for (const float scale : {1e-30F, 1e-3F, 1.0F, 1e5F, 1e30F}) {
+    sweep(-3.1415926F, 3.1415926F, 200'000, [&](float angle) {
+      const float y = scale * static_cast<float>(std::sin(wide(angle)));
+      const float x = scale * static_cast<float>(std::cos(wide(angle)));
+      worst = std::max(worst, std::abs(wide(atan2(y, x)) - std::atan2(wide(y), wide(x))));
+    });
+  }
+  EXPECT_LT(worst, 4e-7);
+}
+
+TEST(Math, Atan2OnTheAxes) {
+  EXPECT_EQ(atan2(0.0F, 0.0F), 0.0F);
+  EXPECT_EQ(atan2(0.0F, 1.0F), 0.0F);
+  EXPECT_EQ(atan2(1.0F, 0.0F), kPi / 2.0F);
+  EXPECT_EQ(atan2(-1.0F, 0.0F), -kPi / 2.0F);
+  EXPECT_EQ(atan2(0.0F, -1.0F), kPi);
+  EXPECT_TRUE(std::isnan(atan2(kNan, 1.0F)));
+  EXPECT_TRUE(std::isnan(atan2(1.0F, kNan)));
+}
+
+TEST(Math, Atan2StaysInItsRange) {
+  std::mt19937 random(3);
+  for (int i = 0; i < 200'000; ++i) {
+    const float y = static_cast<float>(random()) - 2147483648.0F;
+    const float x = static_cast<float>(random()) - 2147483648.0F;
+    ASSERT_LE(std::abs(atan2(y, x)), kPi);
+  }
+}
+
+TEST(Math, LogarithmWithin2UlpsNearOneAnd3e7RelativeElsewhere) {
+  double worst = 0;
+  for (std::uint32_t bits = 0x00800000U; bits < 0x7F800000U; bits += 1237) {  // every normal exponent
+    const float x = std::bit_cast<float>(bits);
+    const double exact = std::log(wide(x));
+    if (std::abs(exact) > 0.5) worst = std::max(worst, std::abs(wide(log(x)) - exact) / std::abs(exact));
+  }
+  EXPECT_LT(worst, 3e-7);
+  worst = 0;
+  for (std::uint32_t bits = std::bit_cast<std::uint32_t>(0.61F); bits < std::bit_cast<std::uint32_t>(1.64F);
+       bits += 5) {
+    const float x = std::bit_cast<float>(bits);
+    const double exact = std::log(wide(x));
+    const auto rounded = static_cast<float>(exact);
+    const double ulp = wide(std::nextafter(std::abs(rounded), kInfinity)) - wide(std::abs(rounded));
+    if (x != 1.0F) worst = std::max(worst, std::abs(wide(log(x)) - exact) / ulp);
+  }
+  EXPECT_LT(worst, 2.0);
+}
+
+TEST(Math, LogarithmAtTheEdges) {
+  EXPECT_EQ(log(1.0F), 0.0F);
+  EXPECT_EQ(log(0.0F), -kInfinity);
+  EXPECT_EQ(log(-0.0F), -kInfinity);
+  EXPECT_EQ(log(-1.0F), -kInfinity);
+  EXPECT_EQ(log(-kInfinity), -kInfinity);
+  EXPECT_EQ(log(kInfinity), kInfinity);
+  EXPECT_TRUE(std::isnan(log(kNan)));
+}
+
+TEST(Math, LogarithmRisesWithItsArgument) {
+  float last = -kInfinity;
+  for (std::uint32_t bits = 0x00800000U; bits < 0x7F800000U; bits += 40961) {
+    const float value = log(std::bit_cast<float>(bits));
+    ASSERT_GE(value, last);
+    last = value;
+  }
+}
+
+TEST(Math, WrappedAngleHasTheSameDirectionAndLiesInRange) {
+  double worst = 0;
+  float largest = 0;
+  const auto check = [&](float x) {
+    const float w = wrap_angle(x);
+    largest = std::max(largest, std::abs(w));
+    worst = std::max(worst, std::abs(std::remainder(wide(w) - wide(x), 2 * kTrueAngle)));
+  };
+  sweep(-kMaxAngle, kMaxAngle, 1'000'000, check);
+  for (int i = -2607; i <= 2607; ++i) {  // around the odd multiples of pi, where it jumps
+    float x = static_cast<float>(i * kTrueAngle);
+    x = std::nextafter(std::nextafter(x, -1e9F), -1e9F);
+    for (int step = 0; step < 5; ++step, x = std::nextafter(x, 1e9F)) check(x);
+  }
+  EXPECT_LT(worst, 1e-6);
+  EXPECT_LE(wide(largest), kTrueAngle + 5e-4);  // of an angle near 8192, whose own spacing is that wide
+}
+
+TEST(Math, WrappedSmallAnglesAreUnchanged) {
+  sweep(-3.14F, 3.14F, 10'000, [](float x) { ASSERT_EQ(wrap_angle(x), x); });
+}
+
+TEST(Math, WrappedAngleRefusesWhatIsOutOfRange) {
+  for (const float x : {kNan, kInfinity, -kInfinity, 1e30F}) EXPECT_TRUE(std::isnan(wrap_angle(x))) << x;
+}
+
+TEST(Math, FiniteIsFalseForNanAndInfinity) {
+  EXPECT_TRUE(finite(0.0F));
+  EXPECT_TRUE(finite(3.4e38F));
+  EXPECT_FALSE(finite(kNan));
+  EXPECT_FALSE(finite(kInfinity));
+  EXPECT_FALSE(finite(Vec2{0.0F, -kInfinity}));
+}
+
+TEST(Math, ClampTurnsNanIntoTheLowerEnd) {
+  EXPECT_EQ(clamp(kNan, -1.0F, 1.0F), -1.0F);
+  EXPECT_EQ(clamp(2.0F, -1.0F, 1.0F), 1.0F);
+  EXPECT_EQ(clamp(-2.0F, -1.0F, 1.0F), -1.0F);
+  EXPECT_EQ(clamp(0.25F, -1.0F, 1.0F), 0.25F);
+}
+
+}  // namespace
+}  // namespace krait

@@ -1,0 +1,82 @@
+// A scene, a robot, a planner and its block together, and the three planners for typed tests.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "krait/krait.hpp"
+#include "krait/search/prior.hpp"
+#include "krait/search/rrt.hpp"
+#include "scene_builder.hpp"
+#include "user_robot.hpp"
+
+namespace krait::test {
+
+// Two rooms of 6 by 8 metres and a door of 2 m in the wall between them; the goal is in the right one.
+inline Room two_rooms(double door = 2) {
+  Room room;
+  room.bounds = {0, 0, 12, 8};
+  room.boxes = {{6, 0, 6.25, 4 - door / 2}, {6, 4 + door / 2, 6.25, 8}};
+  room.goals = {{9.5, 5.5, 11.5, 7.5}, {6.05, 0.5, 6.2, 1.5}, {1, 1, 3, 3}};
+  return room;
+}
+
+struct AdaptivePlanner {
+  template <class R>
+  using Of = Planner<R>;
+};
+struct Prior {
+  template <class R>
+  using Of = PriorPlanner<R>;
+};
+struct Rrt {
+  template <class R>
+  using Of = RrtPlanner<R>;
+};
+using Planners = ::testing::Types<AdaptivePlanner, Prior, Rrt>;
+struct PlannerNames {
+  template <class P>
+  static std::string GetName(int) {
+    if (std::is_same_v<P, AdaptivePlanner>) return "adaptive";
+    return std::is_same_v<P, Prior> ? "prior" : "rrt";
+  }
+};
+
+template <class R, class P = AdaptivePlanner>
+struct Bench {
+  using PlannerType = typename P::template Of<R>;
+
+  Bench(const Room& room, const R& r) : open(room), robot(r) {
+    limits.vertices = 20'000;
+    limits.iterations = 20'000;
+  }
+
+  // Gives the planner a block that holds its limits exactly.
+  Failure init() { return init(PlannerType::bytes_required(open.scene, robot, limits)); }
+  Failure init(std::uint64_t bytes) {
+    block.assign((bytes + 7) / 8, 0xA5A5A5A5A5A5A5A5ULL);
+    return planner.init(block.data(), bytes, open.scene, robot, parameters, limits);
+  }
+  Status solve(const Query& query) {
+    planner.start(query);
+    return planner.advance(1'000'000'000);
+  }
+
+  OpenScene open;
+  R robot;
+  Parameters parameters;
+  Limits limits;
+  std::vector<std::uint64_t> block;
+  PlannerType planner;
+};
+
+inline Unicycle small_unicycle() {
+  UnicycleParameters p;
+  p.body_length = 0.5F;
+  p.body_width = 0.4F;
+  return Unicycle(p);
+}
+
+}  // namespace krait::test

@@ -1,0 +1,105 @@
+// Memory is known beforehand: a block of bytes_required works, one byte less says how many are needed.
+#include "planner_fixture.hpp"
+
+namespace krait::test {
+namespace {
+
+template <class P>
+class PlannerMemory : public ::testing::Test {};
+TYPED_TEST_SUITE(PlannerMemory, Planners, PlannerNames);
+
+constexpr float kStart[] = {2, 6, 0};
+
+TYPED_TEST(PlannerMemory, BlockOfExactlyTheBytesRequiredSolves) {
+  Bench<Unicycle, TypeParam> bench(two_rooms(), small_unicycle());
+  const auto needed = bench.planner.bytes_required(bench.open.scene, bench.robot, bench.limits);
+  ASSERT_TRUE(bench.init(needed).ok());
+  ASSERT_EQ(bench.solve({kStart}), Status::solved);
+  const Statistics statistics = bench.planner.statistics();
+  EXPECT_EQ(statistics.bytes_given, needed);
+  EXPECT_LE(statistics.bytes_used, needed);
+}
+
+TYPED_TEST(PlannerMemory, OneByteLessIsTooSmallAndSaysHowManyAreNeeded) {
+  Bench<Unicycle, TypeParam> bench(two_rooms(), small_unicycle());
+  const auto needed = bench.planner.bytes_required(bench.open.scene, bench.robot, bench.limits);
+  for (const std::uint64_t bytes : {needed - 1, needed / 2, std::uint64_t{1}, std::uint64_t{0}}) {
+    const Failure failure = bench.init(bytes);
+    EXPECT_EQ(failure.status, Status::arena_too_small) << bytes;
+    EXPECT_EQ(failure.bytes_needed, needed) << bytes;
+  }
+}
+
+TYPED_TEST(PlannerMemory, NothingOutsideTheBlockIsWritten) {
+  Bench<Unicycle, TypeParam> bench(two_rooms(), small_unicycle());
+  bench.limits.vertices = 300;
+  const auto needed = bench.planner.bytes_required(bench.open.scene, bench.robot, bench.limits);
+  std::vector<std::uint64_t> block(needed / 8 + 64, 0x5151515151515151ULL);
+  ASSERT_TRUE(
+      bench.planner.init(block.data() + 32, needed, bench.open.scene, bench.robot, bench.parameters, bench.limits)
+          .ok());
+  for (const std::uint64_t seed : {1U, 2U, 3U}) bench.solve({kStart, Goal::named(0), seed});
+  for (std::size_t i = 0; i < 32; ++i) {
+    ASSERT_EQ(block[i], 0x5151515151515151ULL);
+    ASSERT_EQ(block[32 + needed / 8 + i], 0x5151515151515151ULL);
+  }
+}
+
+TYPED_TEST(PlannerMemory, LimitsForFitAndAreTheMost) {
+  const OpenScene open(two_rooms());
+  const Unicycle robot = small_unicycle();
+  using P = typename TypeParam::template Of<Unicycle>;
+  for (const std::uint64_t bytes : {20'000U, 65'536U, 131'072U, 1'000'003U, 67'108'864U}) {
+    Limits limits = P::limits_for(bytes, open.scene, robot);
+    EXPECT_LE(P::bytes_required(open.scene, robot, limits), bytes);
+    limits.vertices += 1;
+    EXPECT_GT(P::bytes_required(open.scene, robot, limits), bytes);
+  }
+}
+
+TYPED_TEST(PlannerMemory, LimitsForABlockThatIsTooSmallAreTheLeast) {
+  const OpenScene open(two_rooms());
+  const Unicycle robot = small_unicycle();
+  using P = typename TypeParam::template Of<Unicycle>;
+  for (const std::uint64_t bytes : {0U, 1U, 100U}) {
+    const Limits limits = P::limits_for(bytes, open.scene, robot);
+    EXPECT_EQ(limits.vertices, 2U);
+    EXPECT_GT(P::bytes_required(open.scene, robot, limits), bytes);
+  }
+}
+
+TYPED_TEST(PlannerMemory, BytesGrowWithVerticesAndWithTheRunTimeState) {
+  const OpenScene open(two_rooms());
+  using P = typename TypeParam::template Of<Snake>;
+  ChainParameters small, large;
+  small.trailers = 1;
+  large.trailers = 15;
+  Limits few, many;
+  few.vertices = 1000;
+  many.vertices = 2000;
+  const auto bytes = [&](const ChainParameters& p, const Limits& limits) {
+    return P::bytes_required(open.scene, Snake(p), limits);
+  };
+  EXPECT_GE(bytes(small, many) - bytes(small, few), 1000U * 4 * 6);
+  EXPECT_GE(bytes(large, few) - bytes(small, few), 1000U * 4 * 14);  // 14 floats a vertex more
+  EXPECT_LE(bytes(large, few) - bytes(small, few), 1000U * 4 * 14 + 64);
+}
+
+TYPED_TEST(PlannerMemory, NullAndMisalignedBlocksAreBadArguments) {
+  Bench<Unicycle, TypeParam> bench(two_rooms(), small_unicycle());
+  const auto needed = bench.planner.bytes_required(bench.open.scene, bench.robot, bench.limits);
+  std::vector<std::uint64_t> block(needed / 8 + 2);
+  auto* bytes = reinterpret_cast<unsigned char*>(block.data());
+  const auto init = [&](void* at) {
+    return bench.planner.init(at, needed, bench.open.scene, bench.robot, bench.parameters, bench.limits);
+  };
+  const auto blames_block = [](const Failure& failure) {
+    return failure.status == Status::bad_argument && failure.element == static_cast<std::uint32_t>(Argument::block);
+  };
+  EXPECT_TRUE(blames_block(init(nullptr)));
+  for (std::size_t shift = 1; shift < 8; ++shift) EXPECT_TRUE(blames_block(init(bytes + shift))) << shift;
+  EXPECT_TRUE(init(bytes + 8).ok());
+}
+
+}  // namespace
+}  // namespace krait::test

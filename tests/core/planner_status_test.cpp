@@ -1,0 +1,317 @@
+// Every answer of a planner is reached here, and says what it should.
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "planner_fixture.hpp"
+
+namespace krait::test {
+namespace {
+
+const float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kStart[] = {2, 6, 0};
+
+std::uint32_t blame(Argument argument) { return static_cast<std::uint32_t>(argument); }
+
+template <class P>
+class PlannerStatus : public ::testing::Test {
+ protected:
+  using TestBench = Bench<Unicycle, P>;
+
+  // What start says of a query in the room.
+  static Failure start(const Room& room, const Query& query) {
+    TestBench bench(room, small_unicycle());
+    EXPECT_TRUE(bench.init().ok());
+    bench.planner.start(query);
+    EXPECT_EQ(bench.planner.statistics().iterations, 0U);
+    EXPECT_TRUE(bench.planner.plan().empty() || bench.planner.status() == Status::solved);
+    return bench.planner.failure();
+  }
+};
+TYPED_TEST_SUITE(PlannerStatus, Planners, PlannerNames);
+
+TYPED_TEST(PlannerStatus, Solved) {
+  typename TestFixture::TestBench bench(two_rooms(), small_unicycle());
+  ASSERT_TRUE(bench.init().ok());
+  ASSERT_EQ(bench.planner.start({kStart}), Status::searching);
+  EXPECT_TRUE(bench.planner.plan().empty());
+  ASSERT_EQ(bench.planner.advance(1'000'000), Status::solved);
+  EXPECT_FALSE(bench.planner.plan().empty());
+  EXPECT_GT(bench.planner.statistics().iterations, 0U);
+  EXPECT_GT(bench.planner.statistics().plan_steps, 10U);
+  EXPECT_NE(bench.planner.statistics().hash, 0U);
+}
+
+TYPED_TEST(PlannerStatus, SolvedWithoutAStepWhenTheStartIsInTheGoal) {
+  typename TestFixture::TestBench bench(two_rooms(), small_unicycle());
+  ASSERT_TRUE(bench.init().ok());
+  const float start[] = {10.5F, 6.5F, 0};
+  EXPECT_EQ(bench.planner.start({start}), Status::solved);
+  EXPECT_EQ(bench.planner.plan().steps(), 0U);
+  EXPECT_FALSE(bench.planner.plan().empty());
+  EXPECT_EQ(bench.planner.plan().state(0)[0], 10.5F);
+  EXPECT_NE(bench.planner.statistics().hash, 0U);
+  EXPECT_EQ(bench.planner.statistics().iterations, 0U);
+  EXPECT_EQ(bench.planner.advance(10), Status::solved);
+  EXPECT_EQ(bench.planner.start({start, Goal::disc({10, 6}, 1)}), Status::solved);
+}
+
+TYPED_TEST(PlannerStatus, NoRouteAtOnceThroughAWall) {
+  EXPECT_EQ(this->start(two_rooms(0), {kStart}).status, Status::no_route);
+  EXPECT_EQ(this->start(two_rooms(0), {kStart, Goal::disc({10, 2}, 0.5F)}).status, Status::no_route);
+}
+
+TYPED_TEST(PlannerStatus, NoRouteAtOnceThroughADoorNarrowerThanTheRobot) {
+  EXPECT_EQ(this->start(two_rooms(0.3), {kStart}).status, Status::no_route);
+  EXPECT_EQ(this->start(two_rooms(0.6), {kStart}).status, Status::searching);
+}
+
+TYPED_TEST(PlannerStatus, BudgetUsed) {
+  typename TestFixture::TestBench bench(two_rooms(), small_unicycle());
+  bench.limits.iterations = 3;
+  bench.parameters.max_steps = 2;
+  ASSERT_TRUE(bench.init().ok());
+  EXPECT_EQ(bench.solve({kStart}), Status::budget_used);
+  EXPECT_EQ(bench.planner.statistics().iterations, 3U);
+  EXPECT_TRUE(bench.planner.plan().empty());
+  EXPECT_EQ(bench.planner.statistics().hash, 0U);
+}
+
+TYPED_TEST(PlannerStatus, TreeFull) {
+  typename TestFixture::TestBench bench(two_rooms(), small_unicycle());
+  for (const std::uint32_t vertices : {2U, 3U, 20U}) {
+    bench.limits.vertices = vertices;
+    ASSERT_TRUE(bench.init().ok());
+    EXPECT_EQ(bench.solve({kStart}), Status::tree_full);
+    EXPECT_EQ(bench.planner.statistics().vertices, vertices);
+    EXPECT_TRUE(bench.planner.plan().empty());
+  }
+}
+
+TYPED_TEST(PlannerStatus, SolvesAfterTreeFullWithMoreMemory) {
+  typename TestFixture::TestBench bench(two_rooms(), small_unicycle());
+  bench.limits.vertices = 20;
+  ASSERT_TRUE(bench.init().ok());
+  ASSERT_EQ(bench.solve({kStart}), Status::tree_full);
+  bench.limits.vertices = 20'000;
+  ASSERT_TRUE(bench.init().ok());
+  EXPECT_EQ(bench.solve({kStart}), Status::solved);
+}
+
+TYPED_TEST(PlannerStatus, TimeUsedWhenThePortSaysSo) {
+  typename TestFixture::TestBench bench(two_rooms(), small_unicycle());
+  ASSERT_TRUE(bench.init().ok());
+  ASSERT_EQ(bench.planner.start({kStart}), Status::searching);
+  bench.planner.stop_for_time();
+  EXPECT_EQ(bench.planner.status(), Status::time_used);
+  EXPECT_EQ(bench.planner.advance(100), Status::time_used);
+  EXPECT_EQ(bench.solve({kStart}), Status::solved);
+  bench.planner.stop_for_time();
+  EXPECT_EQ(bench.planner.status(), Status::solved);
+}
+
+TYPED_TEST(PlannerStatus, AdvanceAfterTheEndChangesNothing) {
+  typename TestFixture::TestBench bench(two_rooms(), small_unicycle());
+  ASSERT_TRUE(bench.init().ok());
+  ASSERT_EQ(bench.solve({kStart}), Status::solved);
+  const Statistics before = bench.planner.statistics();
+  for (int i = 0; i < 10; ++i) ASSERT_EQ(bench.planner.advance(100), Status::solved);
+  const Statistics after = bench.planner.statistics();
+  EXPECT_EQ(after.iterations, before.iterations);
+  EXPECT_EQ(after.vertices, before.vertices);
+  EXPECT_EQ(bench.planner.plan().hash(), before.hash);
+}
+
+TYPED_TEST(PlannerStatus, StartOutside) {
+  for (const Vec2 at : {Vec2{-1, 4}, Vec2{13, 4}, Vec2{6, -0.001F}, Vec2{6, 1e30F}}) {
+    const float start[] = {at.x, at.y, 0};
+    EXPECT_EQ(this->start(two_rooms(), {start}).status, Status::start_outside);
+  }
+}
+
+TYPED_TEST(PlannerStatus, StartInCollision) {
+  for (const Vec2 at : {Vec2{6.1F, 1}, Vec2{5.9F, 1}, Vec2{0.1F, 4}, Vec2{4, 7.9F}}) {  // in, at, at the bounds
+    const float start[] = {at.x, at.y, 0};
+    EXPECT_EQ(this->start(two_rooms(), {start}).status, Status::start_in_collision) << at.x << " " << at.y;
+  }
+}
+
+TYPED_TEST(PlannerStatus, GoalInObstacle) {
+  EXPECT_EQ(this->start(two_rooms(), {kStart, Goal::named(1)}).status, Status::goal_in_obstacle);
+  EXPECT_EQ(this->start(two_rooms(), {kStart, Goal::disc({6.125F, 1}, 0.1F)}).status, Status::goal_in_obstacle);
+}
+
+TYPED_TEST(PlannerStatus, BadGoals) {
+  for (const Goal& goal : {Goal::named(3), Goal::named(kNone), Goal::disc({-1, 4}, 1), Goal::disc({4, 4}, 0),
+                           Goal::disc({4, kNan}, 1), Goal::disc({4, 4}, kInfinity)}) {
+    const Failure failure = this->start(two_rooms(), {kStart, goal});
+    EXPECT_EQ(failure.status, Status::bad_argument);
+    EXPECT_EQ(failure.element, blame(Argument::goal));
+  }
+}
+
+TYPED_TEST(PlannerStatus, BadStarts) {
+  const auto expect_bad = [&](const float* start) {
+    const Failure failure = this->start(two_rooms(), {start});
+    EXPECT_EQ(failure.status, Status::bad_argument);
+    EXPECT_EQ(failure.element, blame(Argument::start));
+  };
+  expect_bad(nullptr);
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (const float bad : {kNan, kInfinity, -kInfinity}) {
+      float start[] = {2, 6, 0};
+      start[i] = bad;
+      expect_bad(start);
+    }
+  }
+  const float dizzy[] = {2, 6, 1e30F};
+  expect_bad(dizzy);
+}
+
+TYPED_TEST(PlannerStatus, BadRobot) {
+  UnicycleParameters p;
+  p.max_speed = kNan;
+  typename TestFixture::TestBench bench(two_rooms(), Unicycle(p));
+  const Failure failure = bench.init(1'000'000);
+  EXPECT_EQ(failure.status, Status::bad_robot);
+  EXPECT_EQ(failure.element, blame(Argument::robot_dimensions));
+}
+
+TYPED_TEST(PlannerStatus, BadLimits) {
+  typename TestFixture::TestBench bench(two_rooms(), small_unicycle());
+  bench.limits.vertices = 1;
+  EXPECT_EQ(bench.init().element, blame(Argument::vertices));
+  bench.limits.vertices = 2;
+  bench.limits.iterations = 0;
+  const Failure failure = bench.init();
+  EXPECT_EQ(failure.status, Status::bad_argument);
+  EXPECT_EQ(failure.element, blame(Argument::iterations));
+}
+
+TYPED_TEST(PlannerStatus, BeforeInitAndStartNothingIsSolved) {
+  typename TestFixture::TestBench bench(two_rooms(), small_unicycle());
+  EXPECT_EQ(bench.planner.status(), Status::bad_argument);
+  EXPECT_EQ(bench.planner.advance(10), Status::bad_argument);
+  EXPECT_EQ(bench.planner.start({kStart}), Status::bad_argument);
+  EXPECT_TRUE(bench.planner.plan().empty());
+  EXPECT_EQ(bench.planner.plan().steps(), 0U);
+  EXPECT_EQ(bench.planner.plan().hash(), 0U);
+  ASSERT_TRUE(bench.init().ok());
+  EXPECT_EQ(bench.planner.advance(10), Status::bad_argument);
+  EXPECT_TRUE(bench.planner.plan().empty());
+}
+
+TYPED_TEST(PlannerStatus, StartAfterAFailedInitGivesItsAnswerAgain) {
+  typename TestFixture::TestBench bench(two_rooms(), small_unicycle());
+  ASSERT_EQ(bench.init(1000).status, Status::arena_too_small);
+  EXPECT_EQ(bench.planner.start({kStart}), Status::arena_too_small);
+  EXPECT_GT(bench.planner.failure().bytes_needed, 1000U);
+  EXPECT_EQ(bench.planner.advance(10), Status::arena_too_small);
+}
+
+TYPED_TEST(PlannerStatus, AFailedStartHasNoPlanOfTheSearchBefore) {
+  typename TestFixture::TestBench bench(two_rooms(), small_unicycle());
+  ASSERT_TRUE(bench.init().ok());
+  ASSERT_EQ(bench.solve({kStart}), Status::solved);
+  EXPECT_EQ(bench.planner.start({kStart, Goal::named(9)}), Status::bad_argument);
+  EXPECT_TRUE(bench.planner.plan().empty());
+  EXPECT_EQ(bench.planner.statistics().hash, 0U);
+}
+
+// A parameter's range: inside at both ends, outside just beyond, and never NaN.
+struct ParameterRange {
+  Argument argument;
+  float low, high;
+  bool low_open, high_open;
+  std::function<void(Parameters&, float)> set;
+};
+
+std::vector<ParameterRange> float_ranges() {
+  return {{Argument::alpha, 1, 64, false, false, [](auto& p, float x) { p.alpha = x; }},
+          {Argument::beta, 0, 1, true, true, [](auto& p, float x) { p.beta = x; }},
+          {Argument::epsilon, 0, 1, true, false, [](auto& p, float x) { p.epsilon = x; }},
+          {Argument::gamma, 0, 1e6F, true, false, [](auto& p, float x) { p.gamma = x; }},
+          {Argument::cost_length, 0, 10, false, false, [](auto& p, float x) { p.cost_length = x; }},
+          {Argument::dt, 0.001F, 1, false, false, [](auto& p, float x) { p.dt = x; }},
+          {Argument::near_radius, 0, 10, false, false, [](auto& p, float x) { p.near_radius = x; }},
+          {Argument::stray_share, 0, 1, false, false, [](auto& p, float x) { p.stray_share = x; }},
+          {Argument::slowest, 0.05F, 1, false, false, [](auto& p, float x) { p.slowest = x; }},
+          {Argument::reverse_share, 0, 1, false, false, [](auto& p, float x) { p.reverse_share = x; }},
+          {Argument::clearance, 0, 10, false, false, [](auto& p, float x) { p.clearance = x; }},
+          {Argument::goal_margin, 0, 10, false, false, [](auto& p, float x) { p.goal_margin = x; }}};
+}
+
+Failure init_with(const std::function<void(Parameters&)>& change) {
+  Bench<Unicycle> bench(two_rooms(), small_unicycle());
+  change(bench.parameters);
+  return bench.init();
+}
+
+TEST(PlannerParameters, DefaultsAndThePapersAreInRange) {
+  EXPECT_EQ(Parameters{}.first_bad(), Argument::none);
+  EXPECT_EQ(Parameters::paper().first_bad(), Argument::none);
+  EXPECT_EQ(Parameters::paper().alpha, 8.0F);
+  EXPECT_EQ(Parameters::paper().beta, 0.85F);
+  EXPECT_EQ(Parameters::paper().gamma, 50.0F);
+  EXPECT_EQ(Parameters::paper().kappa, 20U);
+}
+
+TEST(PlannerParameters, EachFloatIsCheckedAtBothEnds) {
+  for (const ParameterRange& range : float_ranges()) {
+    const auto verdict = [&](float value) {
+      const Failure failure = init_with([&](Parameters& p) { range.set(p, value); });
+      if (failure.ok()) return true;
+      EXPECT_EQ(failure.status, Status::bad_argument) << name(range.argument);
+      EXPECT_EQ(failure.element, blame(range.argument)) << name(range.argument) << " " << value;
+      return false;
+    };
+    EXPECT_EQ(verdict(range.low), !range.low_open) << name(range.argument);
+    EXPECT_EQ(verdict(range.high), !range.high_open) << name(range.argument);
+    EXPECT_TRUE(verdict(std::nextafter(range.low, range.high))) << name(range.argument);
+    EXPECT_TRUE(verdict(std::nextafter(range.high, range.low))) << name(range.argument);
+    EXPECT_FALSE(verdict(std::nextafter(range.low, -kInfinity))) << name(range.argument);
+    EXPECT_FALSE(verdict(std::nextafter(range.high, kInfinity))) << name(range.argument);
+    for (const float bad : {kNan, kInfinity, -kInfinity}) EXPECT_FALSE(verdict(bad)) << name(range.argument);
+  }
+}
+
+TEST(PlannerParameters, EachCountIsCheckedAtBothEnds) {
+  const struct {
+    Argument argument;
+    std::uint32_t low, high;
+    std::uint32_t Parameters::*member;
+  } ranges[] = {{Argument::kappa, 1, 10000, &Parameters::kappa},
+                {Argument::max_steps, 1, 1000, &Parameters::max_steps},
+                {Argument::path_regions, 1, 64, &Parameters::path_regions},
+                {Argument::max_substeps, 1, 64, &Parameters::max_substeps}};
+  for (const auto& range : ranges) {
+    const auto init = [&](std::uint32_t value) { return init_with([&](Parameters& p) { p.*range.member = value; }); };
+    EXPECT_TRUE(init(range.low).ok()) << name(range.argument);
+    EXPECT_TRUE(init(range.high).ok()) << name(range.argument);
+    for (const std::uint32_t bad : {range.low - 1, range.high + 1, 0xFFFFFFFFU}) {
+      EXPECT_EQ(init(bad).status, Status::bad_argument) << name(range.argument) << " " << bad;
+      EXPECT_EQ(init(bad).element, blame(range.argument)) << name(range.argument) << " " << bad;
+    }
+  }
+  EXPECT_EQ(init_with([](Parameters& p) { p.max_substeps = 12; }).element, blame(Argument::max_substeps));
+}
+
+TEST(PlannerParameters, ThoseOfTheOtherPlannersAreChecked) {
+  const struct {
+    Argument argument;
+    std::function<void(Parameters&, float)> set;
+  } shares[] = {{Argument::prior_path_share, [](auto& p, float x) { p.prior.path_share = x; }},
+                {Argument::prior_goal_share, [](auto& p, float x) { p.prior.goal_share = x; }},
+                {Argument::prior_nearest_share, [](auto& p, float x) { p.prior.nearest_share = x; }},
+                {Argument::prior_epsilon, [](auto& p, float x) { p.prior.epsilon = x; }},
+                {Argument::rrt_goal_share, [](auto& p, float x) { p.rrt.goal_share = x; }}};
+  for (const auto& share : shares) {
+    for (const float bad : {-0.01F, 1.01F, kNan, kInfinity}) {
+      EXPECT_EQ(init_with([&](Parameters& p) { share.set(p, bad); }).element, blame(share.argument))
+          << name(share.argument);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace krait::test

@@ -1,0 +1,160 @@
+// The planner of prior work: its group weights and its choice of vertices by their definition. What holds for every
+// planner is tested in planner_*_test.cpp.
+#include "krait/search/prior.hpp"
+
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "planner_fixture.hpp"
+
+namespace krait::test {
+namespace {
+
+using OfUnicycle = PriorPlanner<Unicycle>;
+using PriorBench = Bench<Unicycle, Prior>;
+
+constexpr float kStart[] = {1, 6.6F, 0};
+
+// A dead end on the straight way to a door of one metre: its groups are tried in vain, again and again.
+Room dead_end() {
+  Room room = two_rooms(1);
+  room.boxes.push_back({2, 5.8, 6, 6});
+  return room;
+}
+
+// The weight of [18] by its definition, as a logarithm, over all regions.
+double log_weight(const OfUnicycle& planner, Index region) {
+  const Regions& regions = planner.regions();
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (Index t = 0; t < regions.scene().triangle_count(); ++t) {
+    const double h = static_cast<double>(regions.cost(regions.region(t)));
+    if (!std::isfinite(h)) continue;
+    least = std::min(least, h);
+    most = std::max(most, h);
+  }
+  const double h = static_cast<double>(regions.cost(region));
+  if (!std::isfinite(h)) return -std::numeric_limits<double>::infinity();
+  const double epsilon = 1e-11;
+  return 8 * std::log(epsilon + (1 - epsilon) * (most - h) / (most - least)) +
+         std::log(0.85) * planner.groups().selections(region);
+}
+
+std::set<Index> groups_of(const OfUnicycle& planner) {
+  std::set<Index> regions;
+  for (Index v = 0; v < planner.tree().size(); ++v) regions.insert(planner.tree().region(v));
+  return regions;
+}
+
+TEST(PriorPlanner, SelectsTheGroupOfTheLargestWeight) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    PriorBench f(dead_end(), small_unicycle());
+    ASSERT_TRUE(f.init().ok());
+    f.planner.start({kStart, Goal::named(0), seed});
+    for (int i = 0; i < 300 && f.planner.status() == Status::searching; ++i) {
+      std::map<Index, std::uint32_t> selections;
+      std::map<Index, double> weights;
+      double best = -std::numeric_limits<double>::infinity();
+      for (const Index region : groups_of(f.planner)) {
+        selections[region] = f.planner.groups().selections(region);
+        weights[region] = log_weight(f.planner, region);
+        best = std::max(best, weights[region]);
+      }
+      f.planner.advance(1);
+      int grown = 0;
+      for (const auto& [region, before] : selections) {
+        if (f.planner.groups().selections(region) == before) continue;
+        ++grown;
+        ASSERT_NEAR(weights[region], best, 1e-4 * (1 + std::abs(best))) << i;
+      }
+      ASSERT_EQ(grown, 1) << i;
+    }
+  }
+}
+
+TEST(PriorPlanner, CostsNeverChange) {
+  PriorBench f(dead_end(), small_unicycle());
+  ASSERT_TRUE(f.init().ok());
+  f.planner.start({kStart});
+  std::vector<float> costs;
+  const Index triangles = f.open.scene.triangle_count();
+  for (Index t = 0; t < triangles; ++t) costs.push_back(f.planner.regions().cost(f.planner.regions().region(t)));
+  ASSERT_EQ(f.planner.advance(1'000'000), Status::solved);
+  for (Index t = 0; t < triangles; ++t) EXPECT_EQ(f.planner.regions().cost(f.planner.regions().region(t)), costs[t]);
+  EXPECT_EQ(f.planner.statistics().dijkstra_runs, 1U);
+}
+
+float distance_to(const OfUnicycle& planner, Index vertex, Vec2 point) {
+  const float* state = planner.tree().state(vertex);
+  return length(point - Vec2{state[0], state[1]});
+}
+
+// Runs with every target in a goal too small to matter where; returns how many of the expansions that added vertices
+// began at their group's nearest one to it, and how many there were.
+std::pair<int, int> nearest_expansions(float nearest_share) {
+  PriorBench f(dead_end(), small_unicycle());
+  f.parameters.prior.path_share = 0.0F;
+  f.parameters.prior.goal_share = 1.0F;
+  f.parameters.prior.nearest_share = nearest_share;
+  EXPECT_TRUE(f.init().ok());
+  const Vec2 center{11, 7};
+  f.planner.start({kStart, Goal::disc(center, 1e-3F), 1});
+  int nearest = 0, all = 0;
+  for (int i = 0; i < 400 && f.planner.status() == Status::searching; ++i) {
+    const Index size = f.planner.tree().size();
+    f.planner.advance(1);
+    if (f.planner.tree().size() == size) continue;
+    const Index parent = f.planner.tree().parent(size);
+    float least = kInfinity;
+    for (Index v = 0; v < size; ++v) {
+      if (f.planner.tree().region(v) == f.planner.tree().region(parent)) {
+        least = std::min(least, distance_to(f.planner, v, center));
+      }
+    }
+    ++all;
+    nearest += distance_to(f.planner, parent, center) <= least + 3e-3F ? 1 : 0;
+  }
+  return {nearest, all};
+}
+
+TEST(PriorPlanner, GrowsFromTheNearestVertexOfTheGroup) {
+  const auto [nearest, all] = nearest_expansions(1.0F);
+  EXPECT_GT(all, 5);
+  EXPECT_EQ(nearest, all);
+}
+
+TEST(PriorPlanner, GrowsFromAnyVertexOfTheGroupWhereItsShareSaysSo) {
+  const auto [nearest, all] = nearest_expansions(0.0F);
+  EXPECT_GT(all, 50);
+  EXPECT_LT(nearest, all / 2);
+}
+
+TEST(Groups, ForEachVertexVisitsEachOfItsGroupOnce) {
+  const OpenScene open(two_rooms());
+  Regions regions;
+  Groups groups;
+  Arena counting;
+  regions.take(counting, open.scene);
+  groups.take(counting, open.scene, 400);
+  std::vector<std::uint64_t> block(counting.needed() / 8);
+  Arena arena(block.data(), block.size() * 8);
+  regions.take(arena, open.scene);
+  groups.take(arena, open.scene, 400);
+  ASSERT_TRUE(regions.reset(Goal::named(0), 0.0F, 0.05F));
+  groups.clear({});
+  std::map<Index, std::multiset<Index>> expected;
+  std::mt19937 random(1);
+  for (Index v = 0; v < 400; ++v) {
+    const Index region = below(random, 3);
+    groups.insert(regions, region, v);
+    expected[region].insert(v);
+    for (const auto& [r, vertices] : expected) {
+      std::multiset<Index> visited;
+      groups.for_each_vertex(r, [&](Index vertex) { visited.insert(vertex); });
+      ASSERT_EQ(visited, vertices);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace krait::test

@@ -1,0 +1,418 @@
+// The decomposition's heuristic costs against Boost's Dijkstra on the same graph, built here in double precision.
+#include "krait/decomposition/regions.hpp"
+
+#include <gtest/gtest.h>
+
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/dijkstra_shortest_paths.hpp>
+#include <cmath>
+#include <vector>
+
+#include "krait/decomposition/locate.hpp"
+#include "scene_builder.hpp"
+
+namespace krait::test {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+// Regions in the caller's memory.
+struct Decomposition {
+  explicit Decomposition(const Scene& scene) {
+    Arena counting;
+    regions.take(counting, scene);
+    block.resize(counting.needed() / 8);
+    Arena arena(block.data(), block.size() * 8);
+    regions.take(arena, scene);
+  }
+  std::vector<std::uint64_t> block;
+  Regions regions;
+};
+
+// The graph (R, E, C) by its definition: centroids, the goal's triangles as one vertex (a disc's: one more vertex at
+// distance zero from all that it meets).
+class Graph {
+ public:
+  Graph(const Scene& scene, const Goal& goal, double least_width, double least_cost) : scene_(scene), goal_(goal) {
+    const auto [x, y] = goal_center();
+    for (Index t = 0; t < scene.triangle_count(); ++t) {
+      for (int i = 0; i < 3; ++i) {
+        const Index n = scene.neighbor(t, i);
+        if (n == kNone || n < t || vertex(n) == vertex(t)) continue;
+        const Point a = vertex(t) == 0 && !goal.is_disc() ? Point{x, y} : center(t);
+        const Point b = vertex(n) == 0 && !goal.is_disc() ? Point{x, y} : center(n);
+        const bool open = static_cast<double>(scene.portal_width(scene.portal(t, i))) >= least_width;
+        const double apart = std::max(least_cost, std::hypot(a.x - b.x, a.y - b.y));
+        edges_.push_back({t, n, open ? apart : kInfinite});
+      }
+    }
+  }
+
+  void raise(Index triangle, double gamma, double length) {
+    for (Edge& e : edges_) {
+      const bool touches = vertex(e.a) == vertex(triangle) || vertex(e.b) == vertex(triangle);
+      if (!touches || e.cost == kInfinite) continue;
+      e.cost += length > 0 ? gamma * length * length / std::max(e.cost, length) : gamma / e.cost;
+    }
+  }
+
+  // Distances of all triangles from the goal.
+  std::vector<double> distances() const {
+    using Boost = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property,
+                                        boost::property<boost::edge_weight_t, double>>;
+    Boost boost_graph(scene_.triangle_count() + 1);
+    for (const Edge& e : edges_) {
+      if (e.cost < kInfinite) boost::add_edge(vertex(e.a), vertex(e.b), e.cost, boost_graph);
+    }
+    if (goal_.is_disc()) {
+      for (Index t = 0; t < scene_.triangle_count(); ++t) {
+        if (goal_.covers(scene_, t)) boost::add_edge(0, vertex(t), 0.0, boost_graph);
+      }
+    }
+    std::vector<double> by_vertex(scene_.triangle_count() + 1);
+    boost::dijkstra_shortest_paths(boost_graph, 0, boost::distance_map(by_vertex.data()));
+    std::vector<double> result;
+    for (Index t = 0; t < scene_.triangle_count(); ++t) {
+      const double d = by_vertex[vertex(t)];
+      result.push_back(d < 1e300 ? d : kInfinite);
+    }
+    return result;
+  }
+
+  // Least h + C over the neighbours of a triangle's region, and the neighbours that have it within `tolerance`.
+  std::vector<Index> best_neighbors(Index t, const std::vector<double>& h, double tolerance) const {
+    double least = kInfinite;
+    for (const Edge& e : edges_) {
+      if (e.a == t) least = std::min(least, h[e.b] + e.cost);
+      if (e.b == t) least = std::min(least, h[e.a] + e.cost);
+    }
+    std::vector<Index> best;
+    for (const Edge& e : edges_) {
+      if (e.a == t && h[e.b] + e.cost <= least * (1 + tolerance)) best.push_back(e.b);
+      if (e.b == t && h[e.a] + e.cost <= least * (1 + tolerance)) best.push_back(e.a);
+    }
+    return best;
+  }
+
+ private:
+  struct Edge {
+    Index a, b;
+    double cost;
+  };
+
+  std::size_t vertex(Index t) const {
+    const bool merged = !goal_.is_disc() && scene_.goal_of(t) == goal_.index();
+    return merged ? 0 : std::size_t{t} + 1;
+  }
+  Point center(Index t) const {
+    double x = 0, y = 0;
+    for (int i = 0; i < 3; ++i) {
+      x += static_cast<double>(scene_.corner(t, i).x) / 3;
+      y += static_cast<double>(scene_.corner(t, i).y) / 3;
+    }
+    return {x, y};
+  }
+  // Centroid of the area of all the goal's triangles.
+  Point goal_center() const {
+    double x = 0, y = 0, total = 0;
+    for (Index t = 0; t < scene_.triangle_count(); ++t) {
+      if (goal_.is_disc() || scene_.goal_of(t) != goal_.index()) continue;
+      const double area = side(point(scene_.corner(t, 0)), point(scene_.corner(t, 1)), point(scene_.corner(t, 2)));
+      x += area * center(t).x;
+      y += area * center(t).y;
+      total += area;
+    }
+    return {x / total, y / total};
+  }
+
+  const Scene& scene_;
+  Goal goal_;
+  std::vector<Edge> edges_;
+};
+
+void expect_costs(const Regions& regions, const Graph& graph) {
+  const Scene& scene = regions.scene();
+  const auto expected = graph.distances();
+  double largest = 0;
+  for (Index t = 0; t < scene.triangle_count(); ++t) {
+    const double h = static_cast<double>(regions.cost(regions.region(t)));
+    if (expected[t] == kInfinite) {
+      ASSERT_EQ(h, kInfinite) << t;
+    } else {
+      ASSERT_NEAR(h, expected[t], 1e-5 * (1 + expected[t])) << t;
+      largest = std::max(largest, expected[t]);
+    }
+  }
+  ASSERT_NEAR(static_cast<double>(regions.largest_cost()), largest, 1e-5 * (1 + largest));
+}
+
+void expect_next(const Regions& regions, const Graph& graph) {
+  const Scene& scene = regions.scene();
+  std::vector<double> h;
+  for (Index t = 0; t < scene.triangle_count(); ++t) h.push_back(static_cast<double>(regions.cost(regions.region(t))));
+  for (Index t = 0; t < scene.triangle_count(); ++t) {
+    const Index r = regions.region(t);
+    const Index next = regions.next(r);
+    if (h[t] == 0 || h[t] == kInfinite) {
+      ASSERT_EQ(next, kNone) << t;
+      continue;
+    }
+    ASSERT_NE(next, kNone) << t;
+    ASSERT_LT(regions.cost(next), regions.cost(r)) << t;
+    bool best = false;
+    for (const Index n : graph.best_neighbors(t, h, 1e-5)) best = best || regions.region(n) == next;
+    ASSERT_TRUE(best) << t;
+  }
+}
+
+TEST(Regions, CostsAreBoostsOnRandomScenes) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    const OpenScene open(random_room(seed));
+    Decomposition d(open.scene);
+    const Goal goal = Goal::named(0);
+    const bool found = d.regions.reset(goal, 0.0F, 0.05F);
+    if (!found) continue;
+    const Graph graph(open.scene, goal, 0, 0.05);
+    expect_costs(d.regions, graph);
+    expect_next(d.regions, graph);
+  }
+}
+
+TEST(Regions, CostsAreBoostsAfterRandomRaisesInBothForms) {
+  for (const float length : {0.0F, 0.7F}) {
+    for (unsigned seed = 1; seed <= 10; ++seed) {
+      const OpenScene open(random_room(seed));
+      Decomposition d(open.scene);
+      const Goal goal = Goal::named(0);
+      if (!d.regions.reset(goal, 0.0F, 0.05F)) continue;
+      Graph graph(open.scene, goal, 0, 0.05);
+      std::mt19937 random(seed);
+      for (int round = 0; round < 10; ++round) {
+        for (unsigned i = 0; i < 1 + random() % 20; ++i) {
+          const Index t = below(random, open.scene.triangle_count());
+          d.regions.raise_edges(d.regions.region(t), {50.0F, length});
+          graph.raise(t, 50, static_cast<double>(length));
+        }
+        d.regions.update();
+        expect_costs(d.regions, graph);
+        expect_next(d.regions, graph);
+      }
+    }
+  }
+}
+
+TEST(Regions, DiscGoalsMakeEveryTriangleThatTheyMeetASource) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    const OpenScene open(random_room(seed));
+    std::mt19937 random(seed);
+    Decomposition d(open.scene);
+    const Vec2 center{uniform_float(random, 0, 12), uniform_float(random, 0, 12)};
+    const float radius = uniform_float(random, 0.05, 2);
+    const Goal goal = Goal::disc(center, radius);
+    if (!d.regions.reset(goal, 0.0F, 0.05F)) continue;
+    Graph graph(open.scene, goal, 0, 0.05);
+    expect_costs(d.regions, graph);
+    for (int i = 0; i < 30; ++i) {
+      const Index t = below(random, open.scene.triangle_count());
+      d.regions.raise_edges(t, {20.0F, 1.0F});
+      graph.raise(t, 20, 1);
+    }
+    d.regions.update();
+    expect_costs(d.regions, graph);
+    expect_next(d.regions, graph);
+  }
+}
+
+TEST(Regions, DiscMeetsExactlyTheTrianglesWithinItsRadius) {
+  const OpenScene open(random_room(3));
+  std::mt19937 random(3);
+  for (int i = 0; i < 500; ++i) {
+    const Vec2 center{uniform_float(random, 0, 12), uniform_float(random, 0, 12)};
+    const float radius = uniform_float(random, 0.01, 2);
+    for (Index t = 0; t < open.scene.triangle_count(); ++t) {
+      Ring triangle;
+      for (int k = 0; k < 3; ++k) triangle.push_back(point(open.scene.corner(t, k)));
+      const double distance = distance_to_convex(point(center), triangle) - static_cast<double>(radius);
+      if (std::abs(distance) > 1e-5) {
+        ASSERT_EQ(Goal::disc(center, radius).covers(open.scene, t), distance < 0);
+      }
+    }
+  }
+}
+
+TEST(Regions, PortalsNarrowerThanTheRobotAreNoEdges) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    const OpenScene open(random_room(seed));
+    Decomposition d(open.scene);
+    const Goal goal = Goal::named(0);
+    if (!d.regions.reset(goal, 0.9F, 0.05F)) continue;
+    const Graph graph(open.scene, goal, static_cast<double>(0.9F), 0.05);
+    expect_costs(d.regions, graph);
+    expect_next(d.regions, graph);
+  }
+}
+
+// Two rooms and a door of 0.5 m between them.
+Room with_door() {
+  Room room;
+  room.bounds = {0, 0, 10, 4};
+  room.boxes = {{5, 0, 5.25, 1.5}, {5, 2, 5.25, 4}};
+  room.goals = {{8, 0, 10, 4}};
+  return room;
+}
+
+TEST(Regions, BeyondAClosedDoorAllIsInfinite) {
+  const OpenScene open(with_door());
+  Decomposition d(open.scene);
+  ASSERT_TRUE(d.regions.reset(Goal::named(0), 0.45F, 0.05F));
+  const Index left = locate(open.scene, {1, 1});
+  EXPECT_LT(d.regions.cost(left), 20.0F);
+  ASSERT_TRUE(d.regions.reset(Goal::named(0), 0.6F, 0.05F));
+  EXPECT_EQ(d.regions.cost(left), kInfinity);
+  EXPECT_EQ(d.regions.next(left), kNone);
+  EXPECT_LT(d.regions.largest_cost(), 20.0F);  // of what can be reached
+}
+
+TEST(Regions, TrianglesOfAGoalAreOneRegion) {
+  const OpenScene open(with_door());
+  Decomposition d(open.scene);
+  ASSERT_TRUE(d.regions.reset(Goal::named(0), 0.0F, 0.05F));
+  const Index goal_region = d.regions.goal_region();
+  int merged = 0;
+  for (Index t = 0; t < open.scene.triangle_count(); ++t) {
+    if (open.scene.goal_of(t) == 0) {
+      EXPECT_EQ(d.regions.region(t), goal_region);
+      EXPECT_TRUE(d.regions.is_goal(d.regions.region(t)));
+      ++merged;
+    } else {
+      EXPECT_EQ(d.regions.region(t), t);
+    }
+  }
+  EXPECT_EQ(merged, 20);  // two columns and five rows of cells
+  EXPECT_EQ(d.regions.next(goal_region), kNone);
+}
+
+TEST(Regions, GoalWithoutTrianglesIsSaid) {
+  Room room;
+  room.boxes = {{2, 2, 6, 6}};
+  room.goals = {{3, 3, 4, 4}};
+  const OpenScene open(room);
+  Decomposition d(open.scene);
+  EXPECT_FALSE(d.regions.reset(Goal::named(0), 0.0F, 0.05F));
+  EXPECT_FALSE(d.regions.reset(Goal::disc({4, 4}, 0.5F), 0.0F, 0.05F));
+  EXPECT_TRUE(d.regions.reset(Goal::disc({4, 4}, 2.5F), 0.0F, 0.05F));
+}
+
+// Worked by hand: one cell of one metre beside the goal's; the portal's cost is the distance of (2/3, 1/3) or, by the
+// other diagonal, (2/3, 2/3), and (3/2, 1/2).
+class RegionsEqn9 : public ::testing::Test {
+ protected:
+  static Room room() {
+    Room result;
+    result.bounds = {0, 0, 2, 1};
+    result.goals = {{1, 0, 2, 1}};
+    return result;
+  }
+  float nearest() const {
+    float least = kInfinity;
+    for (Index t = 0; t < open.scene.triangle_count(); ++t) {
+      const float h = d.regions.cost(d.regions.region(t));
+      if (h > 0.0F && h < least) least = h;
+    }
+    return least;
+  }
+  OpenScene open{room()};
+  Decomposition d{open.scene};
+  const double c = std::hypot(5.0 / 6, 1.0 / 6);
+};
+
+TEST_F(RegionsEqn9, PaperFormAddsGammaOverC) {
+  ASSERT_TRUE(d.regions.reset(Goal::named(0), 0.0F, 0.01F));
+  EXPECT_NEAR(static_cast<double>(nearest()), c, 1e-6);
+  d.regions.raise_edges(d.regions.goal_region(), {50.0F, 0.0F});
+  d.regions.update();
+  EXPECT_NEAR(static_cast<double>(nearest()), c + 50 / c, 1e-4);
+  d.regions.raise_edges(d.regions.goal_region(), {50.0F, 0.0F});
+  d.regions.update();
+  EXPECT_NEAR(static_cast<double>(nearest()), c + 50 / c + 50 / (c + 50 / c), 1e-4);
+}
+
+TEST_F(RegionsEqn9, LengthFormAddsGammaLengthSquaredOverTheLarger) {
+  ASSERT_TRUE(d.regions.reset(Goal::named(0), 0.0F, 0.01F));
+  d.regions.raise_edges(d.regions.goal_region(), {50.0F, 2.0F});
+  d.regions.update();
+  EXPECT_NEAR(static_cast<double>(nearest()), c + 50 * 4 / 2.0, 1e-4);
+  d.regions.raise_edges(d.regions.goal_region(), {50.0F, 2.0F});
+  d.regions.update();
+  EXPECT_NEAR(static_cast<double>(nearest()), c + 100 + 200 / (c + 100), 1e-4);
+}
+
+TEST_F(RegionsEqn9, NoCostIsBelowTheLeast) {
+  ASSERT_TRUE(d.regions.reset(Goal::named(0), 0.0F, 3.0F));
+  EXPECT_EQ(nearest(), 3.0F);
+}
+
+TEST_F(RegionsEqn9, ResetForgetsAllRaises) {
+  ASSERT_TRUE(d.regions.reset(Goal::named(0), 0.0F, 0.01F));
+  const float before = nearest();
+  for (int i = 0; i < 10; ++i) d.regions.raise_edges(d.regions.goal_region(), {50.0F, 0.0F});
+  ASSERT_TRUE(d.regions.reset(Goal::named(0), 0.0F, 0.01F));
+  EXPECT_EQ(nearest(), before);
+}
+
+TEST(RegionsPoints, LieInTheirRegionAndFillItsHalvesEqually) {
+  const OpenScene open(with_door());
+  Decomposition d(open.scene);
+  ASSERT_TRUE(d.regions.reset(Goal::named(0), 0.0F, 0.05F));
+  Random random(1);
+  const Index t = locate(open.scene, {1.2F, 1.4F});
+  Ring triangle;
+  for (int k = 0; k < 3; ++k) triangle.push_back(point(open.scene.corner(t, k)));
+  // The medians cut a triangle into halves of equal area.
+  int left[3] = {0, 0, 0};
+  constexpr int kDraws = 30'000;
+  for (int i = 0; i < kDraws; ++i) {
+    const Point p = point(d.regions.random_point(t, random));
+    ASSERT_LT(distance_to_convex(p, triangle), 1e-6);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Point a = triangle[k], b = triangle[(k + 1) % 3], c = triangle[(k + 2) % 3];
+      left[k] += side(a, {(b.x + c.x) / 2, (b.y + c.y) / 2}, p) > 0 ? 1 : 0;
+    }
+  }
+  for (const int count : left) EXPECT_NEAR(count, kDraws / 2, 5 * std::sqrt(kDraws) / 2);
+}
+
+TEST(RegionsPoints, OfTheGoalFillAllOfIt) {
+  const OpenScene open(with_door());
+  Decomposition d(open.scene);
+  ASSERT_TRUE(d.regions.reset(Goal::named(0), 0.0F, 0.05F));
+  Random random(2);
+  int counts[8] = {};
+  constexpr int kDraws = 40'000;
+  for (int i = 0; i < kDraws; ++i) {
+    const Vec2 p = d.regions.random_point(d.regions.goal_region(), random);
+    ASSERT_GE(p.x, 8.0F);
+    ASSERT_LE(p.x, 10.0F);
+    const int column = std::min(1, static_cast<int>(p.x - 8.0F)), row = std::min(3, static_cast<int>(p.y));
+    ++counts[row * 2 + column];
+  }
+  for (const int count : counts) EXPECT_NEAR(count, kDraws / 8, 5 * std::sqrt(kDraws / 8));
+}
+
+TEST(RegionsPoints, OfADiscLieInIt) {
+  const OpenScene open(with_door());
+  Decomposition d(open.scene);
+  const Goal goal = Goal::disc({2, 2}, 0.75F);
+  ASSERT_TRUE(d.regions.reset(goal, 0.0F, 0.05F));
+  Random random(3);
+  int inner = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const Vec2 p = d.regions.random_point(locate(open.scene, {2, 2}), random);
+    ASSERT_LE(length(p - Vec2{2, 2}), 0.750001F);
+    inner += length(p - Vec2{2, 2}) < 0.75F * 0.70710678F ? 1 : 0;
+  }
+  EXPECT_NEAR(inner, 10'000, 5 * 71);
+}
+
+}  // namespace
+}  // namespace krait::test

@@ -1,0 +1,102 @@
+// A step that a chain calls within its limits is so all the way, by the same motion in small steps of double precision.
+#include "robot_oracle.hpp"
+
+namespace krait::test {
+namespace {
+
+constexpr float kDt = 0.1F;
+
+// A chain in motion whose hitch angles crowd at their limit.
+template <class R>
+std::vector<float> bent_state(const R& robot, Random& random) {
+  const ChainParameters& p = robot.parameters();
+  std::vector<float> s(static_cast<std::size_t>(robot.state_size()), 0.0F);
+  s[2] = 6.0F * random.unit() - 3.0F;
+  s[3] = p.max_speed * random.unit();
+  s[4] = p.max_steering * (2.0F * random.unit() - 1.0F);
+  float ahead = s[2];
+  for (std::size_t i = 5; i < s.size(); ++i) {
+    const float size = p.max_hitch_angle * (random.unit() < 0.5F ? random.unit() : 1.0F - 0.05F * random.unit());
+    s[i] = ahead + (random.unit() < 0.5F ? size : -size);
+    ahead = s[i];
+  }
+  return s;
+}
+
+double largest_hitch(const Numbers& s) {
+  double largest = 0;
+  for (std::size_t i = 5; i < s.size(); ++i) {
+    largest = std::max(largest, std::abs((i == 5 ? s[2] : s[i - 1]) - s[i]));
+  }
+  return largest;
+}
+
+struct Tally {
+  int kept = 0;
+  int broken_between = 0;  // inside at both ends, outside on the way
+};
+
+template <class R>
+Tally try_steps(const R& robot, float dt, int count) {
+  const double limit = wide(robot.parameters().max_hitch_angle);
+  Random random(11);
+  Tally tally;
+  for (int n = 0; n < count; ++n) {
+    const std::vector<float> s = bent_state(robot, random);
+    const float u[2] = {robot.parameters().max_acceleration * (2.0F * random.unit() - 1.0F),
+                        robot.parameters().max_steering_rate * (2.0F * random.unit() - 1.0F)};
+    std::vector<float> next(s.size());
+    propagate(robot, s.data(), u, dt, next.data());
+    const StateView before(s.data(), robot.state_size()), after(next.data(), robot.state_size());
+    if (!robot.within_limits(before) || !robot.within_limits(after)) continue;
+    Numbers fine(s.begin(), s.end());
+    double largest = 0;
+    for (int i = 0; i < 64; ++i) {
+      fine = rk4(robot, fine, {wide(u[0]), wide(u[1])}, wide(dt) / 64);
+      largest = std::max(largest, largest_hitch(fine));
+    }
+    tally.broken_between += largest > limit + 1e-4 ? 1 : 0;
+    if (!keeps_limits(robot, before, ControlView(u, 2), dt, after)) continue;
+    ++tally.kept;
+    EXPECT_LE(largest, limit + 1e-5) << "step " << n;
+  }
+  return tally;
+}
+
+ChainParameters train(int trailers) {
+  ChainParameters p;
+  p.trailers = trailers;
+  return p;
+}
+
+TEST(RobotKeepsLimits, NoHitchPassesItsLimitInAStepThatIsCalledKept) {
+  const auto snake = try_steps(Snake(train(3)), kDt, 20000);
+  EXPECT_GT(snake.kept, 100);
+  EXPECT_GT(snake.broken_between, 0);  // else the states do not try it
+  const auto truck = try_steps(Truck(train(3)), kDt, 20000);
+  EXPECT_GT(truck.kept, 100);
+}
+
+TEST(RobotKeepsLimits, ShortStepsAreKeptUpToTheLimit) {
+  const auto snake = try_steps(Snake(train(1)), kDt / 16, 2000);
+  EXPECT_GT(snake.kept, 1000);
+}
+
+TEST(RobotKeepsLimits, AStraightTrainKeepsThem) {
+  const Truck truck(train(5));
+  std::vector<float> s(10), next(10);
+  truck.rest({1, 2}, 0.5F, nullptr, s.data());
+  s[3] = 2.0F;
+  const float u[2] = {0, 0};
+  propagate(truck, s.data(), u, kDt, next.data());
+  EXPECT_TRUE(keeps_limits(truck, StateView(s.data(), 10), ControlView(u, 2), kDt, StateView(next.data(), 10)));
+}
+
+TEST(RobotKeepsLimits, ARobotWithoutAWordKeepsThem) {
+  const Unicycle unicycle({});
+  const float s[3] = {0, 0, 0}, u[2] = {1, 1};
+  EXPECT_TRUE(keeps_limits(unicycle, StateView(s, 3), ControlView(u, 2), kDt, StateView(s, 3)));
+}
+
+}  // namespace
+}  // namespace krait::test

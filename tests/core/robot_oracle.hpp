@@ -1,0 +1,224 @@
+// The robots' dynamics and placement in double precision, written from the formulas of lib/DESIGN.md, and instances,
+// random states and controls of every model for typed tests.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "draws.hpp"
+#include "krait/krait.hpp"
+
+namespace krait::test {
+
+using Numbers = std::vector<double>;
+
+struct Frame {
+  double x, y, angle;
+};
+
+inline double wide(float x) { return static_cast<double>(x); }
+
+// A car of rear axle (x, y) with front wheels `wheelbase` ahead that roll at v, and trailers whose turn is
+// (s/d) sin(hitch) times the cosines of the hitches before; s is v (slip) or the rear axle's speed.
+inline Numbers chain_rate(const ChainParameters& p, bool slip, const Numbers& s, const Numbers& u) {
+  const double v = s[3], psi = s[4];
+  Numbers rate = {v * std::cos(s[2]) * std::cos(psi), v * std::sin(s[2]) * std::cos(psi),
+                  v * std::sin(psi) / wide(p.wheelbase), u[0], u[1]};
+  for (std::size_t i = 5; i < s.size(); ++i) {
+    double product = (slip ? v : v * std::cos(psi)) / wide(p.hitch_length);
+    for (std::size_t j = 5; j < i; ++j) product *= std::cos((j == 5 ? s[2] : s[j - 1]) - s[j]);
+    rate.push_back(product * std::sin((i == 5 ? s[2] : s[i - 1]) - s[i]));
+  }
+  return rate;
+}
+
+inline Numbers rate(const Snake& r, const Numbers& s, const Numbers& u) {
+  return chain_rate(r.parameters(), true, s, u);
+}
+inline Numbers rate(const Truck& r, const Numbers& s, const Numbers& u) {
+  return chain_rate(r.parameters(), false, s, u);
+}
+inline Numbers rate(const Unicycle&, const Numbers& s, const Numbers& u) {
+  return {u[0] * std::cos(s[2]), u[0] * std::sin(s[2]), u[1]};
+}
+inline Numbers rate(const DifferentialDrive& r, const Numbers& s, const Numbers& u) {
+  const double radius = wide(r.parameters().wheel_radius), track = wide(r.parameters().track_width);
+  const double left = radius * s[3], right = radius * s[4];  // rim speeds
+  return {(left + right) / 2 * std::cos(s[2]), (left + right) / 2 * std::sin(s[2]), (right - left) / track, u[0], u[1]};
+}
+
+// Axles of a chain, each hitched `hitch_length` behind the one before.
+inline std::vector<Frame> frames(const Chain& r, const Numbers& s) {
+  std::vector<Frame> result = {{s[0], s[1], s[2]}};
+  for (std::size_t i = 5; i < s.size(); ++i) {
+    const double d = wide(r.parameters().hitch_length);
+    result.push_back({result.back().x - d * std::cos(s[i]), result.back().y - d * std::sin(s[i]), s[i]});
+  }
+  return result;
+}
+inline std::vector<Frame> frames(const PlanarBody&, const Numbers& s) { return {{s[0], s[1], s[2]}}; }
+
+template <class R>
+Numbers rk4(const R& robot, const Numbers& s, const Numbers& u, double dt) {
+  const auto ahead = [&](const Numbers& slope, double t) {
+    Numbers result = s;
+    for (std::size_t i = 0; i < s.size(); ++i) result[i] += t * slope[i];
+    return result;
+  };
+  const Numbers k1 = rate(robot, s, u), k2 = rate(robot, ahead(k1, dt / 2), u), k3 = rate(robot, ahead(k2, dt / 2), u),
+                k4 = rate(robot, ahead(k3, dt), u);
+  Numbers result = s;
+  for (std::size_t i = 0; i < s.size(); ++i) result[i] += dt / 6 * (k1[i] + 2 * k2[i] + 2 * k3[i] + k4[i]);
+  return result;
+}
+
+// A body's vertices in the workspace.
+inline std::vector<Numbers> vertices(Polygon body, const Frame& frame) {
+  std::vector<Numbers> result;
+  const double c = std::cos(frame.angle), s = std::sin(frame.angle);
+  for (int i = 0; i < body.count; ++i) {
+    const double x = wide(body[i].x), y = wide(body[i].y);
+    result.push_back({frame.x + c * x - s * y, frame.y + s * x + c * y});
+  }
+  return result;
+}
+
+template <class R>
+std::vector<R> instances();
+
+template <class R>
+std::vector<R> chains(std::initializer_list<int> trailers) {
+  std::vector<R> result;
+  for (const int n : trailers) {
+    ChainParameters p;
+    p.trailers = n;
+    result.emplace_back(p);
+    p.body_length = 1.5F;
+    p.body_width = 0.9F;
+    p.body_offset = 0.4F;
+    p.wheelbase = 1.1F;
+    p.hitch_length = 1.7F;
+    p.min_speed = -1.5F;
+    p.max_steering = 0.6F;
+    result.emplace_back(p);
+  }
+  return result;
+}
+template <>
+inline std::vector<Snake> instances<Snake>() {
+  return chains<Snake>({0, 1, 4, 15, 25});
+}
+template <>
+inline std::vector<Truck> instances<Truck>() {
+  return chains<Truck>({0, 1, 2, 5, 25});
+}
+template <>
+inline std::vector<Car> instances<Car>() {
+  return chains<Car>({0, 3});  // a car has no trailers whatever it is given
+}
+template <>
+inline std::vector<Unicycle> instances<Unicycle>() {
+  UnicycleParameters slow;
+  slow.max_speed = 0.25F;
+  slow.min_speed = 0.0F;
+  return {Unicycle({}), Unicycle(slow)};
+}
+template <>
+inline std::vector<DifferentialDrive> instances<DifferentialDrive>() {
+  DifferentialDriveParameters wide_track;
+  wide_track.track_width = 1.2F;
+  wide_track.wheel_radius = 0.2F;
+  return {DifferentialDrive({}), DifferentialDrive(wide_track)};
+}
+
+using Models = ::testing::Types<Snake, Truck, Car, Unicycle, DifferentialDrive>;
+
+struct ModelNames {
+  template <class R>
+  static std::string GetName(int) {
+    if (std::is_same_v<R, Snake>) return "snake";
+    if (std::is_same_v<R, Truck>) return "truck";
+    if (std::is_same_v<R, Car>) return "car";
+    return std::is_same_v<R, Unicycle> ? "unicycle" : "diff_drive";
+  }
+};
+
+// A state inside its limits, sometimes at their very ends; the position within `area` of the origin.
+inline std::vector<float> random_state(const Chain& r, std::mt19937& random, double area = 10) {
+  const ChainParameters& p = r.parameters();
+  const auto limited = [&](float low, float high) {
+    const std::uint32_t kind = below(random, 8);
+    return kind == 0 ? low : kind == 1 ? high : std::clamp(uniform_float(random, wide(low), wide(high)), low, high);
+  };
+  std::vector<float> s = {uniform_float(random, -area, area), uniform_float(random, -area, area),
+                          uniform_float(random, -4, 4), limited(p.min_speed, p.max_speed),
+                          limited(-p.max_steering, p.max_steering)};
+  for (int i = 0; i < p.trailers; ++i) {
+    const float ahead = i == 0 ? s[2] : s.back();
+    s.push_back(ahead + 0.999F * limited(-p.max_hitch_angle, p.max_hitch_angle));
+  }
+  return s;
+}
+inline std::vector<float> random_state(const Unicycle&, std::mt19937& random, double area = 10) {
+  return {uniform_float(random, -area, area), uniform_float(random, -area, area), uniform_float(random, -4, 4)};
+}
+inline std::vector<float> random_state(const DifferentialDrive& r, std::mt19937& random, double area = 10) {
+  const double most = wide(r.parameters().max_wheel_speed);
+  return {uniform_float(random, -area, area), uniform_float(random, -area, area), uniform_float(random, -4, 4),
+          uniform_float(random, -most, most), uniform_float(random, -most, most)};
+}
+
+struct Range {
+  float low, high;
+};
+inline std::vector<Range> control_limits(const Chain& r) {
+  const ChainParameters& p = r.parameters();
+  return {{-p.max_acceleration, p.max_acceleration}, {-p.max_steering_rate, p.max_steering_rate}};
+}
+inline std::vector<Range> control_limits(const Unicycle& r) {
+  const UnicycleParameters& p = r.parameters();
+  return {{p.min_speed, p.max_speed}, {-p.max_turn_rate, p.max_turn_rate}};
+}
+inline std::vector<Range> control_limits(const DifferentialDrive& r) {
+  const float most = r.parameters().max_wheel_acceleration;
+  return {{-most, most}, {-most, most}};
+}
+
+// A control inside its limits such that a step of dt seconds keeps the state inside its own.
+template <class R>
+std::vector<float> random_control(const R& robot, const std::vector<float>& state, float dt, std::mt19937& random) {
+  std::vector<float> u;
+  for (const Range range : control_limits(robot)) u.push_back(uniform_float(random, wide(range.low), wide(range.high)));
+  if constexpr (std::is_base_of_v<Chain, R>) {
+    const ChainParameters& p = robot.parameters();
+    u[0] = clamp(u[0], (p.min_speed - state[3]) / dt, (p.max_speed - state[3]) / dt);
+    u[1] = clamp(u[1], (-p.max_steering - state[4]) / dt, (p.max_steering - state[4]) / dt);
+  }
+  if constexpr (std::is_same_v<R, DifferentialDrive>) {
+    const float most = robot.parameters().max_wheel_speed;
+    for (std::size_t i = 0; i < 2; ++i) u[i] = clamp(u[i], (-most - state[3 + i]) / dt, (most - state[3 + i]) / dt);
+  }
+  return u;
+}
+
+inline Numbers doubles(const std::vector<float>& values) { return Numbers(values.begin(), values.end()); }
+
+template <class R>
+std::vector<float> derivative(const R& robot, const std::vector<float>& s, const std::vector<float>& u) {
+  std::vector<float> ds(s.size());
+  robot.derivative(StateView(s.data(), robot.state_size()), ControlView(u.data(), robot.control_size()),
+                   StateRef(ds.data(), robot.state_size()));
+  return ds;
+}
+
+template <class R>
+std::vector<float> step(const R& robot, const std::vector<float>& s, const std::vector<float>& u, float dt) {
+  std::vector<float> next(s.size());
+  propagate(robot, s.data(), u.data(), dt, next.data());
+  return next;
+}
+
+}  // namespace krait::test

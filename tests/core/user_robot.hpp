@@ -1,0 +1,34 @@
+// A robot that a user writes: a square that slides in any direction at up to `max_speed`.
+#pragma once
+
+#include "krait/robot/box.hpp"
+#include "krait/robot/robot.hpp"
+
+namespace krait::test {
+
+class Slider {
+ public:
+  static constexpr int kMaxState = 2, kMaxControl = 2, kMaxBodies = 1;
+
+  Slider(float side, float max_speed) : max_speed_(max_speed) { box(side, side, 0.0F, square_); }
+
+  int state_size() const { return 2; }
+  int control_size() const { return 2; }
+  int body_count() const { return 1; }
+  void derivative(StateView, ControlView u, StateRef ds) const { ds = u; }
+  void steer(StateView s, const Target& target, Steering&, ControlRef u) const {
+    const Vec2 to = target.point - position(s);
+    const float gain = target.speed * max_speed_ / (length(to) + 1e-3F);
+    u << gain * to.x, gain * to.y;
+  }
+  bool within_limits(StateView s) const { return finite(position(s)); }
+  Polygon body(int) const { return {square_, 4}; }
+  void place(StateView s, Pose* poses) const { poses[0] = {position(s), {0.0F, 1.0F}}; }
+  float travel(StateView, ControlView u, float dt, int) const { return dt * length({u[0], u[1]}); }
+
+ private:
+  float max_speed_;
+  Vec2 square_[4];
+};
+
+}  // namespace krait::test
