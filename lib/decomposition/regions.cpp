@@ -75,7 +75,8 @@ void Regions::set_costs(float least_width, float least_cost) {
       const Index portal = scene_->portal(t, i);
       const float apart = length(region_center(region(n)) - center);
       const bool passable = scene_->portal_width(portal) >= least_width;
-      portal_costs_[portal] = passable ? (apart > least_cost ? apart : least_cost) : kInfinity;
+      portal_costs_[portal] = apart > least_cost ? apart : least_cost;
+      if (!passable) portal_costs_[portal] = kInfinity;
     }
   }
 }

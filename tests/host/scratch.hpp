@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -16,8 +17,9 @@ class ScratchTest : public testing::Test {
  protected:
   ScratchTest() {
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    directory_ = std::filesystem::temp_directory_path() /
-                 ("krait_" + std::to_string(::getpid()) + "_" + test->test_suite_name() + "_" + test->name());
+    std::string name = "krait_" + std::to_string(::getpid()) + "_" + test->test_suite_name() + "_" + test->name();
+    std::replace(name.begin(), name.end(), '/', '_');
+    directory_ = std::filesystem::temp_directory_path() / name;
     std::filesystem::create_directories(directory_);
   }
   ~ScratchTest() override { std::filesystem::remove_all(directory_); }

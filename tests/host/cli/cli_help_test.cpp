@@ -1,0 +1,111 @@
+// The help teaches: every option of every command, the robots' defaults, what the exit codes mean.
+#include "host/cli/program.hpp"
+
+namespace krait::host {
+namespace {
+
+using testing::HasSubstr;
+
+class CliHelp : public CliTest {
+ protected:
+  std::string help(const std::vector<std::string>& command) const {
+    std::vector<std::string> arguments = command;
+    arguments.emplace_back("--help");
+    const Outcome outcome = krait(arguments);
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_EQ(outcome.errors, "");
+    return outcome.output;
+  }
+
+  static void expect_all(const std::string& text, std::initializer_list<const char*> words) {
+    for (const char* word : words) EXPECT_THAT(text, HasSubstr(word));
+  }
+};
+
+TEST_F(CliHelp, NamesEveryCommandAndExitCode) {
+  expect_all(help({}), {"compile", "info", "plan", "verify", "scene", "0 done", "1 an honest no", "2 bad input", "3"});
+}
+
+TEST_F(CliHelp, ShowsAFirstPlanThatWorks) {
+  const std::string text = help({});
+  expect_all(text, {"krait scene openings -o openings.json", "krait compile openings.json -o openings.krait",
+                    "krait plan openings.krait --robot snake:15 -o plan.json --html plan.html",
+                    "krait verify openings.json plan.json --robot snake:15"});
+  expect_done({"scene", "openings", "-o", "openings.json"});
+  expect_done({"compile", "openings.json", "-o", "openings.krait"});
+  expect_done({"plan", "openings.krait", "--robot", "snake:15", "-o", "plan.json", "--html", "plan.html"});
+  expect_done({"verify", "openings.json", "plan.json", "--robot", "snake:15"});
+}
+
+TEST_F(CliHelp, TeachesCompile) {
+  expect_all(help({"compile"}), {"INPUT", "-o", "--start", "X,Y,HEADING", "--goal", "X,Y,RADIUS", "--unknown", "free",
+                                 "occupied", "map", "--tolerance", "map_server", "MovingAI", "JSON"});
+}
+
+TEST_F(CliHelp, TeachesPlan) {
+  expect_all(help({"plan"}),
+             {"SCENE",      "--robot",   "snake:N",     "truck:N",      "car",          "unicycle", "diff_drive",
+              "ROBOT.json", "--planner", "adaptive",    "--seed",       "--start",      "--goal",   "NAME",
+              "X,Y,RADIUS", "--memory",  "64M",         "--iterations", "--time-limit", "--alpha",  "--beta",
+              "--gamma",    "--kappa",   "--clearance", "--paper",      "-o",           "--csv",    "--svg",
+              "--png",      "--html",    "no_route",    "budget_used",  "tree_full",    "time_used"});
+}
+
+TEST_F(CliHelp, ListsTheDefaultsOfEveryRobot) {
+  const std::string text = help({"plan"});
+  for (const char* model : {"snake", "truck", "car", "unicycle", "diff_drive"}) {
+    EXPECT_THAT(text, HasSubstr(std::string(model) + ": body_length")) << model;
+  }
+  expect_all(text,
+             {"body_width 0.5", "wheelbase 0.8", "hitch_length 0.8", "max_speed 2.5", "max_steering 1",
+              "max_acceleration 5", "max_steering_rate 4", "self_collision_gap", "max_hitch_angle", "max_turn_rate 2",
+              "wheel_radius 0.08", "track_width 0.36", "max_wheel_speed 12", "max_wheel_acceleration 24"});
+}
+
+TEST_F(CliHelp, TeachesInfoVerifyAndScene) {
+  expect_all(help({"info"}), {"SCENE", ".krait"});
+  expect_all(help({"verify"}), {"INPUT", "PLAN", "--robot", "--start", "--goal", "--unknown"});
+  expect_all(help({"scene"}), {"openings", "gates", "rooms", "comb", "corridors", "--scale", "-o"});
+}
+
+TEST_F(CliHelp, SaysItsVersion) {
+  const Outcome outcome = krait({"--version"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.output, testing::ContainsRegex("^krait [0-9]+\\.[0-9]+\\.[0-9]+\n$"));
+}
+
+TEST_F(CliHelp, InfoReportsRegionsPiecesBytesAndTheNarrowestPortal) {
+  const Outcome outcome = krait({"info", "room.krait"});
+  EXPECT_EQ(outcome.code, 0);
+  expect_all(outcome.output, {"room", "triangles", "portals", "narrowest", "convex pieces", "east, south",
+                              "west, north", "clearance", "names"});
+  const auto size = std::filesystem::file_size(path("room.krait"));
+  EXPECT_THAT(outcome.output, testing::ContainsRegex("total +" + std::to_string(size)));
+}
+
+TEST_F(CliHelp, DemoExplainsItself) {
+  const Outcome outcome = run_program("/bin/bash", {KRAIT_SOURCE_DIR "/port/host/demo", "--help"}, directory());
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.output, HasSubstr("bash port/host/demo MAP"));
+}
+
+TEST_F(CliHelp, DemoRefusesAMissingMapBeforeItBuilds) {
+  const Outcome outcome = run_program("/bin/bash", {KRAIT_SOURCE_DIR "/port/host/demo", "gone.yaml"}, directory());
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_EQ(outcome.errors, "demo: gone.yaml: no such file\n");
+}
+
+TEST_F(CliHelp, DemoRefusesOptionsThatItCannotReadBeforeItBuilds) {
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{"--seed"}, {"--seed=1"}, {"stray"}}) {
+    std::vector<std::string> whole = {KRAIT_SOURCE_DIR "/port/host/demo", "room.json"};
+    whole.insert(whole.end(), arguments.begin(), arguments.end());
+    const Outcome outcome = run_program("/bin/bash", whole, directory());
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.errors, testing::StartsWith("demo: "));
+    EXPECT_THAT(outcome.errors, HasSubstr(arguments.front()));
+  }
+}
+
+}  // namespace
+}  // namespace krait::host

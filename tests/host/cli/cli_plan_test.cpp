@@ -1,0 +1,316 @@
+// krait plan and krait verify by their files and exit codes: the plan's JSON field by field, the ends of a search,
+// and that the same arguments give the same bytes.
+#include <cmath>
+#include <cstring>
+
+#include "host/cli/program.hpp"
+#include "host/robot/robot.hpp"
+
+namespace krait::host {
+namespace {
+
+using nlohmann::ordered_json;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class CliPlan : public CliTest {
+ protected:
+  // krait plan room.krait … -o plan.json, expected to end with `code`; gives the JSON.
+  ordered_json plan(std::vector<std::string> options, int code = 0) const {
+    std::vector<std::string> arguments = {"plan", "room.krait", "-o", "plan.json"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = krait(arguments);
+    EXPECT_EQ(outcome.code, code) << outcome.output << outcome.errors;
+    return json("plan.json");
+  }
+
+  static void expect_no_plan(const ordered_json& plan, const std::string& status) {
+    EXPECT_EQ(plan.at("status"), status);
+    EXPECT_EQ(plan.at("states"), ordered_json::array());
+    EXPECT_EQ(plan.at("controls"), ordered_json::array());
+    EXPECT_EQ(plan.at("statistics").at("hash"), "0000000000000000");
+    EXPECT_EQ(plan.at("statistics").at("plan_steps"), 0);
+  }
+};
+
+std::vector<std::string> keys(const ordered_json& object) {
+  std::vector<std::string> names;
+  for (const auto& item : object.items()) names.push_back(item.key());
+  return names;
+}
+
+// FNV-1a 64 over s0, u0, s1, u1, …, sL, each number as the 4 bytes, low first, of the float that it reads back to.
+class Fnv {
+ public:
+  void add(const ordered_json& row) {
+    for (const auto& number : row) {
+      const auto value = static_cast<float>(number.get<double>());
+      std::uint32_t bits = 0;
+      std::memcpy(&bits, &value, sizeof bits);
+      for (int shift = 0; shift < 32; shift += 8) hash_ = (hash_ ^ (bits >> shift & 0xFFU)) * 0x100000001B3U;
+    }
+  }
+
+  std::string text() const {
+    char text[17];
+    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash_));
+    return text;
+  }
+
+ private:
+  std::uint64_t hash_ = 0xCBF29CE484222325U;
+};
+
+std::string hash_of(const ordered_json& plan) {
+  Fnv fnv;
+  for (std::size_t i = 0; i < plan.at("states").size(); ++i) {
+    fnv.add(plan.at("states")[i]);
+    if (i < plan.at("controls").size()) fnv.add(plan.at("controls")[i]);
+  }
+  return fnv.text();
+}
+
+std::string without_time(ordered_json plan) {
+  plan.at("statistics").erase("time_s");
+  return plan.dump();
+}
+
+constexpr const char* kTinyGoal = "17,5,0.001";  // m: no search hits a millimetre
+
+TEST_F(CliPlan, HasTheFieldsOfTheFormat) {
+  const ordered_json plan = this->plan({"--robot", "snake:2", "--seed", "7"});
+  EXPECT_THAT(keys(plan), ElementsAre("format", "version", "status", "scene", "seed", "planner", "robot", "dt", "goal",
+                                      "state_names", "states", "controls", "origin", "statistics"));
+  EXPECT_EQ(plan.at("format"), "krait-plan");
+  EXPECT_EQ(plan.at("version"), 1);
+  EXPECT_EQ(plan.at("status"), "solved");
+  EXPECT_EQ(plan.at("scene"), "room");
+  EXPECT_EQ(plan.at("seed"), 7);
+  EXPECT_EQ(plan.at("planner"), "adaptive");
+  EXPECT_FLOAT_EQ(plan.at("dt").get<float>(), 0.1F);
+  EXPECT_EQ(plan.at("goal").at("name"), "east");
+  EXPECT_EQ(plan.at("goal").at("polygon").size(), 4U);
+  EXPECT_THAT(plan.at("state_names"), ElementsAre("x", "y", "theta0", "v", "psi", "theta1", "theta2"));
+  EXPECT_THAT(plan.at("origin"), ElementsAre(0.0, 0.0));
+}
+
+TEST_F(CliPlan, StatesTheWholeRobot) {
+  const ordered_json robot = plan({"--robot", "truck:2"}).at("robot");
+  EXPECT_THAT(keys(robot), ElementsAre("model", "links", "parameters", "bodies"));
+  EXPECT_EQ(robot.at("model"), "truck");
+  EXPECT_EQ(robot.at("links"), 2);
+  EXPECT_THAT(keys(robot.at("parameters")),
+              testing::UnorderedElementsAre("body_length", "body_width", "wheelbase", "hitch_length", "max_speed",
+                                            "min_speed", "max_steering", "max_acceleration", "max_steering_rate",
+                                            "self_collision_gap", "max_hitch_angle"));
+  ASSERT_EQ(robot.at("bodies").size(), 3U);
+  EXPECT_EQ(robot.at("bodies")[2].at("polygon").size(), 4U);
+}
+
+TEST_F(CliPlan, HasOneStateMoreThanControlsAllInTheirLimits) {
+  const ordered_json plan = this->plan({"--robot", "snake:2"});
+  ASSERT_EQ(plan.at("states").size(), plan.at("controls").size() + 1);
+  for (const auto& state : plan.at("states")) {
+    ASSERT_EQ(state.size(), 7U);
+    EXPECT_LE(std::abs(state[3].get<double>()), 2.5);
+    EXPECT_LE(std::abs(state[4].get<double>()), 1.0);
+  }
+  for (const auto& control : plan.at("controls")) {
+    ASSERT_EQ(control.size(), 2U);
+    EXPECT_LE(std::abs(control[0].get<double>()), 5.0);
+    EXPECT_LE(std::abs(control[1].get<double>()), 4.0);
+  }
+  const auto& last = plan.at("states").back();
+  EXPECT_NEAR(last[0].get<double>(), 17, 1);
+  EXPECT_NEAR(last[1].get<double>(), 5, 1);
+}
+
+TEST_F(CliPlan, HasTheStatisticsOfTheFormat) {
+  const ordered_json plan = this->plan({"--robot", "car", "--memory", "1M"});
+  const ordered_json& s = plan.at("statistics");
+  EXPECT_THAT(keys(s),
+              ElementsAre("time_s", "iterations", "vertices", "collision_checks", "dijkstra_runs", "regions_repaired",
+                          "bytes_used", "bytes_given", "plan_steps", "plan_length_m", "plan_duration_s", "hash"));
+  for (const char* whole : {"iterations", "vertices", "collision_checks", "dijkstra_runs", "regions_repaired",
+                            "bytes_used", "bytes_given", "plan_steps"}) {
+    EXPECT_TRUE(s.at(whole).is_number_unsigned()) << whole;
+  }
+  EXPECT_GT(s.at("time_s").get<double>(), 0);
+  EXPECT_EQ(s.at("bytes_given"), 1U << 20U);
+  EXPECT_LE(s.at("bytes_used").get<std::uint64_t>(), 1U << 20U);
+  EXPECT_EQ(s.at("plan_steps").get<std::size_t>(), plan.at("controls").size());
+  EXPECT_NEAR(s.at("plan_duration_s").get<double>(), 0.1 * static_cast<double>(plan.at("controls").size()), 1e-3);
+  double length = 0;
+  for (std::size_t i = 1; i < plan.at("states").size(); ++i) {
+    const auto& a = plan.at("states")[i - 1];
+    const auto& b = plan.at("states")[i];
+    length += std::hypot(b[0].get<double>() - a[0].get<double>(), b[1].get<double>() - a[1].get<double>());
+  }
+  EXPECT_NEAR(s.at("plan_length_m").get<double>(), length, 1e-3 * length);
+}
+
+TEST_F(CliPlan, HashIsThatOfTheNumbersInTheFile) {
+  for (const char* robot : {"snake:15", "truck:2", "car", "unicycle", "diff_drive"}) {
+    const ordered_json plan = this->plan({"--robot", robot});
+    const std::string hash = plan.at("statistics").at("hash");
+    EXPECT_THAT(hash, testing::MatchesRegex("[0-9a-f]{16}"));
+    EXPECT_EQ(hash, hash_of(plan)) << robot;
+  }
+}
+
+TEST_F(CliPlan, IsTheSameTwice) {
+  const std::string first = without_time(plan({"--robot", "snake:5"}));
+  EXPECT_EQ(without_time(plan({"--robot", "snake:5"})), first);
+  EXPECT_EQ(without_time(plan({"--robot", "snake:5", "--seed", "1", "--memory", "64M", "--time-limit", "100"})), first);
+}
+
+TEST_F(CliPlan, DependsOnTheSeed) {
+  const ordered_json one = plan({"--robot", "car", "--seed", "1"});
+  const ordered_json two = plan({"--robot", "car", "--seed", "18446744073709551615"});
+  EXPECT_EQ(two.at("seed").get<std::uint64_t>(), UINT64_MAX);
+  EXPECT_NE(one.at("statistics").at("hash"), two.at("statistics").at("hash"));
+}
+
+TEST_F(CliPlan, EqualsItsRobotGivenAsAFile) {
+  const ordered_json by_name = plan({"--robot", "truck:1"});
+  write("robot.json", by_name.at("robot").dump());
+  EXPECT_EQ(without_time(plan({"--robot", "robot.json"})), without_time(by_name));
+}
+
+TEST_F(CliPlan, TakesGoalsByNameAndAsADiscWithoutCompilingAgain) {
+  plan({"--robot", "car", "--goal", "south"});
+  expect_done({"verify", "room.json", "plan.json", "--robot", "car", "--goal", "south"});
+  EXPECT_EQ(krait({"verify", "room.json", "plan.json", "--robot", "car"}).code, 1);
+  const ordered_json disc = plan({"--robot", "car", "--goal", "15,8,0.5"});
+  const auto& last = disc.at("states").back();
+  EXPECT_LE(std::hypot(last[0].get<double>() - 15, last[1].get<double>() - 8), 0.5);
+  for (const auto& p : disc.at("goal").at("polygon")) {
+    EXPECT_LE(std::hypot(p[0].get<double>() - 15, p[1].get<double>() - 8), 0.5 + 1e-6);
+  }
+  expect_done({"verify", "room.json", "plan.json", "--robot", "car", "--goal", "15,8,0.5"});
+}
+
+TEST_F(CliPlan, TakesStartsByNameAndAsAPose) {
+  const ordered_json pose = plan({"--robot", "unicycle", "--start", "4,2,1.5"});
+  EXPECT_THAT(pose.at("states")[0], ElementsAre(4, 2, 1.5));
+  const ordered_json named = plan({"--robot", "truck:2", "--start", "north"});
+  const std::vector<double> first = named.at("states")[0];
+  const std::vector<double> asked = {3, 8, -0.5, 0, 0, -0.4, -0.2};
+  EXPECT_THAT(first, testing::Pointwise(testing::DoubleNear(1e-6), asked));
+  expect_done({"verify", "room.json", "plan.json", "--robot", "truck:2", "--start", "north"});
+}
+
+TEST_F(CliPlan, BeginsInTheGoalWithAnEmptyPlan) {
+  const ordered_json plan = this->plan({"--robot", "car", "--goal", "3,5,1"});
+  EXPECT_EQ(plan.at("status"), "solved");
+  EXPECT_EQ(plan.at("states").size(), 1U);
+  EXPECT_EQ(plan.at("controls").size(), 0U);
+  EXPECT_EQ(plan.at("statistics").at("hash"), hash_of(plan));
+  expect_done({"verify", "room.json", "plan.json", "--robot", "car", "--goal", "3,5,1"});
+}
+
+TEST_F(CliPlan, ARobotWiderThanEveryDoorHasNoRouteAtOnce) {
+  write("wide.json", R"({"model": "unicycle", "parameters": {"body_length": 3, "body_width": 3}})");
+  const ordered_json plan = this->plan({"--robot", "wide.json"}, 1);
+  expect_no_plan(plan, "no_route");
+  EXPECT_EQ(plan.at("statistics").at("iterations"), 0);
+}
+
+TEST_F(CliPlan, EndsWithTheBudget) {
+  const ordered_json plan = this->plan({"--robot", "snake:15", "--iterations", "1"}, 1);
+  expect_no_plan(plan, "budget_used");
+  EXPECT_EQ(plan.at("statistics").at("iterations"), 1);
+}
+
+TEST_F(CliPlan, EndsWithTheTime) {
+  const ordered_json plan = this->plan({"--robot", "snake:15", "--goal", kTinyGoal, "--time-limit", "0.001"}, 1);
+  expect_no_plan(plan, "time_used");
+  EXPECT_LT(plan.at("statistics").at("time_s").get<double>(), 1);
+}
+
+TEST_F(CliPlan, EndsWithTheMemory) {
+  const ordered_json plan = this->plan({"--robot", "car", "--goal", kTinyGoal, "--memory", "64K"}, 1);
+  expect_no_plan(plan, "tree_full");
+  EXPECT_LE(plan.at("statistics").at("bytes_used").get<std::uint64_t>(), 64U << 10U);
+}
+
+TEST_F(CliPlan, TheMemoryThatItAsksForIsEnoughAndNoByteLess) {
+  const std::string complaint = krait({"plan", "room.krait", "--robot", "car", "--memory", "0"}).errors;
+  const std::size_t at = complaint.find("at least ");
+  ASSERT_NE(at, std::string::npos) << complaint;
+  const std::uint64_t needed = std::stoull(complaint.substr(at + 9));
+  expect_no_plan(plan({"--robot", "car", "--memory", std::to_string(needed)}, 1), "tree_full");
+  std::filesystem::remove(path("plan.json"));
+  expect_refused({"plan", "room.krait", "--robot", "car", "-o", "plan.json", "--memory", std::to_string(needed - 1)},
+                 "at least " + std::to_string(needed));
+}
+
+TEST_F(CliPlan, PaperRunsAndSaysWhetherItsPlanHolds) {
+  const Outcome outcome = krait({"plan", "room.krait", "--robot", "snake:5", "--paper", "-o", "plan.json"});
+  const std::string status = json("plan.json").at("status");
+  EXPECT_EQ(outcome.code, status == "solved" ? 0 : 1) << outcome.errors;
+  if (status != "solved") expect_no_plan(json("plan.json"), "verification_failed");
+}
+
+TEST_F(CliPlan, WritesATableOfTheSameNumbers) {
+  const ordered_json plan = this->plan({"--robot", "car", "--csv", "plan.csv"});
+  std::ifstream table(path("plan.csv"));
+  std::string line;
+  std::getline(table, line);
+  EXPECT_EQ(line, "t,x,y,theta0,v,psi,u0,u1");
+  for (std::size_t i = 0; i < plan.at("states").size(); ++i) {
+    ASSERT_TRUE(std::getline(table, line));
+    std::istringstream row(line);
+    std::string cell;
+    std::getline(row, cell, ',');
+    EXPECT_NEAR(std::stod(cell), 0.1 * static_cast<double>(i), 1e-4);
+    for (const auto& number : plan.at("states")[i]) {
+      std::getline(row, cell, ',');
+      EXPECT_EQ(std::stof(cell), static_cast<float>(number.get<double>()));
+    }
+    if (i == plan.at("controls").size()) continue;
+    for (const auto& number : plan.at("controls")[i]) {
+      std::getline(row, cell, ',');
+      EXPECT_EQ(std::stof(cell), static_cast<float>(number.get<double>()));
+    }
+  }
+  EXPECT_FALSE(std::getline(table, line));
+}
+
+TEST_F(CliPlan, DrawsAndLeavesNothingElse) {
+  plan({"--robot", "car", "--svg", "p.svg", "--png", "p.png", "--html", "p.html"});
+  EXPECT_THAT(read_text(path("p.svg")), HasSubstr("<svg"));
+  EXPECT_THAT(read_text(path("p.png")), testing::StartsWith("\x89PNG"));
+  EXPECT_THAT(read_text(path("p.html")), HasSubstr("</html>"));
+  EXPECT_EQ(files().size(), 6U);
+}
+
+TEST_F(CliPlan, WritesToStandardOutputWhenAskedTo) {
+  const Outcome outcome = krait({"scene", "gates", "-o", "/dev/stdout"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_TRUE(ordered_json::parse(outcome.output).contains("bounds"));
+}
+
+TEST_F(CliPlan, VerifyTrustsNothingInThePlan) {
+  ordered_json plan = this->plan({"--robot", "car"});
+  expect_done({"verify", "room.json", "plan.json", "--robot", "car"});
+  expect_done({"verify", "room.krait", "plan.json", "--robot", "car"});
+  EXPECT_EQ(krait({"verify", "room.json", "plan.json", "--robot", "unicycle"}).code, 1);
+  EXPECT_EQ(krait({"verify", "room.json", "plan.json", "--robot", "car", "--start", "north"}).code, 1);
+  plan["states"][3][1] = plan["states"][3][1].get<double>() + 0.05;
+  write("plan.json", plan.dump());
+  const Outcome outcome = krait({"verify", "room.json", "plan.json", "--robot", "car"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.output, HasSubstr("the plan does not hold"));
+}
+
+TEST_F(CliPlan, VerifyOfAnHonestNoSaysSo) {
+  plan({"--robot", "car", "--goal", kTinyGoal, "--memory", "64K"}, 1);
+  const Outcome outcome = krait({"verify", "room.json", "plan.json", "--robot", "car", "--goal", kTinyGoal});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.output, HasSubstr("tree_full"));
+  EXPECT_THAT(outcome.output, testing::Not(HasSubstr("nan")));
+}
+
+}  // namespace
+}  // namespace krait::host

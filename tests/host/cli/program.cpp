@@ -1,0 +1,109 @@
+#include "host/cli/program.hpp"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace krait::host {
+namespace {
+
+constexpr const char* kRoom = R"({"name": "room", "bounds": {"min": [-12, 0], "max": [20, 10]},
+  "obstacles": [{"box": {"center": [10, 2], "size": [1, 4], "angle": 0}},
+                {"box": {"center": [10, 8], "size": [1, 4], "angle": 0}}],
+  "goals": [{"name": "east", "box": {"center": [17, 5], "size": [2, 2], "angle": 0}},
+            {"name": "south", "box": {"center": [17, 2], "size": [2, 2], "angle": 0}}],
+  "starts": [{"name": "west", "position": [3, 5], "heading": 0},
+             {"name": "north", "position": [3, 8], "heading": -0.5, "angles": [-0.4, -0.2]}]})";
+
+// Logs lie beside the folder, so that the folder shows only what the program left.
+std::string log_path(const std::filesystem::path& directory, const char* stream) { return directory.string() + stream; }
+
+void redirect(const std::string& path, int descriptor) {
+  ::dup2(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), descriptor);
+}
+
+[[noreturn]] void become(const std::string& program, std::vector<std::string> arguments,
+                         const std::filesystem::path& directory) {
+  std::vector<char*> argv = {const_cast<char*>(program.c_str())};
+  for (std::string& argument : arguments) argv.push_back(argument.data());
+  argv.push_back(nullptr);
+  redirect(log_path(directory, ".out"), STDOUT_FILENO);
+  redirect(log_path(directory, ".err"), STDERR_FILENO);
+  if (::chdir(directory.c_str()) == 0) ::execv(program.c_str(), argv.data());
+  ::_exit(127);
+}
+
+std::string take_log(const std::filesystem::path& directory, const char* stream) {
+  const std::string path = log_path(directory, stream);
+  const std::string text = read_text(path);
+  std::filesystem::remove(path);
+  return text;
+}
+
+std::string joined(const std::vector<std::string>& arguments) {
+  std::string text;
+  for (const std::string& argument : arguments) text += argument + " ";
+  return text;
+}
+
+}  // namespace
+
+std::string read_text(const std::filesystem::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+Outcome run_program(const std::string& program, const std::vector<std::string>& arguments,
+                    const std::filesystem::path& directory) {
+  const pid_t child = ::fork();
+  if (child == 0) become(program, arguments, directory);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  return {code, take_log(directory, ".out"), take_log(directory, ".err")};
+}
+
+CliTest::CliTest() {
+  write("room.json", kRoom);
+  expect_done({"compile", "room.json", "-o", "room.krait"});
+}
+
+Outcome CliTest::krait(const std::vector<std::string>& arguments) const {
+  return run_program(KRAIT_BIN_DIR "/krait", arguments, directory());
+}
+
+void CliTest::expect_refused(const std::vector<std::string>& arguments, const std::string& mention) const {
+  SCOPED_TRACE(joined(arguments));
+  const auto before = files();
+  const Outcome outcome = krait(arguments);
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_EQ(outcome.output, "");
+  EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1) << outcome.errors;
+  EXPECT_THAT(outcome.errors, testing::StartsWith("krait"));
+  EXPECT_THAT(outcome.errors, testing::HasSubstr(mention));
+  EXPECT_EQ(files(), before);
+}
+
+void CliTest::expect_done(const std::vector<std::string>& arguments) const {
+  SCOPED_TRACE(joined(arguments));
+  const Outcome outcome = krait(arguments);
+  EXPECT_EQ(outcome.code, 0) << outcome.output;
+  EXPECT_EQ(outcome.errors, "");
+}
+
+nlohmann::ordered_json CliTest::json(const std::string& name) const {
+  return nlohmann::ordered_json::parse(read_text(path(name)));
+}
+
+std::set<std::string> CliTest::files() const {
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(directory())) {
+    names.insert(entry.path().string());
+  }
+  return names;
+}
+
+}  // namespace krait::host

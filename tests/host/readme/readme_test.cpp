@@ -1,0 +1,66 @@
+// Builds and runs the programs of the README.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <vector>
+
+#include "krait/krait.hpp"
+#include "readme_program.inc"
+#include "readme_robot.inc"
+
+namespace {
+
+struct SceneFile {
+  std::vector<std::uint64_t> words;
+  std::size_t size = 0;
+};
+
+SceneFile compiled(const std::string& scene) {
+  const std::filesystem::path base = std::filesystem::path(testing::TempDir()) / ("readme_" + scene);
+  const std::string program = KRAIT_BIN_DIR "/krait";
+  const std::string command = program + " scene " + scene + " -o " + base.string() + ".json && " + program +
+                              " compile " + base.string() + ".json -o " + base.string() + ".krait";
+  if (std::system(command.c_str()) != 0) throw std::runtime_error("cannot run: " + command);
+  std::ifstream file(base.string() + ".krait", std::ios::binary);
+  const std::vector<char> bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  SceneFile result{std::vector<std::uint64_t>((bytes.size() + 7) / 8), bytes.size()};
+  std::memcpy(result.words.data(), bytes.data(), bytes.size());
+  return result;
+}
+
+TEST(Readme, ProgramDrivesATruckThroughAShippedScene) {
+  const SceneFile scene = compiled("corridors");
+  EXPECT_EQ(drive(scene.words.data(), scene.size), 0);
+}
+
+TEST(Readme, ProgramRefusesBytesThatAreNoScene) {
+  SceneFile scene = compiled("corridors");
+  scene.words[10] ^= 1U;
+  EXPECT_EQ(drive(scene.words.data(), scene.size), 2);
+}
+
+TEST(Readme, OwnRobotPlans) {
+  static_assert(krait::Robot<Hoverer>);
+  const SceneFile bytes = compiled("openings");
+  krait::Scene scene;
+  ASSERT_TRUE(krait::Scene::open(bytes.words.data(), bytes.size, scene).ok());
+  const Hoverer robot;
+  std::vector<std::uint64_t> memory(1U << 20U);
+  const auto planner = std::make_unique<krait::Planner<Hoverer>>();
+  const std::size_t size = memory.size() * sizeof memory[0];
+  const krait::Limits limits = planner->limits_for(size, scene, robot);
+  ASSERT_TRUE(planner->init(memory.data(), size, scene, robot, krait::Parameters(), limits).ok());
+  const krait::Vec2 at = scene.start(0).position;
+  const float start[] = {at.x, at.y, 0.0F, 0.0F};
+  planner->start({start, krait::Goal::named(0), 1});
+  ASSERT_EQ(planner->advance(100000), krait::Status::solved);
+  const krait::Plan plan = planner->plan();
+  const float* end = plan.state(plan.steps());
+  EXPECT_TRUE(krait::Goal::named(0).contains(scene, {end[0], end[1]}, 0.0F));
+}
+
+}  // namespace
