@@ -39,6 +39,11 @@ struct SinCos {
   float cos;
 };
 
+// The vector turned by the angle.
+inline Vec2 turned(SinCos angle, Vec2 p) {
+  return {angle.cos * p.x - angle.sin * p.y, angle.sin * p.x + angle.cos * p.y};
+}
+
 inline constexpr float kMaxAngle = 8192.0F;  // radians
 
 // Sine and cosine, error below 8e-8 for |x| <= kMaxAngle; NaN beyond and for NaN.

@@ -51,6 +51,15 @@ bool Goal::covers(const Scene& scene, Index triangle) const {
   return is_disc() ? triangle_meets_disc(scene, triangle, center_, radius_) : scene.goal_of(triangle) == index_;
 }
 
+bool Goal::may_reach(const Scene& scene, Index triangle, float reach) const {
+  if (is_disc()) return triangle_meets_disc(scene, triangle, center_, radius_ + reach);
+  const Vec2 corners[3] = {scene.corner(triangle, 0), scene.corner(triangle, 1), scene.corner(triangle, 2)};
+  const Box a = bounding_box({corners, 3});
+  const Box b = bounding_box(scene.goal_polygon(index_));
+  return a.min.x - reach <= b.max.x && b.min.x - reach <= a.max.x && a.min.y - reach <= b.max.y &&
+         b.min.y - reach <= a.max.y;
+}
+
 float Goal::size(const Scene& scene) const {
   if (is_disc()) return 1.7724539F * radius_;  // sqrt(pi) * radius
   const Polygon polygon = scene.goal_polygon(index_);

@@ -62,6 +62,26 @@ bool Regions::reset(const Goal& goal, float least_width, float least_cost) {
   return true;
 }
 
+bool Regions::connected(Index from, const Goal& goal, float reach, float least_width) {
+  for (Index t = 0; t < scene_->triangle_count(); ++t) h_[t] = kInfinity;
+  Index found = 0;
+  const auto visit = [&](Index triangle) {
+    h_[triangle] = 0.0F;
+    heap_items_[found++] = triangle;
+  };
+  visit(from);
+  for (Index i = 0; i < found; ++i) {
+    const Index triangle = heap_items_[i];
+    if (goal.may_reach(*scene_, triangle, reach)) return true;
+    for (int edge = 0; edge < 3; ++edge) {
+      const Index n = scene_->neighbor(triangle, edge);
+      if (n == kNone || h_[n] == 0.0F) continue;
+      if (scene_->portal_width(scene_->portal(triangle, edge)) >= least_width) visit(n);
+    }
+  }
+  return false;
+}
+
 Vec2 Regions::region_center(Index region) const {
   return region == goal_region_ ? goal_center_ : scene_->centroid(region);
 }

@@ -29,13 +29,19 @@ bool usable_body(Polygon body) {
   return true;
 }
 
-float inner_radius(Polygon body) {
+float inner_radius(Polygon body, Vec2 center) {
   float least = kInfinity;
   for (int i = 0; i < body.count; ++i) {
-    const float distance = distance_left(body[i], body[(i + 1) % body.count], {});
+    const float distance = distance_left(body[i], body[(i + 1) % body.count], center);
     if (distance < least) least = distance;
   }
   return least > 0.0F ? least : 0.0F;
+}
+
+Vec2 middle(Polygon body) {
+  Vec2 sum{};
+  for (int i = 0; i < body.count; ++i) sum = sum + body[i];
+  return (1.0F / static_cast<float>(body.count)) * sum;
 }
 
 }  // namespace krait

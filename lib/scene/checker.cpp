@@ -115,16 +115,6 @@ bool strictly_convex(Polygon polygon) {
   return true;
 }
 
-Box bounding_box(Polygon polygon) {
-  Box box{polygon[0], polygon[0]};
-  for (int i = 1; i < polygon.count; ++i) {
-    const Vec2 p = polygon[i];
-    box.min = {p.x < box.min.x ? p.x : box.min.x, p.y < box.min.y ? p.y : box.min.y};
-    box.max = {p.x > box.max.x ? p.x : box.max.x, p.y > box.max.y ? p.y : box.max.y};
-  }
-  return box;
-}
-
 bool equal(const Box& a, const Box& b) {
   return a.min.x == b.min.x && a.min.y == b.min.y && a.max.x == b.max.x && a.max.y == b.max.y;
 }

@@ -259,7 +259,7 @@ TEST(RobotShapes, MeasuresOfABox) {
   p.body_width = 0.5F;
   const Unicycle robot(p);
   EXPECT_FLOAT_EQ(robot_length(robot), 0.8F);
-  EXPECT_FLOAT_EQ(inner_radius(robot), 0.25F);
+  EXPECT_FLOAT_EQ(inner_radius(robot.body(0), {}), 0.25F);
 }
 
 TEST(RobotShapes, InnerRadiusIsZeroWhenTheBodyLiesBesideItsAxle) {
@@ -267,7 +267,7 @@ TEST(RobotShapes, InnerRadiusIsZeroWhenTheBodyLiesBesideItsAxle) {
   const Vec2 ahead[] = {{0.5F, -0.2F}, {1, -0.2F}, {1, 0.2F}, {0.5F, 0.2F}};
   robot.set_body(0, {ahead, 4});
   EXPECT_EQ(first_bad_of_robot(robot), Argument::none);
-  EXPECT_EQ(inner_radius(robot), 0.0F);
+  EXPECT_EQ(inner_radius(robot.body(0), {}), 0.0F);
 }
 
 }  // namespace

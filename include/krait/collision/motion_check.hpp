@@ -91,9 +91,6 @@ class MotionCheck {
     }
   }
 
-  static Vec2 turned(SinCos heading, Vec2 p) {
-    return {heading.cos * p.x - heading.sin * p.y, heading.sin * p.x + heading.cos * p.y};
-  }
   Vec2 center(const Placement& placement, int k) const {
     return placement.poses[k].position + turned(placement.poses[k].heading, circles_[k].center);
   }

@@ -26,6 +26,10 @@ class Regions {
   // then Dijkstra. False when no triangle belongs to the goal.
   bool reset(const Goal& goal, float least_width, float least_cost);
 
+  // Whether a disc could get from triangle `from` to within `reach` metres of the goal through portals of at least
+  // `least_width`. Uses the tables as scratch: reset must follow. O(R).
+  bool connected(Index from, const Goal& goal, float reach, float least_width);
+
   // Dijkstra from the goal over the costs as they are: h and the shortest-path tree. O(R log R).
   void update();
 

@@ -46,7 +46,7 @@ struct Steering {
 //                                that a step of target.dt keeps the state inside its own
 //   within_limits(s)             speeds, steering and hitch angles are valid
 //   body(k)                      convex polygon of 3 to 8 vertices, counter-clockwise, in body k's frame, metres
-//   place(s, poses)              writes the frame of every body
+//   place(s, poses)              writes the frame of every body; body 0's origin is the position
 //   travel(s, u, dt, k)          at least the path length, metres, of every point of body k while u is held
 //                                for dt from s: what proves that nothing is jumped over between two states
 template <class R>

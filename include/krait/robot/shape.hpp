@@ -10,8 +10,11 @@ namespace krait {
 // 3 to 8 finite vertices, strictly convex, counter-clockwise, no side shorter than 0.1 mm, within 100 m.
 bool usable_body(Polygon body);
 
-// Radius of the largest disc around the body's origin that lies in the body; 0 when the origin is outside.
-float inner_radius(Polygon body);
+// Radius of the largest disc around `center` that lies in the body; 0 when the centre is outside.
+float inner_radius(Polygon body, Vec2 center);
+
+// The middle of a body's vertices: the best centre for a disc in a box.
+Vec2 middle(Polygon body);
 
 // Argument::none, or what makes the robot unusable.
 template <Robot R>
@@ -38,12 +41,6 @@ float robot_length(const R& robot) {
     if (body[i].x > high) high = body[i].x;
   }
   return high - low;
-}
-
-// No robot's position can come closer to an obstacle than this without body 0 touching it, metres.
-template <Robot R>
-float inner_radius(const R& robot) {
-  return inner_radius(robot.body(0));
 }
 
 }  // namespace krait

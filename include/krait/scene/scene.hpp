@@ -27,6 +27,17 @@ struct Polygon {
   Vec2 operator[](int i) const { return vertices[i]; }
 };
 
+// The smallest box around a polygon's vertices.
+inline Box bounding_box(Polygon polygon) {
+  Box box{polygon[0], polygon[0]};
+  for (int i = 1; i < polygon.count; ++i) {
+    const Vec2 p = polygon[i];
+    box.min = {p.x < box.min.x ? p.x : box.min.x, p.y < box.min.y ? p.y : box.min.y};
+    box.max = {p.x > box.max.x ? p.x : box.max.x, p.y > box.max.y ? p.y : box.max.y};
+  }
+  return box;
+}
+
 // Integers of the file's index width.
 class IndexArray {
  public:

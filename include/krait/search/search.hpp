@@ -125,13 +125,13 @@ class Search {
     if (status() != Status::searching) return status();
     const float tenth = 0.1F * goal_.size(*scene_);
     goal_depth_ = parameters_.goal_margin < tenth ? parameters_.goal_margin : tenth;
-    // The position keeps the disc's radius and the clearance to obstacles, if it lies inside the body at all.
-    const float inner = inner_radius(*robot_);
-    const bool prune = parameters_.prune_portals && inner > 0.0F;
-    const float least_width = prune ? 2.0F * (inner + parameters_.clearance) : 0.0F;
-    if (!regions_.reset(goal_, least_width, kLeastCost * robot_length_)) return finish(Status::goal_in_obstacle);
+    const bool fits = !parameters_.prune_portals || body_fits_through(query.start);
+    if (!regions_.reset(goal_, least_portal_width(), kLeastCost * robot_length_)) {
+      return finish(Status::goal_in_obstacle);
+    }
     ++statistics_.dijkstra_runs;
-    return plant(query.start);
+    const Status planted = plant(query.start);
+    return planted == Status::searching && !fits ? finish(Status::no_route) : planted;
   }
 
   // Algorithm 2, lines 4 to 15: from vertex v toward the target. `added(vertex)` hears of every new vertex.
@@ -223,7 +223,8 @@ class Search {
   float robot_length_ = 1.0F;
 
  private:
-  static constexpr float kLeastCost = 0.05F;  // of an edge, in robot lengths: keeps h + C above h
+  static constexpr float kReachRounding = 1e-2F;  // metres
+  static constexpr float kLeastCost = 0.05F;      // of an edge, in robot lengths: keeps h + C above h
   static constexpr std::uint32_t kMostVertices = 1U << 28U;
 
   static Failure bad_argument(Argument argument) {
@@ -276,6 +277,26 @@ class Search {
     if (regions_.cost(tree_.region(root)) == kInfinity) return finish(Status::no_route);
     if (goal_.contains(*scene_, at, 0.0F)) return finish_solved(root);
     return finish(Status::searching);
+  }
+
+  // No obstacle comes nearer to the position than the disc around it that lies in body 0, if there is one.
+  float least_portal_width() const {
+    const float inner = inner_radius(robot_->body(0), {});
+    return parameters_.prune_portals && inner > 0.0F ? 2.0F * (inner + parameters_.clearance) : 0.0F;
+  }
+
+  // The disc in body 0 goes where the body goes: where it finds no way from the start to so near the goal that the
+  // position could be inside, there is none. False then.
+  bool body_fits_through(const float* start) {
+    const Polygon body = robot_->body(0);
+    const Vec2 center = middle(body);
+    Pose poses[R::kMaxBodies];
+    robot_->place(StateView(start, robot_->state_size()), poses);
+    const Vec2 at = poses[0].position + turned(poses[0].heading, center);
+    const Index triangle = locate(*scene_, at);
+    if (triangle == kNone) return true;
+    const float width = 2.0F * (inner_radius(body, center) + parameters_.clearance);
+    return regions_.connected(triangle, goal_, length(center) + kReachRounding, width);
   }
 
   // CONTROLLER, MOTION and COLLISION (lines 5 and 6). False when the step is not free or leaves the robot's limits.

@@ -216,6 +216,26 @@ TEST_F(CliPlan, ARobotWiderThanEveryDoorHasNoRouteAtOnce) {
   EXPECT_EQ(plan.at("statistics").at("iterations"), 0);
 }
 
+// Its rear axle alone would fit through the door: there are 0.7 m of body behind it.
+TEST_F(CliPlan, ACarWiderThanTheDoorHasNoRouteAtOnce) {
+  write("door.json", R"({"name": "door", "bounds": {"min": [0, 0], "max": [30, 20]},
+    "obstacles": [{"box": {"center": [15, 4.5], "size": [1, 9]}}, {"box": {"center": [15, 15.5], "size": [1, 9]}}],
+    "goals": [{"name": "far", "box": {"center": [25, 10], "size": [2, 2]}}],
+    "starts": [{"name": "near", "position": [5, 10], "heading": 0}]})");
+  expect_done({"compile", "door.json", "-o", "door.krait"});
+  const auto car = [&](const char* width) {
+    write("wide.json",
+          std::string(R"({"model": "car", "parameters": {"body_length": 4, "wheelbase": 2.6, "body_width": )") + width +
+              "}}");
+    krait({"plan", "door.krait", "--robot", "wide.json", "-o", "plan.json"});
+    return ordered_json::parse(read_text(path("plan.json")));
+  };
+  EXPECT_EQ(car("1.2").at("status"), "solved");
+  const ordered_json plan = car("2.2");
+  expect_no_plan(plan, "no_route");
+  EXPECT_EQ(plan.at("statistics").at("iterations"), 0);
+}
+
 TEST_F(CliPlan, EndsWithTheBudget) {
   const ordered_json plan = this->plan({"--robot", "snake:15", "--iterations", "1"}, 1);
   expect_no_plan(plan, "budget_used");
