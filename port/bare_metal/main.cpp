@@ -1,0 +1,76 @@
+#include "bare_metal/main.hpp"
+
+#include "bare_metal/console.hpp"
+#include "bare_metal/memory.hpp"
+#include "firmware/application.hpp"
+
+namespace krait::bare_metal {
+namespace {
+
+constexpr std::size_t kMaxLine = 256;  // characters of a command line
+constexpr int kMaxWords = 24;
+
+std::uint64_t clock(void*) { return nanoseconds(ticks()); }
+void log(void*, const char* text) { console_write(text); }
+void fault(void*, const char* what) { report_fault(what, nullptr, 0); }
+
+// Cuts the line at its spaces, in place. Gives the number of words, at most kMaxWords.
+int split(char* line, const char** words) {
+  int count = 0;
+  bool in_word = false;
+  for (char* c = line; *c != '\0'; ++c) {
+    if (*c == ' ') {
+      *c = '\0';
+      in_word = false;
+    } else if (!in_word && count < kMaxWords) {
+      words[count++] = c;
+      in_word = true;
+    }
+  }
+  return count;
+}
+
+void log_hexadecimal(std::uintptr_t value) {
+  constexpr unsigned kDigits = 2 * sizeof value;
+  char text[kDigits + 1];
+  for (unsigned i = 0; i < kDigits; ++i) text[i] = "0123456789abcdef"[(value >> (4 * (kDigits - 1 - i))) & 15U];
+  text[kDigits] = '\0';
+  console_write(text);
+}
+
+int run_application() {
+  static char line[kMaxLine];
+  static const char* words[kMaxWords];
+  static firmware::Board board;
+  board.name = KRAIT_BOARD;
+  board.port = {nullptr, clock, log, fault};
+  describe_memory(board);
+  console_command_line(line, sizeof line);
+  const int count = split(line, words);
+  return count == 0 ? firmware::run(board, 0, words) : firmware::run(board, count - 1, words + 1);
+}
+
+}  // namespace
+
+void report_fault(const char* what, const NamedWord* words, int count) {
+  console_write("krait: fault: ");
+  console_write(what);
+  for (int i = 0; i < count; ++i) {
+    console_write(" ");
+    console_write(words[i].name);
+    console_write("=0x");
+    log_hexadecimal(words[i].value);
+  }
+  console_write("\n");
+  console_end(firmware::kOwnBug);
+}
+
+}  // namespace krait::bare_metal
+
+void krait_main() {
+  using namespace krait::bare_metal;
+  prepare_memory();
+  paint_stack();
+  start_ticks();
+  console_end(run_application());
+}

@@ -1,0 +1,5 @@
+// The scene, linked into the program: KRAIT_SCENE names the file.
+__asm(
+    "  .section .scene, \"a\"\n"
+    "  .balign 4\n"
+    "  .incbin \"" KRAIT_SCENE "\"\n");

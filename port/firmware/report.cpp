@@ -1,0 +1,131 @@
+#include "firmware/report.hpp"
+
+#include "firmware/line.hpp"
+
+namespace krait::firmware {
+namespace {
+
+void say(const Board& board, const char* text) { board.port.log(board.port.context, text); }
+
+// Why a request is refused.
+void put_reason(Line& line, const Board& board, const Failure& failure) {
+  line.put(name(failure.status));
+  switch (failure.status) {
+    case Status::arena_too_small:
+      line.put(": the planner's block must have ").put(failure.bytes_needed);
+      line.put(" bytes; this machine has room for ").put(std::uint64_t{board.arena_room});
+      break;
+    case Status::bad_scene:
+      line.put(": section ").put(std::uint64_t{failure.section});
+      line.put(", element ").put(std::uint64_t{failure.element});
+      line.put(": not a whole scene file of this version (compile it again)");
+      break;
+    case Status::bad_argument:
+    case Status::bad_robot:
+      line.put(": ").put(name(static_cast<Argument>(failure.element)));
+      break;
+    default:
+      break;
+  }
+}
+
+void add_failure(JsonLine& line, const Failure& failure) {
+  switch (failure.status) {
+    case Status::arena_too_small:
+      line.add("bytes_needed", failure.bytes_needed);
+      break;
+    case Status::bad_scene:
+      line.add("section", std::uint64_t{failure.section}).add("element", std::uint64_t{failure.element});
+      break;
+    case Status::bad_argument:
+    case Status::bad_robot:
+      line.add("argument", name(static_cast<Argument>(failure.element)));
+      break;
+    default:
+      break;
+  }
+}
+
+void add_statistics(JsonLine& line, const Report& report) {
+  const Statistics& s = report.statistics;
+  line.add_seconds("time_s", report.nanoseconds)
+      .add("iterations", s.iterations)
+      .add("vertices", s.vertices)
+      .add("collision_checks", s.collision_checks)
+      .add("dijkstra_runs", s.dijkstra_runs)
+      .add("regions_repaired", s.regions_repaired)
+      .add("bytes_used", s.bytes_used)
+      .add("bytes_given", s.bytes_given)
+      .add("plan_steps", std::uint64_t{s.plan_steps})
+      .add_decimal("plan_length_m", s.plan_length)
+      .add_decimal("plan_duration_s", s.plan_duration)
+      .add_hash("hash", s.hash);
+}
+
+// A number that the machine may not have.
+void add_known(JsonLine& line, const char* name, bool known, std::uint64_t number) {
+  if (known) {
+    line.add(name, number);
+  } else {
+    line.add_null(name);
+  }
+}
+
+void add_machine(JsonLine& line, const Board& board, const Request& request, const Report& report) {
+  const bool counts = request.clock_counts_instructions;
+  add_known(line, "instructions", counts, report.nanoseconds);
+  add_known(line, "instructions_setup", counts, report.setup);
+  add_known(line, "instructions_worst_expansion", counts, report.slowest);
+  add_known(line, "stack_bytes", board.stack_bytes != nullptr, board.stack_bytes != nullptr ? board.stack_bytes() : 0);
+  add_known(line, "flash_bytes", board.flash_bytes > 0, board.flash_bytes);
+  add_known(line, "ram_bytes", board.ram_bytes > 0, board.ram_bytes + report.statistics.bytes_given);
+}
+
+}  // namespace
+
+int exit_code(Status status) {
+  switch (status) {
+    case Status::solved:
+      return kDone;
+    case Status::no_route:
+    case Status::budget_used:
+    case Status::tree_full:
+    case Status::time_used:
+      return kHonestNo;
+    case Status::searching:
+    case Status::internal:
+      return kOwnBug;
+    default:
+      return kBadInput;
+  }
+}
+
+int write(const Board& board, const Request& request, const Report& report) {
+  const int code = exit_code(report.failure.status);
+  if (code >= kBadInput) {
+    static Line reason;  // too large for a small stack; written once
+    put_reason(reason.put("krait: "), board, report.failure);
+    say(board, reason.end());
+  }
+  static JsonLine line;  // likewise
+  line.add("machine", board.name)
+      .add("status", name(report.failure.status))
+      .add("scene", report.scene)
+      .add("robot", request.robot)
+      .add("seed", request.seed);
+  add_failure(line, report.failure);
+  add_statistics(line, report);
+  add_machine(line, board, request, report);
+  say(board, line.end());
+  if (code == kOwnBug) board.port.fault(board.port.context, "the planner contradicted itself");
+  return code;
+}
+
+int refuse(const Board& board, const char* complaint) {
+  say(board, "krait: ");
+  say(board, complaint);
+  say(board, "\n");
+  return kBadInput;
+}
+
+}  // namespace krait::firmware

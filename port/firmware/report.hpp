@@ -1,0 +1,36 @@
+// The firmware's answer: one line of JSON, and the exit code.
+#pragma once
+
+#include <cstdint>
+
+#include "firmware/board.hpp"
+#include "firmware/request.hpp"
+#include "krait/search/statistics.hpp"
+#include "krait/status.hpp"
+
+namespace krait::firmware {
+
+// The exit codes of the program krait.
+inline constexpr int kDone = 0;
+inline constexpr int kHonestNo = 1;
+inline constexpr int kBadInput = 2;
+inline constexpr int kOwnBug = 3;
+
+int exit_code(Status status);
+
+struct Report {
+  Failure failure;
+  const char* scene = "";         // its name
+  Statistics statistics;          // of the search
+  std::uint64_t nanoseconds = 0;  // from opening the scene to the plan
+  std::uint64_t setup = 0;        // nanoseconds of those before the first expansion
+  std::uint64_t slowest = 0;      // nanoseconds of the longest expansion
+};
+
+// Says in one line why a request is refused, if it is, then writes the line of JSON. Gives the exit code.
+int write(const Board& board, const Request& request, const Report& report);
+
+// Says what is wrong with the command line. Gives the exit code.
+int refuse(const Board& board, const char* complaint);
+
+}  // namespace krait::firmware
