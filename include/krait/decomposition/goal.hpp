@@ -26,7 +26,8 @@ class Goal {
   // Whether a triangle belongs to the goal: by its label, or by meeting the disc.
   bool covers(const Scene& scene, Index triangle) const;
 
-  // False only when every point of the triangle is further than `reach` metres from the goal. O(vertices of the polygon).
+  // False only when every point of the triangle is further than `reach` metres from the goal. O(vertices of the
+  // polygon).
   bool may_reach(const Scene& scene, Index triangle, float reach) const;
 
   // Square root of the area, metres.
