@@ -20,6 +20,16 @@ TYPED_TEST(PlannerMemory, BlockOfExactlyTheBytesRequiredSolves) {
   EXPECT_LE(statistics.bytes_used, needed);
 }
 
+TYPED_TEST(PlannerMemory, PoolsAddUpToTheBytesUsed) {
+  Bench<Unicycle, TypeParam> bench(two_rooms(), small_unicycle());
+  const auto needed = bench.planner.bytes_required(bench.open.scene, bench.robot, bench.limits);
+  ASSERT_TRUE(bench.init(needed).ok());
+  std::uint64_t sum = 0;
+  for (std::size_t pool = 0; pool < kPoolCount; ++pool) sum += bench.planner.arena().needed(static_cast<Pool>(pool));
+  EXPECT_EQ(sum, needed);
+  EXPECT_GE(bench.planner.arena().needed(Pool::states), bench.limits.vertices * 3 * sizeof(float));
+}
+
 TYPED_TEST(PlannerMemory, OneByteLessIsTooSmallAndSaysHowManyAreNeeded) {
   Bench<Unicycle, TypeParam> bench(two_rooms(), small_unicycle());
   const auto needed = bench.planner.bytes_required(bench.open.scene, bench.robot, bench.limits);

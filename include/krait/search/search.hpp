@@ -64,8 +64,8 @@ class Search {
     if (bytes < needed) return failure_ = {Status::arena_too_small, 0, 0, needed};
     const bool usable = block != nullptr && reinterpret_cast<std::uintptr_t>(block) % Arena::kAlignment == 0;
     if (!usable) return failure_ = bad_argument(Argument::block);
-    Arena arena(block, bytes);
-    take_pools(arena);
+    arena_ = Arena(block, bytes);
+    take_pools(arena_);
     statistics_ = {};
     statistics_.bytes_given = bytes;
     statistics_.bytes_used = needed;
@@ -74,6 +74,9 @@ class Search {
     return {};
   }
 
+  // What init cut the block into: Arena::needed(Pool) bytes a pool. Of the pools that grow with the tree,
+  // statistics().vertices of limits.vertices shares are in use.
+  const Arena& arena() const { return arena_; }
   const MotionTree& tree() const { return tree_; }
   const Regions& regions() const { return regions_; }
   Status status() const { return failure_.status; }
@@ -212,6 +215,7 @@ class Search {
   const Scene* scene_ = nullptr;
   Parameters parameters_;
   Limits limits_;
+  Arena arena_;
   Failure failure_ = bad_argument(Argument::block);  // until init has one
   Statistics statistics_;
   Regions regions_;
