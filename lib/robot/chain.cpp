@@ -110,8 +110,7 @@ bool Chain::within_limits(StateView s) const {
 }
 
 // Speed and steering are linear in time. A hitch angle that goes from a to b in dt at a rate of at most D reaches at
-// most
-// (|a| + |b| + D dt) / 2. The car turns at most at v |psi| / L, the first trailer at v / d; for all others
+// most (|a| + |b| + D dt) / 2. The car turns at most at v |psi| / L, the first trailer at v / d; for all others
 // |theta(i-1)' - theta(i)'| is at most (v / d) (|sin| + |cos|) of the hitch angle before, so at most sqrt(2) v / d.
 bool Chain::keeps_limits(StateView s, ControlView u, float dt, StateView next) const {
   const ChainParameters& p = parameters_;
