@@ -1,5 +1,7 @@
 #include "krait/math.hpp"
 
+#include "krait/lanes.hpp"
+
 namespace krait {
 namespace {
 
@@ -16,7 +18,53 @@ float atan_unit(float x) {
   return offset + p;
 }
 
+#ifdef KRAIT_LANES
+struct SinCosLanes {
+  Lanes sin;
+  Lanes cos;
+};
+
+// The scalar sin_cos, operation by operation.
+SinCosLanes sin_cos(Lanes x) {
+  const IntLanes inside = (x >= all_lanes(-kMaxAngle)) & (x <= all_lanes(kMaxAngle));
+  const Lanes zero = all_lanes(0.0F);
+  x = inside ? x : zero;
+  const Lanes turns = x * all_lanes(0.636619772367581F);
+  const Lanes half = turns >= zero ? all_lanes(0.5F) : all_lanes(-0.5F);
+  const auto quadrant = __builtin_convertvector(turns + half, IntLanes);
+  const auto n = __builtin_convertvector(quadrant, Lanes);
+  const Lanes r = ((x - n * 1.5703125F) - n * 4.837512969970703125e-4F) - n * 7.54978995489188216e-8F;
+  const Lanes z = r * r;
+  const Lanes s = ((-1.9515295891e-4F * z + 8.3321608736e-3F) * z - 1.6666654611e-1F) * z * r + r;
+  const Lanes c =
+      ((2.443315711809948e-5F * z - 1.388731625493765e-3F) * z + 4.166664568298827e-2F) * z * z - 0.5F * z + 1.0F;
+  const IntLanes swap = (quadrant & 1) != 0;
+  const Lanes sine = swap ? c : s;
+  const Lanes cosine = swap ? s : c;
+  const Lanes nan = all_lanes(std::numeric_limits<float>::quiet_NaN());
+  const Lanes signed_sine = (quadrant & 2) != 0 ? -sine : sine;
+  const Lanes signed_cosine = ((quadrant + 1) & 2) != 0 ? -cosine : cosine;
+  return {inside ? signed_sine : nan, inside ? signed_cosine : nan};
+}
+#endif
+
 }  // namespace
+
+void sin_cos(const float* angles, int count, float* sines, float* cosines) {
+  int i = 0;
+#ifdef KRAIT_LANES
+  for (; i + kLanes <= count; i += kLanes) {
+    const SinCosLanes result = sin_cos(load_lanes(angles + i));
+    store(result.sin, sines + i);
+    store(result.cos, cosines + i);
+  }
+#endif
+  for (; i < count; ++i) {
+    const SinCos result = sin_cos(angles[i]);
+    sines[i] = result.sin;
+    cosines[i] = result.cos;
+  }
+}
 
 float atan2(float y, float x) {
   const float ax = x < 0.0F ? -x : x;

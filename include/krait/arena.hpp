@@ -8,7 +8,7 @@
 namespace krait {
 
 // What a pool holds; the planner reports the high-water mark of each.
-enum class Pool : std::uint8_t { regions, portals, groups, vertices, states, controls, members, nearest, count };
+enum class Pool : std::uint8_t { regions, portals, groups, vertices, states, expansions, members, nearest, count };
 inline constexpr std::size_t kPoolCount = static_cast<std::size_t>(Pool::count);
 
 const char* name(Pool pool);
@@ -35,6 +35,7 @@ class Arena {
   std::uint64_t needed() const { return needed_; }
   std::uint64_t needed(Pool pool) const { return by_pool_[static_cast<std::size_t>(pool)]; }
   bool fits() const { return needed_ <= bytes_; }
+  std::uint64_t bytes() const { return bytes_; }
 
  private:
   void* take_bytes(Pool pool, std::uint64_t bytes);

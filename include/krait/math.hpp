@@ -67,6 +67,21 @@ inline SinCos sin_cos(float x) {
   return {(quadrant & 2) != 0 ? -sine : sine, ((quadrant + 1) & 2) != 0 ? -cosine : cosine};
 }
 
+inline constexpr float kSmallAngle = 0.5F;
+
+// Sine and cosine of a small angle, error below 1.1e-7 for |x| <= kSmallAngle: the first terms of their series.
+inline SinCos small_sin_cos(float x) {
+  const float z = x * x;
+  const float sine = x + x * (z * (-1.0F / 6.0F + z * (1.0F / 120.0F - z * (1.0F / 5040.0F))));
+  return {sine, 1.0F + z * (-0.5F + z * (1.0F / 24.0F - z * (1.0F / 720.0F)))};
+}
+
+// Sine and cosine of the sum of two angles.
+inline SinCos operator+(SinCos a, SinCos b) { return {a.sin * b.cos + a.cos * b.sin, a.cos * b.cos - a.sin * b.sin}; }
+
+// Sine and cosine of `count` angles: sin_cos of each, bit for bit, several at a time where the processor can.
+void sin_cos(const float* angles, int count, float* sines, float* cosines);
+
 // Angle of the vector (x, y) in [-pi, pi], error below 4e-7; 0 for the zero vector.
 float atan2(float y, float x);
 

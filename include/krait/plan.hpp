@@ -1,52 +1,152 @@
-// A solved plan: read by a cursor in O(1) memory, or copied.
+// A solved plan: driven again from the start by a cursor in O(1) memory, or copied.
 #pragma once
 
 #include <cstdint>
 
+#include "krait/motion/drive.hpp"
 #include "krait/search/motion_tree.hpp"
 
 namespace krait {
 
-// The states and controls s0 u0 s1 u1 … sL of a plan, in the planner's memory: valid until its next start.
+// Folds floats into an FNV-1a 64 hash, each as 4 little-endian bytes.
+class Fnv {
+ public:
+  void add(const float* values, int count);
+  std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 0xCBF29CE484222325ULL;
+};
+
+// Walks along a plan: s0 u0 s1 u1 … sL. Its memory is its own.
+template <Robot R>
+class PlanCursor {
+ public:
+  PlanCursor(const R& robot, const MotionTree& tree, Index first, const float* start, float dt)
+      : robot_(&robot), tree_(&tree), expansion_(first), dt_(dt) {
+    drive_.begin(robot, start);
+    enter();
+  }
+
+  int state_size() const { return robot_->state_size(); }
+  int control_size() const { return robot_->control_size(); }
+
+  // Whether this is the last state.
+  bool done() const { return expansion_ == kNone; }
+  // state_size() floats.
+  const float* state() const { return drive_.state(); }
+  // control_size() floats, held for dt from this state on; not when done.
+  const float* control() const { return drive_.control(); }
+
+  // On to the next state; not when done. Work: one control and one RK4 step.
+  void advance() {
+    drive_.go();
+    if (++step_ == tree_->steps(expansion_)) {
+      expansion_ = tree_->next_of_path(expansion_);
+      enter();
+    } else {
+      step();
+    }
+  }
+
+ private:
+  void enter() {
+    step_ = 0;
+    if (expansion_ == kNone) return;
+    Target target = tree_->target(expansion_);
+    target.dt = dt_;
+    drive_.aim(target);
+    step();
+  }
+
+  void step() {
+    Pose poses[R::kMaxBodies];
+    robot_->place(StateView(drive_.state(), state_size()), poses);
+    drive_.step(poses);
+  }
+
+  const R* robot_;
+  const MotionTree* tree_;
+  Index expansion_;
+  std::uint32_t step_ = 0;
+  float dt_;
+  Drive<R> drive_;
+};
+
+struct PlanMeasures {
+  std::uint32_t steps = 0;
+  float length = 0.0F;     // metres, of the line through the positions
+  std::uint64_t hash = 0;  // FNV-1a 64 over s0, u0, s1, u1, …, sL
+};
+
+// Of the rest of a plan; the cursor goes to its end.
+template <Robot R>
+PlanMeasures measure(PlanCursor<R>& at) {
+  PlanMeasures measures;
+  Fnv hash;
+  for (; !at.done(); ++measures.steps) {
+    hash.add(at.state(), at.state_size());
+    hash.add(at.control(), at.control_size());
+    const Vec2 before{at.state()[0], at.state()[1]};
+    at.advance();
+    measures.length += length(Vec2{at.state()[0], at.state()[1]} - before);
+  }
+  hash.add(at.state(), at.state_size());
+  measures.hash = hash.value();
+  return measures;
+}
+
+// What a search found, in the planner's memory: valid until its next start.
+template <Robot R>
 class Plan {
  public:
   Plan() = default;
-  // `vertices`: the tree's, root first; `states` of them.
-  Plan(const MotionTree& tree, const Index* vertices, std::uint32_t states, float dt, int state_size, int control_size)
-      : tree_(&tree),
-        vertices_(vertices),
-        states_(states),
-        dt_(dt),
-        state_size_(state_size),
-        control_size_(control_size) {}
+  // `start` is robot.state_size() floats; `first` the path's first expansion in the tree, kNone for a plan of one
+  // state.
+  Plan(const R& robot, const MotionTree& tree, Index first, const float* start, float dt)
+      : robot_(&robot), tree_(&tree), first_(first), start_(start), dt_(dt) {
+    for (Index e = first; e != kNone; e = tree.next_of_path(e)) steps_ += tree.steps(e);
+  }
 
-  bool empty() const { return states_ == 0; }
-  std::uint32_t steps() const { return states_ == 0 ? 0 : states_ - 1; }
-  int state_size() const { return state_size_; }
-  int control_size() const { return control_size_; }
+  bool empty() const { return start_ == nullptr; }
+  std::uint32_t steps() const { return steps_; }
+  int state_size() const { return empty() ? 0 : robot_->state_size(); }
+  int control_size() const { return empty() ? 0 : robot_->control_size(); }
+  float dt() const { return dt_; }                                     // seconds
+  float duration() const { return dt_ * static_cast<float>(steps_); }  // seconds
 
-  // state_size() floats, i <= steps(); control_size() floats held from state i to i + 1, i < steps().
-  const float* state(std::uint32_t i) const { return tree_->state(vertices_[i]); }
-  const float* control(std::uint32_t i) const { return tree_->control(vertices_[i + 1]); }
-  Index vertex(std::uint32_t i) const { return vertices_[i]; }
+  // From the first state; not of an empty plan.
+  PlanCursor<R> cursor() const { return {*robot_, *tree_, first_, start_, dt_}; }
 
-  float dt() const { return dt_; }                                      // seconds
-  float duration() const { return dt_ * static_cast<float>(steps()); }  // seconds
-  float length() const;                                                 // metres, of the line through the positions
+  // Metres, of the line through the positions; 0 for no plan. O(steps).
+  float length() const { return empty() ? 0.0F : measures().length; }
 
-  // FNV-1a 64 over s0, u0, s1, u1, …, sL, each float as 4 little-endian bytes; 0 for no plan.
-  std::uint64_t hash() const;
+  // FNV-1a 64 over s0, u0, s1, u1, …, sL; 0 for no plan. O(steps).
+  std::uint64_t hash() const { return empty() ? 0 : measures().hash; }
 
-  // (steps() + 1) * state_size() and steps() * control_size() floats into the caller's arrays.
-  void copy(float* states, float* controls) const;
+  // (steps() + 1) * state_size() and steps() * control_size() floats into the caller's arrays. O(steps).
+  void copy(float* states, float* controls) const {
+    if (empty()) return;
+    PlanCursor<R> at = cursor();
+    for (; !at.done(); at.advance()) {
+      for (int i = 0; i < state_size(); ++i) *states++ = at.state()[i];
+      for (int i = 0; i < control_size(); ++i) *controls++ = at.control()[i];
+    }
+    for (int i = 0; i < state_size(); ++i) *states++ = at.state()[i];
+  }
 
  private:
+  PlanMeasures measures() const {
+    PlanCursor<R> at = cursor();
+    return measure(at);
+  }
+
+  const R* robot_ = nullptr;
   const MotionTree* tree_ = nullptr;
-  const Index* vertices_ = nullptr;
-  std::uint32_t states_ = 0;
+  Index first_ = kNone;
+  const float* start_ = nullptr;
   float dt_ = 0.0F;
-  int state_size_ = 0;
-  int control_size_ = 0;
+  std::uint32_t steps_ = 0;
 };
 
 }  // namespace krait

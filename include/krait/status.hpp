@@ -10,7 +10,7 @@ enum class Status : std::uint8_t {
   solved,              // a plan is ready
   no_route,            // no path of regions leads from the start to the goal for a robot of this width
   budget_used,         // Limits::iterations expansions were made
-  tree_full,           // the pool of motion-tree vertices is full
+  tree_full,           // no memory for vertices or expansions, and nothing that may be recycled
   time_used,           // set by a port that watches a clock
   bad_scene,           // Failure::section and element say where
   bad_robot,           // a dimension or limit of the robot is unusable
@@ -35,10 +35,12 @@ enum class Argument : std::uint8_t {
   goal,
   iterations,
   vertices,
+  expansions,
   alpha,
   beta,
   gamma,
   kappa,
+  group_sample,
   epsilon,
   dt,
   max_steps,

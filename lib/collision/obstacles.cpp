@@ -7,12 +7,14 @@ float least(float a, float b) { return b < a ? b : a; }
 float most(float a, float b) { return b > a ? b : a; }
 float absolute(float x) { return x < 0.0F ? -x : x; }
 
-// Gap between a point and a box along one axis.
-float outside(float x, float low, float high) { return most(most(low - x, x - high), 0.0F); }
+// Gap between two intervals.
+float gap(float low_a, float high_a, float low_b, float high_b) {
+  return most(most(low_a - high_b, low_b - high_a), 0.0F);
+}
 
-float squared_distance(Vec2 p, const Box& box) {
-  const float dx = outside(p.x, box.min.x, box.max.x);
-  const float dy = outside(p.y, box.min.y, box.max.y);
+float squared_distance(const Box& a, const Box& b) {
+  const float dx = gap(a.min.x, a.max.x, b.min.x, b.max.x);
+  const float dy = gap(a.min.y, a.max.y, b.min.y, b.max.y);
   return dx * dx + dy * dy;
 }
 
@@ -33,15 +35,11 @@ Obstacles::Obstacles(const Scene& scene, float clearance) : scene_(&scene) {
   margin_ = clearance + kRounding + kPositionRounding * largest + scene.header().obstacle_error;
 }
 
-float Obstacles::room_to_bounds(const PlacedBody& body) const {
+float Obstacles::room_to_bounds(const Box& box) const {
   const Box bounds = scene_->bounds();
-  float room = kInfinity;
-  for (int i = 0; i < body.count; ++i) {
-    const Vec2 p = body.at + body.vertices[i];
-    room = least(room,
-                 least(least(p.x - bounds.min.x, bounds.max.x - p.x), least(p.y - bounds.min.y, bounds.max.y - p.y)));
-  }
-  return room - margin_;
+  const float x = least(box.min.x - bounds.min.x, bounds.max.x - box.max.x);
+  const float y = least(box.min.y - bounds.min.y, bounds.max.y - box.max.y);
+  return least(x, y) - margin_;
 }
 
 float Obstacles::distance_to_piece(const PlacedBody& body, Index piece) const {
@@ -56,21 +54,23 @@ float Obstacles::distance_to_piece(const PlacedBody& body, Index piece) const {
 }
 
 float Obstacles::room(const PlacedBody& body, float reach) const {
-  if (!finite(body.center)) return -kInfinity;
-  float room = least(room_to_bounds(body), reach);
+  Box box = bounding_box(body.polygon());
+  box = {body.at + box.min, body.at + box.max};
+  if (!(finite(box.min) && finite(box.max))) return -kInfinity;
+  float room = least(room_to_bounds(box), reach);
   if (room <= 0.0F) return room;
-  const float around = body.radius + reach + margin_;
+  const float around = reach + margin_;
   const CellGrid& grid = scene_->buckets();
-  const Cell low = grid.cell(body.center - Vec2{around, around});
-  const Cell high = grid.cell(body.center + Vec2{around, around});
+  const Cell low = grid.cell(box.min - Vec2{around, around});
+  const Cell high = grid.cell(box.max + Vec2{around, around});
   for (Cell cell = low; cell.row <= high.row; ++cell.row) {
     for (cell.column = low.column; cell.column <= high.column; ++cell.column) {
       const std::size_t bucket = grid.index(cell);
       const std::uint32_t end = scene_->bucket_pieces_begin(bucket + 1);
       for (std::uint32_t i = scene_->bucket_pieces_begin(bucket); i < end; ++i) {
         const Index piece = scene_->bucket_piece(i);
-        const Box box = scene_->piece_box(piece);
-        if (squared_distance(body.center, box) > around * around || !first_meeting(grid, box, low, cell)) continue;
+        const Box piece_box = scene_->piece_box(piece);
+        if (squared_distance(box, piece_box) > around * around || !first_meeting(grid, piece_box, low, cell)) continue;
         room = least(room, distance_to_piece(body, piece) - margin_);
         if (room <= 0.0F) return room;
       }

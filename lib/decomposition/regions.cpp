@@ -3,6 +3,8 @@
 namespace krait {
 namespace {
 
+constexpr float kExactRatio = 4194304.0F;  // 2^22: below so many times C, h + C is above h in float
+
 Vec2 random_point_in_triangle(const Scene& scene, Index triangle, Random& random) {
   float u = random.unit();
   float v = random.unit();
@@ -34,11 +36,9 @@ Vec2 random_point_in_disc(Vec2 center, float radius, Random& random) {
 void Regions::take(Arena& arena, const Scene& scene) {
   scene_ = &scene;
   h_ = arena.take<float>(Pool::regions, scene.triangle_count());
-  next_ = arena.take<Index>(Pool::regions, scene.triangle_count());
-  heap_items_ = arena.take<Index>(Pool::regions, scene.triangle_count());
-  heap_places_ = arena.take<Index>(Pool::regions, scene.triangle_count());
+  next_ = arena.take<std::uint8_t>(Pool::regions, scene.triangle_count());
   portal_costs_ = arena.take<float>(Pool::portals, scene.portal_count());
-  heap_.assign(heap_items_, heap_places_, h_, scene.triangle_count());
+  heap_.take(arena, Pool::regions, h_, scene.triangle_count());
 }
 
 bool Regions::reset(const Goal& goal, float least_width, float least_cost) {
@@ -58,6 +58,7 @@ bool Regions::reset(const Goal& goal, float least_width, float least_cost) {
   if (!found) return false;
   goal_center_ = goal.is_disc() ? goal.center() : (1.0F / total) * weighted;
   set_costs(least_width, least_cost);
+  exact_below_ = kExactRatio * least_cost;
   update();
   return true;
 }
@@ -67,11 +68,11 @@ bool Regions::connected(Index from, const Goal& goal, float reach, float least_w
   Index found = 0;
   const auto visit = [&](Index triangle) {
     h_[triangle] = 0.0F;
-    heap_items_[found++] = triangle;
+    heap_.list(found++, triangle);
   };
   visit(from);
   for (Index i = 0; i < found; ++i) {
-    const Index triangle = heap_items_[i];
+    const Index triangle = heap_.listed(i);
     if (goal.may_reach(*scene_, triangle, reach)) return true;
     for (int edge = 0; edge < 3; ++edge) {
       const Index n = scene_->neighbor(triangle, edge);
@@ -104,7 +105,7 @@ void Regions::set_costs(float least_width, float least_cost) {
 void Regions::push_sources() {
   for (Index t = 0; t < scene_->triangle_count(); ++t) {
     h_[t] = kInfinity;
-    next_[t] = kNone;
+    next_[t] = kNoEdge;
   }
   heap_.reset();
   for (Index t = 0; t < scene_->triangle_count(); ++t) {
@@ -128,33 +129,110 @@ void Regions::relax_neighbors(Index triangle, float distance) {
 void Regions::update() {
   push_sources();
   largest_ = 0.0F;
-  while (!heap_.empty()) {
-    const Index triangle = heap_.pop();
-    largest_ = h_[triangle];
-    relax_neighbors(triangle, h_[triangle]);
-  }
-  find_next();
+  settle();
 }
 
-// next(r) = argmin over the neighbours of (h + C, region): a pure function of h and C.
-void Regions::find_next() {
+// Dijkstra's loop. When a region is settled all that could come next on its path are.
+void Regions::settle() {
+  while (!heap_.empty()) {
+    const Index triangle = heap_.pop();
+    const float distance = h_[triangle];
+    if (distance > largest_) largest_ = distance;
+    next_[triangle] = find_next(triangle);
+    relax_neighbors(triangle, distance);
+  }
+}
+
+float Regions::cost_through(Index triangle, int edge) const {
+  const Index n = scene_->neighbor(triangle, edge);
+  return n == kNone ? kInfinity : h_[n] + portal_costs_[scene_->portal(triangle, edge)];
+}
+
+// The edge to argmin over the neighbours of (h + C, region): a pure function of h and C.
+std::uint8_t Regions::find_next(Index triangle) const {
+  if (h_[triangle] == 0.0F) return kNoEdge;
+  std::uint8_t best = kNoEdge;
+  float least = kInfinity;
+  Index best_region = kNone;
+  for (std::uint8_t edge = 0; edge < 3; ++edge) {
+    const float through = cost_through(triangle, edge);
+    if (through == kInfinity || through > least) continue;
+    const Index candidate = region(scene_->neighbor(triangle, edge));
+    if (through == least && candidate >= best_region) continue;
+    least = through;
+    best = edge;
+    best_region = candidate;
+  }
+  return best;
+}
+
+// A raised edge lengthens the paths that cross it: those of the raised region, whose every edge rose, and of all that
+// follow it in the shortest-path tree. They are found anew from the neighbours that do not; no other path can have
+// changed. Where h has grown so large that h + C may be h, paths depend on the order of Dijkstra's queue: then all
+// anew.
+Index Regions::repair() {
+  const Index stale = list_stale();
+  for (Index i = 0; i < stale; ++i) h_[heap_.listed(i)] = cost_beside(heap_.listed(i));
+  for (Index i = 0; i < stale; ++i) {
+    const Index triangle = heap_.listed(i);
+    next_[triangle] = kNoEdge;
+    if (h_[triangle] < kInfinity) heap_.push(triangle);
+  }
+  settle();
+  if (largest_ < exact_below_) return stale;
+  update();
+  return scene_->triangle_count();
+}
+
+// The shortest path that goes on to a region whose own is not to be found anew.
+float Regions::cost_beside(Index triangle) const {
+  float least = kInfinity;
+  for (int edge = 0; edge < 3; ++edge) {
+    const Index n = scene_->neighbor(triangle, edge);
+    if (n == kNone || (next_[n] & kListed) != 0) continue;
+    const float through = cost_through(triangle, edge);
+    if (through < least) least = through;
+  }
+  return least;
+}
+
+bool Regions::follows(Index triangle, Index ahead) const {
+  const std::uint8_t edge = next_[triangle] & kEdgeMask;
+  return edge != kNoEdge && scene_->neighbor(triangle, edge) == ahead;
+}
+
+Index Regions::list_stale() {
+  Index count = 0;
   for (Index t = 0; t < scene_->triangle_count(); ++t) {
-    if (h_[t] == 0.0F || h_[t] == kInfinity) continue;
-    float best = kInfinity;
-    for (int i = 0; i < 3; ++i) {
-      const Index n = scene_->neighbor(t, i);
-      if (n == kNone) continue;
-      const float through = h_[n] + portal_costs_[scene_->portal(t, i)];
-      const Index candidate = region(n);
-      if (through < best || (through == best && through < kInfinity && candidate < next_[t])) {
-        best = through;
-        next_[t] = candidate;
-      }
+    if ((next_[t] & kRaised) == 0) continue;
+    if (h_[t] > 0.0F) {
+      count = list_if_new(t, count);
+    } else {
+      next_[t] = kNoEdge;
+      count = list_followers(t, count);
     }
   }
+  for (Index i = 0; i < count; ++i) count = list_followers(heap_.listed(i), count);
+  return count;
+}
+
+Index Regions::list_followers(Index triangle, Index count) {
+  for (int edge = 0; edge < 3; ++edge) {
+    const Index n = scene_->neighbor(triangle, edge);
+    if (n != kNone && follows(n, triangle)) count = list_if_new(n, count);
+  }
+  return count;
+}
+
+Index Regions::list_if_new(Index triangle, Index count) {
+  if ((next_[triangle] & kListed) != 0) return count;
+  next_[triangle] |= kListed;
+  heap_.list(count, triangle);
+  return count + 1;
 }
 
 void Regions::raise_triangle_edges(Index triangle, const CostRaise& raise) {
+  next_[triangle] |= kRaised;
   for (int i = 0; i < 3; ++i) {
     const Index n = scene_->neighbor(triangle, i);
     if (n == kNone || region(n) == region(triangle)) continue;
@@ -167,7 +245,10 @@ void Regions::raise_triangle_edges(Index triangle, const CostRaise& raise) {
 }
 
 void Regions::raise_edges(Index region, const CostRaise& raise) {
-  if (region != goal_region_) return raise_triangle_edges(region, raise);
+  if (region != goal_region_) {
+    raise_triangle_edges(region, raise);
+    return;
+  }
   for (Index t = 0; t < scene_->triangle_count(); ++t) {
     if (is_goal_triangle(t)) raise_triangle_edges(t, raise);
   }

@@ -12,6 +12,8 @@ constexpr float kTurnReserve = 1.1F;                   // truck: how much wider 
 constexpr float kUnfoldRate = 2.0F;                    // truck, 1/s: how fast a hitch may close in on its bound
 constexpr float kFoldBound = 1.2F;                     // truck, radians: the hitch angle that steering keeps clear of
 
+constexpr float kHitchError = 3e-4F;  // radians: what RK4 may be off by in a step
+
 float absolute(float x) { return x < 0.0F ? -x : x; }
 
 // Largest |x| on the way from x at `rate` for dt.
@@ -20,6 +22,15 @@ float largest(float x, float rate, float dt) {
   const float after = absolute(x + rate * dt);
   return before > after ? before : after;
 }
+
+// At most the cosine of x, from 0 to pi; 0 from where it could be negative.
+float least_cosine(float x) {
+  const float z = x * x;
+  const float cosine = 1.0F - z * (0.5F - z * (1.0F / 24.0F - z * (1.0F / 720.0F)));
+  return x < 1.57F && cosine > 0.0F ? cosine : 0.0F;
+}
+
+SinCos sin_cos_of(float change) { return absolute(change) <= kSmallAngle ? small_sin_cos(change) : sin_cos(change); }
 
 bool positive(float x) { return x > 0.0F && finite(x); }
 
@@ -37,7 +48,6 @@ void Chain::set_body(int k, Polygon polygon) {
   Body& body = bodies_[k];
   body.count = polygon.count <= format::kMaxPieceVertices ? polygon.count : 0;
   for (int i = 0; i < body.count; ++i) body.vertices[i] = polygon[i];
-  farthest_[k] = krait::farthest(body.vertices, body.count);
 }
 
 bool Chain::sound() const {
@@ -103,47 +113,203 @@ bool Chain::within_limits(StateView s) const {
   if (!(s[4] >= -p.max_steering && s[4] <= p.max_steering)) return false;
   float ahead = s[2];
   for (int i = 5; i < state_size(); ++i) {
-    if (!(absolute(ahead - s[i]) <= p.max_hitch_angle && absolute(s[i]) <= kMaxAngle)) return false;
+    if (!(absolute(ahead - s[i]) <= p.max_hitch_angle)) return false;
     ahead = s[i];
   }
-  return finite(position(s)) && absolute(s[2]) <= kMaxAngle;
-}
-
-// Speed and steering are linear in time. A hitch angle that goes from a to b in dt at a rate of at most D reaches at
-// most (|a| + |b| + D dt) / 2. The car turns at most at v |psi| / L, the first trailer at v / d; for all others
-// |theta(i-1)' - theta(i)'| is at most (v / d) (|sin| + |cos|) of the hitch angle before, so at most sqrt(2) v / d.
-bool Chain::keeps_limits(StateView s, ControlView u, float dt, StateView next) const {
-  const ChainParameters& p = parameters_;
-  const float way = dt * largest(s[3], u[0], dt);
-  float change = way * (largest(s[4], u[1], dt) / p.wheelbase + 1.0F / p.hitch_length);
-  for (int i = 5; i < state_size(); ++i) {
-    const int ahead = i == 5 ? 2 : i - 1;
-    const float ends = absolute(s[ahead] - s[i]) + absolute(next[ahead] - next[i]);
-    if (!(ends + change <= 2.0F * p.max_hitch_angle)) return false;
-    change = 1.4142136F * way / p.hitch_length;
-  }
-  return true;
+  constexpr float kMaxHeading = kMaxAngle - kPi * static_cast<float>(1 + kMaxTrailers);
+  return finite(position(s)) && absolute(s[2]) <= kMaxHeading;
 }
 
 void Chain::place(StateView s, Pose* poses) const {
-  poses[0] = {position(s), sin_cos(s[2])};
-  for (int i = 1; i <= parameters_.trailers; ++i) {
-    const SinCos own = sin_cos(s[4 + i]);
+  float angles[kMaxBodies];
+  float sines[kMaxBodies];
+  float cosines[kMaxBodies];
+  const int bodies = body_count();
+  angles[0] = s[2];
+  for (int i = 1; i < bodies; ++i) angles[i] = s[4 + i];
+  sin_cos(angles, bodies, sines, cosines);
+  poses[0] = {position(s), {sines[0], cosines[0]}};
+  for (int i = 1; i < bodies; ++i) {
     const Vec2 hitch = poses[i - 1].position;
-    poses[i] = {{hitch.x - parameters_.hitch_length * own.cos, hitch.y - parameters_.hitch_length * own.sin}, own};
+    const float d = parameters_.hitch_length;
+    poses[i] = {{hitch.x - d * cosines[i], hitch.y - d * sines[i]}, {sines[i], cosines[i]}};
   }
 }
 
-// With v and psi at most |v|^ and |psi|^ during the step, the rear axle moves at most at v^, the car turns at most at
-// v^ |psi|^ / L. Every trailer turns at most at v^ / d. A truck's axles move at most at v^. A snake's axle moves with
-// v P e_i - v (1 - cos psi) e_0, where |P| <= 1 and e are unit vectors: the second term is its slip.
-float Chain::travel(StateView s, ControlView u, float dt, int k) const {
+// The state's rates, given the sines and cosines of the hitch angles: that before trailer i at i.
+void Chain::rates(StateView s, ControlView u, SinCos heading, SinCos steering, const float* sines, const float* cosines,
+                  StateRef ds) const {
+  const float v = s[3];
+  const float axle_speed = v * steering.cos;
+  ds[0] = axle_speed * heading.cos;
+  ds[1] = axle_speed * heading.sin;
+  ds[2] = v * steering.sin / parameters_.wheelbase;
+  ds[3] = u[0];
+  ds[4] = u[1];
+  float pull = (slip_ ? v : axle_speed) / parameters_.hitch_length;
+  for (int i = 1; i < body_count(); ++i) {
+    ds[4 + i] = pull * sines[i];
+    pull = pull * cosines[i];
+  }
+}
+
+void Chain::derivative(StateView s, ControlView u, StateRef ds) const {
+  float sines[kMaxBodies];
+  float cosines[kMaxBodies];
+  for (int i = 1; i < body_count(); ++i) {
+    const SinCos hitch = sin_cos((i == 1 ? s[2] : s[3 + i]) - s[4 + i]);
+    sines[i] = hitch.sin;
+    cosines[i] = hitch.cos;
+  }
+  rates(s, u, sin_cos(s[2]), sin_cos(s[4]), sines, cosines, ds);
+}
+
+Chain::Near::Near(const Chain& chain, StateView s, const Pose* poses)
+    : chain_(&chain), state_(s.data()), heading_(poses[0].heading), steering_(sin_cos(s[4])) {
+  for (int i = 1; i < chain.body_count(); ++i) {
+    const SinCos ahead = poses[i - 1].heading;
+    const SinCos own = poses[i].heading;
+    sin_[i] = ahead.sin * own.cos - ahead.cos * own.sin;
+    cos_[i] = ahead.cos * own.cos + ahead.sin * own.sin;
+  }
+}
+
+void Chain::Near::derivative(ControlView u, StateRef ds) const {
+  chain_->rates(StateView(state_, chain_->state_size()), u, heading_, steering_, sin_, cos_, ds);
+}
+
+void Chain::Near::derivative(StateView s, ControlView u, StateRef ds) const {
+  const int bodies = chain_->body_count();
+  float change[kMaxBodies];  // of the headings, then of the hitch angles
+  change[0] = s[2] - state_[2];
+  for (int i = 1; i < bodies; ++i) change[i] = s[4 + i] - state_[4 + i];
+  const SinCos heading = heading_ + sin_cos_of(change[0]);
+  const SinCos steering = steering_ + sin_cos_of(s[4] - state_[4]);
+  float most = 0.0F;
+  for (int i = bodies - 1; i > 0; --i) {
+    change[i] = change[i - 1] - change[i];  // NOLINT(clang-analyzer-core.UndefinedBinaryOperatorResult): set above
+    most = absolute(change[i]) > most ? absolute(change[i]) : most;
+  }
+  float sines[kMaxBodies];
+  float cosines[kMaxBodies];
+  const auto turn = [&](int i, SinCos by) {
+    sines[i] = sin_[i] * by.cos + cos_[i] * by.sin;
+    cosines[i] = cos_[i] * by.cos - sin_[i] * by.sin;
+  };
+  if (most <= kSmallAngle) {
+    for (int i = 1; i < bodies; ++i) turn(i, small_sin_cos(change[i]));
+  } else {
+    for (int i = 1; i < bodies; ++i) turn(i, sin_cos(change[i]));
+  }
+  chain_->rates(s, u, heading, steering, sines, cosines, ds);
+}
+
+// v and psi are linear in time, at most v^ and psi^. The car goes v^ dt and turns v^ psi^ dt / L. A truck's axles go
+// v^ dt. A snake's axle moves with v P e_i - v (1 - cos psi) e_0, where P is the product of the hitch angles' cosines
+// and e are unit vectors: the second term is its slip. Trailer i turns at (s P / d) sin phi, phi the hitch angle before
+// it. A phi that goes from a to b, its body ahead turning by at most t, has on the way at most M = (|a| + |b| + t + (v^
+// dt / d) min(1, M)) / 2, from which M; the limits hold where M does. The derivatives of these velocities, times dt^2 /
+// 8, are how much the paths bend.
+bool Chain::travel(StateView s, ControlView u, float dt, StateView next, Travel* travel) const {
   const ChainParameters& p = parameters_;
-  const float speed = largest(s[3], u[0], dt);
+  const float way = dt * largest(s[3], u[0], dt);
   const float steering = largest(s[4], u[1], dt);
-  const float slip = slip_ && k > 0 ? 0.5F * steering * steering : 0.0F;
-  const float turn = k == 0 ? steering / p.wheelbase : 1.0F / p.hitch_length;
-  return dt * speed * (1.0F + slip + farthest(k) * turn);
+  const float slip = slip_ ? 0.5F * steering * steering : 0.0F;
+  const float speeding = dt * dt * absolute(u[0]);       // |dv| dt
+  const float veering = steering * dt * absolute(u[1]);  // |d cos psi|
+  const float pulled = speeding + way * veering;         // of s
+  const float turn = way * steering / p.wheelbase;
+  const float turning = (speeding * steering + way * dt * absolute(u[1])) / p.wheelbase;
+  travel[0] = {way, turn, 0.125F * (pulled + way * turn), 0.125F * (turning + turn * turn)};
+  const float dragged = way + way * slip;
+  const float slipping = speeding * slip + way * slip * turn;
+  const float reach = way / p.hitch_length;  // how far a trailer turns that is pulled sideways
+  float folding = 0.0F;                      // |dP|
+  bool limited = true;
+  for (int i = 1; i < body_count(); ++i) {
+    const int ahead = i == 1 ? 2 : 3 + i;
+    const float turn_ahead = travel[i - 1].turn;
+    const float ends = absolute(s[ahead] - s[4 + i]) + absolute(next[ahead] - next[4 + i]) + turn_ahead;
+    float hitch = 0.5F * (ends + reach);
+    if (hitch < 1.0F) hitch = ends / (2.0F - reach);
+    limited = limited && hitch <= p.max_hitch_angle;
+    const float sine = hitch + kHitchError < 1.0F ? hitch + kHitchError : 1.0F;
+    const float own_turn = reach * sine;
+    const float twisting = ((pulled + way * folding) * sine + way * (turn_ahead + own_turn)) / p.hitch_length;
+    folding = folding + sine * (turn_ahead + own_turn);
+    const float bending = pulled + way * (folding + own_turn) + slipping;
+    travel[i] = {dragged, own_turn, 0.125F * bending, 0.125F * (twisting + own_turn * own_turn)};
+  }
+  return limited;
+}
+
+float Chain::longest_path(StateView s, ControlView u, float dt) const {
+  const float way = dt * largest(s[3], u[0], dt);
+  const float steering = largest(s[4], u[1], dt);
+  return slip_ ? way + way * 0.5F * steering * steering : way;
+}
+
+// The bounds of travel and least_separation from the largest hitch angle H at either end. M is at most H / (1 - r), r
+// how far a trailer turns that is pulled sideways; for the first hitch, with the car's turn t, (2 H + t) / (2 - r).
+QuickBound Chain::quick_bound(StateView s, ControlView u, float dt, StateView next) const {
+  const ChainParameters& p = parameters_;
+  const float way = dt * largest(s[3], u[0], dt);
+  const float steering = largest(s[4], u[1], dt);
+  const float car_turn = way * steering / p.wheelbase;
+  const float reach = way / p.hitch_length;
+  float most = 0.0F;
+  float high = s[2] + next[2];
+  float low = high;
+  float before = s[2];
+  float after = next[2];
+  for (int i = 5; i < state_size(); ++i) {
+    const float hitch_before = absolute(before - s[i]);
+    const float hitch_after = absolute(after - next[i]);
+    before = s[i];
+    after = next[i];
+    if (hitch_before > most) most = hitch_before;
+    if (hitch_after > most) most = hitch_after;
+    const float sum = before + after;
+    if (sum > high) high = sum;
+    if (sum < low) low = sum;
+  }
+  if (!(reach < 0.9F)) return {};
+  const float first = (2.0F * most + car_turn) / (2.0F - reach);
+  const float rest = most / (1.0F - reach);
+  const float hitch = (first > rest ? first : rest) + kHitchError;
+  const float trailer_turn = reach * (hitch < 1.0F ? hitch : 1.0F);
+  const float turn = car_turn > trailer_turn ? car_turn : trailer_turn;
+  return {hitch <= p.max_hitch_angle, separation(hitch, 0.5F * (high - low) + turn)};
+}
+
+// While the headings of m + 1 bodies in a row lie within S of each other, the line through their axles goes on by at
+// least d cos(S / 2) a trailer along their middle. With hitch angles of at most H, S is at most m H, and at most
+// `spread`: m cos(min(m H, spread) / 2) is concave up to m = spread / H and grows from there on.
+float Chain::separation(float hitch, float spread) const {
+  const auto gap = static_cast<float>(parameters_.self_collision_gap);
+  const float near = least_cosine(0.5F * (gap * hitch < spread ? gap * hitch : spread)) * gap;
+  const float far = least_cosine(0.5F * spread) * (gap * hitch < spread ? spread / hitch : gap);
+  return parameters_.hitch_length * (near < far ? near : far);
+}
+
+// A heading that turns by at most t from a to b stays below (a + b + t) / 2, a hitch angle as in travel.
+float Chain::least_separation(StateView s, StateView next, const Travel* travel) const {
+  float high = -kInfinity;
+  float low = kInfinity;
+  float most = 0.0F;
+  for (int i = 0; i < body_count(); ++i) {
+    const int heading = i == 0 ? 2 : 4 + i;
+    const float sum = s[heading] + next[heading];
+    const float turn = travel[i].turn;
+    high = sum + turn > high ? sum + turn : high;
+    low = sum - turn < low ? sum - turn : low;
+    if (i == 0) continue;
+    const int ahead = i == 1 ? 2 : 3 + i;
+    const float ends = absolute(s[ahead] - s[heading]) + absolute(next[ahead] - next[heading]);
+    const float hitch = 0.5F * (ends + travel[i - 1].turn + turn);
+    most = hitch > most ? hitch : most;
+  }
+  return separation(most, 0.5F * (high - low));
 }
 
 }  // namespace krait

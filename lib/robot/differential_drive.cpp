@@ -41,14 +41,21 @@ bool DifferentialDrive::within_limits(StateView s) const {
 
 // Each wheel's rim moves at most at the larger of its two speeds; the axle's middle at their mean, the body turns at
 // most at their sum over the track.
-float DifferentialDrive::travel(StateView s, ControlView u, float dt, int) const {
+bool DifferentialDrive::travel(StateView s, ControlView u, float dt, StateView, Travel* travel) const {
   float sum = 0.0F;
   for (int wheel = 0; wheel < 2; ++wheel) {
     const float before = absolute(s[3 + wheel]);
     const float after = absolute(s[3 + wheel] + u[wheel] * dt);
     sum += before > after ? before : after;
   }
-  return dt * parameters_.wheel_radius * sum * (0.5F + farthest() / parameters_.track_width);
+  const float rims = dt * parameters_.wheel_radius * sum;
+  const float path = 0.5F * rims;
+  const float turn = rims / parameters_.track_width;
+  const float speeding = dt * dt * parameters_.wheel_radius;
+  const float forward = speeding * 0.5F * absolute(u[0] + u[1]);
+  const float sideways = speeding * absolute(u[1] - u[0]) / parameters_.track_width;
+  travel[0] = {path, turn, 0.125F * (forward + path * turn), 0.125F * (sideways + turn * turn)};
+  return true;
 }
 
 }  // namespace krait

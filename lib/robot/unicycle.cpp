@@ -27,8 +27,11 @@ void Unicycle::steer(StateView s, const Target& target, Steering& steering, Cont
 
 bool Unicycle::within_limits(StateView s) const { return finite(position(s)) && absolute(s[2]) <= kMaxAngle; }
 
-float Unicycle::travel(StateView, ControlView u, float dt, int) const {
-  return dt * (absolute(u[0]) + farthest() * absolute(u[1]));
+bool Unicycle::travel(StateView, ControlView u, float dt, StateView, Travel* travel) const {
+  const float path = dt * absolute(u[0]);
+  const float turn = dt * absolute(u[1]);
+  travel[0] = {path, turn, 0.125F * path * turn, 0.125F * turn * turn};
+  return true;
 }
 
 }  // namespace krait

@@ -31,6 +31,11 @@ std::uint32_t crc32(const std::byte* bytes, std::size_t size) {
   return crc ^ 0xFFFFFFFFU;
 }
 
+// Whole metres.
+bool usable_origin(double x) {
+  return x >= -kMaxOrigin && x <= kMaxOrigin && static_cast<double>(static_cast<std::int32_t>(x)) == x;
+}
+
 bool on_grid(float x) {
   if (!(x >= -format::kMaxCoordinate && x <= format::kMaxCoordinate)) return false;
   return static_cast<float>(to_grid(x)) * format::kGrid == x;
@@ -85,22 +90,42 @@ std::uint64_t section_bytes(const Header& h, Section section) {
   return 0;
 }
 
-// The cells must reach across the extent, and not by more than one to spare.
-bool covers(float cell, std::uint32_t cells, float extent) {
-  if (!(cell >= format::kGrid && cell <= 2.0F * format::kMaxCoordinate)) return false;
-  if (cells == 0 || cells > 65536) return false;
-  const double length = static_cast<double>(cell) * cells;
-  return length >= static_cast<double>(extent) &&
-         length <= static_cast<double>(extent) + 2.0 * static_cast<double>(cell);
+// Whether x is a positive multiple of `step` grid steps.
+bool multiple(float x, std::int32_t step) {
+  if (!(x > 0.0F && x <= 2.0F * format::kMaxCoordinate)) return false;
+  const std::int32_t steps = to_grid(x);
+  return steps > 0 && steps % step == 0 && static_cast<float>(steps) * format::kGrid == x;
 }
 
+// Whether so many cells, and no fewer, reach across the extent.
+bool covers(float cell, std::uint32_t cells, float extent) {
+  if (cells == 0 || cells > format::kMaxCells) return false;
+  const std::int64_t size = to_grid(cell);
+  const std::int64_t length = to_grid(extent);
+  return size * cells >= length && size * (cells - 1) < length;
+}
+
+// Exact for any number of vertices: a sum in halves of 32 bits.
 bool positive_area(Polygon polygon) {
-  std::int64_t twice_area = 0;
+  std::int64_t high = 0;
+  std::int64_t low = 0;
   const GridPoint origin = to_grid(polygon[0]);
   for (int i = 1; i + 1 < polygon.count; ++i) {
-    twice_area += orientation(origin, to_grid(polygon[i]), to_grid(polygon[i + 1]));
+    const std::int64_t twice_area = orientation(origin, to_grid(polygon[i]), to_grid(polygon[i + 1]));
+    high += twice_area >> 32;
+    low += twice_area & 0xFFFFFFFF;
   }
-  return twice_area > 0;
+  high += low >> 32;
+  return high > 0 || (high == 0 && (low & 0xFFFFFFFF) > 0);
+}
+
+// Of a convex piece.
+std::int64_t twice_area(Polygon piece) {
+  std::int64_t sum = 0;
+  for (int i = 1; i + 1 < piece.count; ++i) {
+    sum += orientation(to_grid(piece[0]), to_grid(piece[i]), to_grid(piece[i + 1]));
+  }
+  return sum;
 }
 
 // Every vertex strictly to the left of every edge that it does not end.
@@ -113,6 +138,24 @@ bool strictly_convex(Polygon polygon) {
     }
   }
   return true;
+}
+
+// Bytes of the UTF-8 character that begins here, of `left`; 0 where there is none, or one below the space that is
+// not NUL.
+std::uint32_t character_bytes(const char* text, std::uint32_t left) {
+  const auto byte = [&](std::uint32_t i) { return static_cast<std::uint32_t>(static_cast<std::uint8_t>(text[i])); };
+  const std::uint32_t first = byte(0);
+  if (first < 0x80) return (first >= 0x20 && first != 0x7F) || first == 0 ? 1 : 0;
+  const std::uint32_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+  if (first < 0xC2 || first > 0xF4 || length > left) return 0;
+  std::uint32_t code = first & (0x7FU >> length);
+  for (std::uint32_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xC0U) != 0x80) return 0;
+    code = code << 6U | (byte(i) & 0x3FU);
+  }
+  constexpr std::uint32_t kLeast[] = {0, 0, 0x80, 0x800, 0x10000};
+  const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
+  return code >= kLeast[length] && code <= 0x10FFFF && !surrogate ? length : 0;
 }
 
 bool equal(const Box& a, const Box& b) {
@@ -149,8 +192,8 @@ bool SceneChecker::preamble(const Header& h) {
 }
 
 bool SceneChecker::geometry(const Header& h) {
-  if (!(h.origin_x >= -kMaxOrigin && h.origin_x <= kMaxOrigin)) return fail_header(offsetof(Header, origin_x));
-  if (!(h.origin_y >= -kMaxOrigin && h.origin_y <= kMaxOrigin)) return fail_header(offsetof(Header, origin_y));
+  if (!usable_origin(h.origin_x)) return fail_header(offsetof(Header, origin_x));
+  if (!usable_origin(h.origin_y)) return fail_header(offsetof(Header, origin_y));
   if (!on_grid(h.bounds_min_x) || !on_grid(h.bounds_max_x) || !(h.bounds_min_x < h.bounds_max_x)) {
     return fail_header(offsetof(Header, bounds_min_x));
   }
@@ -159,11 +202,19 @@ bool SceneChecker::geometry(const Header& h) {
   }
   const float width = h.bounds_max_x - h.bounds_min_x;
   const float height = h.bounds_max_y - h.bounds_min_y;
+  if (!multiple(h.bucket_size, 1)) return fail_header(offsetof(Header, bucket_size));
   if (!covers(h.bucket_size, h.bucket_columns, width)) return fail_header(offsetof(Header, bucket_columns));
   if (!covers(h.bucket_size, h.bucket_rows, height)) return fail_header(offsetof(Header, bucket_rows));
+  if (std::uint64_t{h.bucket_columns} * h.bucket_rows > format::kMaxCells) {
+    return fail_header(offsetof(Header, bucket_rows));
+  }
+  if (!multiple(h.clearance_cell, format::kClearanceUnits)) return fail_header(offsetof(Header, clearance_cell));
   if (!covers(h.clearance_cell, h.clearance_columns, width)) return fail_header(offsetof(Header, clearance_columns));
   if (!covers(h.clearance_cell, h.clearance_rows, height)) return fail_header(offsetof(Header, clearance_rows));
-  if (!(h.clearance_unit > 0.0F && h.clearance_unit <= format::kMaxCoordinate)) {
+  if (std::uint64_t{h.clearance_columns} * h.clearance_rows > format::kMaxCells) {
+    return fail_header(offsetof(Header, clearance_rows));
+  }
+  if (h.clearance_unit * static_cast<float>(format::kClearanceUnits) != h.clearance_cell) {
     return fail_header(offsetof(Header, clearance_unit));
   }
   if (!(h.obstacle_error >= 0.0F && h.obstacle_error <= 0.1F)) return fail_header(offsetof(Header, obstacle_error));
@@ -172,7 +223,7 @@ bool SceneChecker::geometry(const Header& h) {
 }
 
 bool SceneChecker::layout(const Header& h) {
-  const std::uint32_t limit = h.index_width == 2 ? format::kNone16 : kMaxCount;
+  const std::uint32_t limit = h.index_width == 2 ? format::kNone16 - 1U : kMaxCount;
   const struct {
     std::uint32_t value, limit, offset;
   } counts[] = {{h.vertices, limit, offsetof(Header, vertices)},
@@ -202,7 +253,7 @@ bool SceneChecker::layout(const Header& h) {
 
 bool SceneChecker::contents(const Scene& s) {
   return vertices(s) && triangles(s) && adjacency(s) && portals(s) && goals(s) && starts(s) && pieces(s) &&
-         buckets(s) && names(s);
+         buckets(s) && clearance(s) && names(s) && gaps(s);
 }
 
 bool SceneChecker::vertices(const Scene& s) {
@@ -305,43 +356,46 @@ bool SceneChecker::pieces(const Scene& s) {
     return false;
   }
   for (std::uint32_t i = 0; i < s.header_.piece_vertices; ++i) {
-    if (!on_grid(s.piece_vertices_[i])) return fail(Section::piece_vertices, i);
+    if (!on_grid(s.piece_vertices_[i]) || !s.inside_bounds(s.piece_vertices_[i])) {
+      return fail(Section::piece_vertices, i);
+    }
   }
+  // Pieces that together are larger than the workspace overlap; that they are not bounds the work of clearance().
+  const GridPoint low = to_grid(s.bounds().min);
+  const GridPoint high = to_grid(s.bounds().max);
+  std::int64_t room = 2 * std::int64_t{high.x - low.x} * (high.y - low.y);
   for (Index p = 0; p < s.header_.pieces; ++p) {
     if (!strictly_convex(s.piece(p))) return fail(Section::piece_vertices, s.piece_offsets_[p]);
+    room -= twice_area(s.piece(p));
+    if (room < 0) return fail(Section::piece_vertices, s.piece_offsets_[p]);
     if (!equal(s.piece_box(p), bounding_box(s.piece(p)))) return fail(Section::piece_boxes, p);
   }
   return true;
 }
 
-bool SceneChecker::ascending(Section section, const IndexArray& list, const std::uint32_t* offsets, std::size_t buckets,
-                             std::uint32_t limit) {
-  for (std::size_t b = 0; b < buckets; ++b) {
-    for (std::uint32_t i = offsets[b]; i < offsets[b + 1]; ++i) {
-      if (list[i] >= limit || (i > offsets[b] && list[i] <= list[i - 1])) return fail(section, i);
-    }
-  }
-  return true;
-}
-
-bool SceneChecker::buckets(const Scene& s) {
-  const Header& h = s.header_;
-  const std::uint64_t buckets = std::uint64_t{h.bucket_columns} * h.bucket_rows;
-  const auto count = static_cast<std::uint32_t>(buckets);
-  return offsets(Section::bucket_triangle_offsets, s.bucket_triangle_offsets_, count, h.bucket_triangles, 0,
-                 h.most_bucket_triangles) &&
-         ascending(Section::bucket_triangles, s.bucket_triangles_, s.bucket_triangle_offsets_, count, h.triangles) &&
-         offsets(Section::bucket_piece_offsets, s.bucket_piece_offsets_, count, h.bucket_pieces, 0,
-                 h.most_bucket_pieces) &&
-         ascending(Section::bucket_pieces, s.bucket_pieces_, s.bucket_piece_offsets_, count, h.pieces);
-}
-
 bool SceneChecker::names(const Scene& s) {
   const std::uint64_t expected = 1 + std::uint64_t{s.header_.goals} + s.header_.starts;
   std::uint64_t found = 0;
-  for (std::uint32_t i = 0; i < s.header_.names_bytes; ++i) found += s.names_[i] == '\0' ? 1U : 0U;
+  for (std::uint32_t i = 0; i < s.header_.names_bytes;) {
+    const std::uint32_t length = character_bytes(s.names_ + i, s.header_.names_bytes - i);
+    if (length == 0) return fail(Section::names, i);
+    found += s.names_[i] == '\0' ? 1U : 0U;
+    i += length;
+  }
   const bool ended = s.header_.names_bytes > 0 && s.names_[s.header_.names_bytes - 1] == '\0';
-  return (found == expected && ended) || fail(Section::names, static_cast<std::uint32_t>(found));
+  return (found == expected && ended) || fail(Section::names, s.header_.names_bytes);
+}
+
+// The bytes between sections are zero.
+bool SceneChecker::gaps(const Scene& s) {
+  const Header& h = s.header_;
+  for (std::size_t i = 0; i < format::kSectionCount; ++i) {
+    const std::uint64_t end = h.section_offsets[i] + section_bytes(h, static_cast<Section>(i));
+    for (std::uint64_t at = end; at < align4(end); ++at) {
+      if (bytes_[at] != std::byte{0}) return fail_header(static_cast<std::uint32_t>(at));
+    }
+  }
+  return true;
 }
 
 }  // namespace krait

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "krait/scene/scene.hpp"
+#include "scene/cells.hpp"
 
 namespace krait {
 
@@ -32,12 +33,34 @@ class SceneChecker {
   bool goals(const Scene& s);
   bool starts(const Scene& s);
   bool pieces(const Scene& s);
-  bool buckets(const Scene& s);
   bool names(const Scene& s);
+  bool gaps(const Scene& s);
   bool offsets(format::Section section, const std::uint32_t* offsets, std::uint32_t count, std::uint32_t total,
                std::uint32_t least, std::uint32_t most);
-  bool ascending(format::Section section, const IndexArray& list, const std::uint32_t* offsets, std::size_t buckets,
-                 std::uint32_t limit);
+
+  // The lists of triangles or pieces by bucket.
+  struct Lists {
+    format::Section section;
+    IndexArray entries;
+    const std::uint32_t* offsets;  // a bucket and one
+    std::uint32_t total;           // entries
+    std::uint32_t elements;        // triangles or pieces of the scene
+  };
+  bool buckets(const Scene& s);
+  bool bucket_triangles(const Scene& s, const CellSquares& cells);
+  bool bucket_pieces(const Scene& s, const CellSquares& cells);
+  bool ascending(const Lists& lists, std::size_t buckets);
+  bool longest(const std::uint32_t* offsets, std::size_t buckets, std::uint32_t most, std::uint32_t field);
+  // `meets(element, column, row)` tells whether a list must name the element, `count(element)` how many lists must.
+  template <class Meets, class Count>
+  bool complete(const Lists& lists, const CellSquares& cells, Meets meets, Count count);
+
+  bool clearance(const Scene& s);
+  bool clearance_steps(const Scene& s, const CellSquares& cells);
+  bool clearance_to_bounds(const Scene& s, const CellSquares& cells);
+  bool clearance_to_pieces(const Scene& s, const CellSquares& cells);
+  bool row_clear_of(const Scene& s, const CellSquares& cells, Polygon piece, std::int32_t row, const CellSpan& met,
+                    const CellSpan& columns);
 
   const std::byte* bytes_;
   std::size_t size_;

@@ -1,6 +1,7 @@
 #include "krait/scene/scene.hpp"
 
 #include <bit>
+#include <type_traits>
 
 #include "scene/checker.hpp"
 
@@ -25,7 +26,9 @@ Failure Scene::open(const void* bytes, std::size_t size, Scene& scene) {
 void Scene::view(const std::byte* bytes) {
   const auto section = [&](Section s) { return bytes + header_.section_offsets[static_cast<std::size_t>(s)]; };
   const auto indices = [&](Section s) { return IndexArray(section(s), header_.index_width == 4); };
-  const auto array = [&]<class T>(Section s, const T*& out) { out = reinterpret_cast<const T*>(section(s)); };
+  const auto array = [&](Section s, auto& out) {
+    out = reinterpret_cast<std::remove_reference_t<decltype(out)>>(section(s));
+  };
   array(Section::vertices, vertices_);
   triangle_vertices_ = indices(Section::triangle_vertices);
   triangle_neighbors_ = indices(Section::triangle_neighbors);
@@ -50,6 +53,8 @@ void Scene::view(const std::byte* bytes) {
               static_cast<std::int32_t>(header_.bucket_rows)};
   clearance_grid_ = {origin, 1.0F / header_.clearance_cell, static_cast<std::int32_t>(header_.clearance_columns),
                      static_cast<std::int32_t>(header_.clearance_rows)};
+  clearance_columns_ = static_cast<float>(header_.clearance_columns);
+  clearance_rows_ = static_cast<float>(header_.clearance_rows);
 }
 
 const char* Scene::nth_name(Index n) const {
@@ -62,8 +67,10 @@ const char* Scene::nth_name(Index n) const {
 }
 
 Index Scene::find_goal(const char* goal) const {
+  const char* name = nth_name(1);
   for (Index i = 0; i < goal_count(); ++i) {
-    if (std::strcmp(goal_name(i), goal) == 0) return i;
+    if (std::strcmp(name, goal) == 0) return i;
+    while (*name++ != '\0') continue;
   }
   return kNone;
 }

@@ -1,104 +1,129 @@
 #include "krait/search/groups.hpp"
 
 namespace krait {
-namespace {
 
-// A group of n vertices holds blocks of 4, 8, 16, … vertices and a link each: never more than 2n + n/8 + 5 entries.
-std::uint64_t members_needed(Index regions, std::uint32_t vertices) {
-  const std::uint64_t groups = regions < vertices ? regions : vertices;
-  return 2 * std::uint64_t{vertices} + vertices / 8 + 5 * groups;
+void Groups::take(Arena& arena, const Scene& scene, std::uint32_t vertices) {
+  region_count_ = scene.triangle_count();
+  log_weights_ = arena.take<float>(Pool::groups, region_count_);
+  block_weights_ = arena.take<float>(Pool::groups, (region_count_ + kBlock - 1) / kBlock);
+  reached_ = arena.take<std::uint32_t>(Pool::groups, region_count_);
+  selections_ = arena.take<std::uint32_t>(Pool::groups, region_count_);
+  sizes_ = arena.take<std::uint16_t>(Pool::groups, region_count_);
+  newest_.take(arena, Pool::groups, region_count_, vertices);
+  links_.take(arena, Pool::members, vertices, vertices);
 }
 
-}  // namespace
-
-void Groups::take(Arena& arena, Index regions, std::uint32_t vertices) {
-  region_count_ = regions;
-  group_of_ = arena.take<Index>(Pool::groups, regions);
-  groups_ = arena.take<Group>(Pool::groups, regions);
-  log_weights_ = arena.take<float>(Pool::groups, regions);
-  members_ = arena.take<Index>(Pool::members, members_needed(regions, vertices));
-}
-
-void Groups::clear(const GroupWeights& weights) {
+void Groups::clear(const GroupWeights& weights, std::uint32_t sample) {
   weights_ = weights;
   log_beta_ = log(weights.beta);
-  group_count_ = 0;
-  members_used_ = 0;
-  for (Index r = 0; r < region_count_; ++r) group_of_[r] = kNone;
+  sample_ = sample;
+  for (Index r = 0; r < region_count_; ++r) {
+    log_weights_[r] = -kInfinity;
+    reached_[r] = 0;
+    selections_[r] = 0;
+    sizes_[r] = 0;
+    newest_.set(r, kNone);
+  }
+  for (Index block = 0; block * kBlock < region_count_; ++block) block_weights_[block] = -kInfinity;
 }
 
-std::uint32_t Groups::selections(Index region) const {
-  return group_of_[region] == kNone ? 0 : groups_[group_of_[region]].selections;
+// Sampling with a reservoir (Vitter's algorithm R).
+Groups::Place Groups::place(Index region, Random& random) {
+  const std::uint32_t before = reached_[region];
+  if (before != 0xFFFFFFFF) ++reached_[region];
+  if (sizes_[region] < sample_) return {true, kNone};
+  std::uint32_t place = random.below(reached_[region]);
+  if (place >= sample_) return {false, kNone};
+  Index vertex = newest_[region];
+  for (; place > 0; --place) vertex = links_[vertex];
+  return {vertex != kRoot, vertex};
 }
 
-float Groups::log_progress(const Regions& regions, Index region) const {
+void Groups::insert(const Regions& regions, Index region, Index vertex) {
+  links_.set(vertex, newest_[region]);
+  newest_.set(region, vertex);
+  if (sizes_[region]++ == 0) set_weight(regions, region);
+}
+
+Index Groups::remove(Index region) {
+  const Index vertex = newest_[region];
+  if (vertex == kRoot || vertex == kNone) return kNone;
+  newest_.set(region, links_[vertex]);
+  if (--sizes_[region] == 0) change_weight(region, -kInfinity);
+  return vertex;
+}
+
+// From the integer count, never by accumulation: the same weight however it came about.
+float Groups::log_weight(const Regions& regions, Index region) const {
   const float h = regions.cost(region);
   if (h == kInfinity) return -kInfinity;
   const float most = regions.largest_cost();
   const float progress = most > 0.0F ? weights_.epsilon + (1.0F - h / most) : weights_.epsilon + 1.0F;
-  return weights_.alpha * log(progress);
+  return weights_.alpha * log(progress) + log_beta_ * static_cast<float>(selections_[region]);
 }
 
-// From the integer count, never by accumulation: the same weight however it came about.
-void Groups::set_weight(std::uint32_t id) {
-  log_weights_[id] = groups_[id].log_progress + log_beta_ * static_cast<float>(groups_[id].selections);
+void Groups::set_weight(const Regions& regions, Index region) { change_weight(region, log_weight(regions, region)); }
+
+Index Groups::block_end(Index block) const {
+  const Index end = (block + 1) * kBlock;
+  return end < region_count_ ? end : region_count_;
 }
 
-void Groups::insert(const Regions& regions, Index region, Index vertex) {
-  Index id = group_of_[region];
-  if (id == kNone) {
-    id = group_count_++;
-    group_of_[region] = id;
-    groups_[id] = {region, 0, 0, kNone, log_progress(regions, region)};
-    set_weight(id);
+float Groups::largest_in_block(Index block) const {
+  float most = -kInfinity;
+  for (Index r = block * kBlock; r < block_end(block); ++r) {
+    if (log_weights_[r] > most) most = log_weights_[r];
   }
-  Group& group = groups_[id];
-  // The blocks before one of b vertices hold b - kFirstBlock; a new one is due when all are full.
-  const std::uint32_t filled = group.vertices / kFirstBlock + 1;
-  const bool all_full = group.vertices % kFirstBlock == 0 && (filled & (filled - 1)) == 0;
-  if (all_full) {
-    members_[members_used_] = group.newest_block;
-    group.newest_block = members_used_;
-    members_used_ += 1 + kFirstBlock * filled;
+  return most;
+}
+
+void Groups::change_weight(Index region, float weight) {
+  const Index block = region / kBlock;
+  const float before = log_weights_[region];
+  log_weights_[region] = weight;
+  if (weight >= block_weights_[block]) {
+    block_weights_[block] = weight;
+  } else if (before == block_weights_[block]) {
+    block_weights_[block] = largest_in_block(block);
   }
-  const std::uint32_t block_size = block_of(group.vertices);
-  members_[group.newest_block + 1 + (group.vertices - (block_size - kFirstBlock))] = vertex;
-  ++group.vertices;
 }
 
 void Groups::weigh(const Regions& regions) {
-  for (std::uint32_t id = 0; id < group_count_; ++id) {
-    groups_[id].log_progress = log_progress(regions, groups_[id].region);
-    set_weight(id);
+  for (Index block = 0; block * kBlock < region_count_; ++block) {
+    for (Index r = block * kBlock; r < block_end(block); ++r) {
+      if (sizes_[r] > 0) log_weights_[r] = log_weight(regions, r);
+    }
+    block_weights_[block] = largest_in_block(block);
   }
 }
 
-Index Groups::select() {
-  std::uint32_t best = kNone;
-  float most = -kInfinity;
-  for (std::uint32_t id = 0; id < group_count_; ++id) {
-    const bool larger = log_weights_[id] > most;
-    const bool tie = best != kNone && log_weights_[id] == most && groups_[id].region < groups_[best].region;
-    if (!larger && !tie) continue;
-    most = log_weights_[id];
-    best = id;
+Index Groups::select(const Regions& regions) {
+  Index best = 0;
+  for (Index block = 1; block * kBlock < region_count_; ++block) {
+    if (block_weights_[block] > block_weights_[best]) best = block;
   }
-  if (best == kNone) return kNone;
-  ++groups_[best].selections;
-  set_weight(best);
-  return groups_[best].region;
+  const float most = block_weights_[best];
+  if (most == -kInfinity) return kNone;
+  Index region = best * kBlock;
+  while (log_weights_[region] != most) ++region;
+  ++selections_[region];
+  set_weight(regions, region);
+  return region;
+}
+
+Index Groups::lightest(Index besides) const {
+  Index best = kNone;
+  for (Index r = 0; r < region_count_; ++r) {
+    if (sizes_[r] == 0 || newest_[r] == kRoot || r == besides) continue;
+    if (best == kNone || log_weights_[r] <= log_weights_[best]) best = r;
+  }
+  return best;
 }
 
 Index Groups::random_vertex(Index region, Random& random) const {
-  const Group& group = groups_[group_of_[region]];
-  const std::uint32_t chosen = random.below(group.vertices);
-  std::uint32_t block_size = block_of(group.vertices - 1);
-  Index block = group.newest_block;
-  while (chosen < block_size - kFirstBlock) {
-    block = members_[block];
-    block_size /= 2;
-  }
-  return members_[block + 1 + (chosen - (block_size - kFirstBlock))];
+  Index vertex = newest_[region];
+  for (std::uint32_t place = random.below(sizes_[region]); place > 0; --place) vertex = links_[vertex];
+  return vertex;
 }
 
 }  // namespace krait

@@ -1,15 +1,123 @@
 #include "krait/search/motion_tree.hpp"
 
 namespace krait {
+namespace {
 
-void MotionTree::take(Arena& arena, std::uint32_t capacity, int state_size, int control_size) {
-  capacity_ = capacity;
-  state_size_ = state_size;
-  control_size_ = control_size;
-  parents_ = arena.take<Index>(Pool::vertices, capacity);
-  regions_ = arena.take<Index>(Pool::vertices, capacity);
-  states_ = arena.take<float>(Pool::states, std::uint64_t{capacity} * static_cast<std::uint64_t>(state_size));
-  controls_ = arena.take<float>(Pool::controls, std::uint64_t{capacity} * static_cast<std::uint64_t>(control_size));
+constexpr float kParts = 65535.0F;
+constexpr float kSpeedParts = 32767.0F;
+
+std::uint16_t parts(float x, float low, float unit) {
+  constexpr float kHalf = 0.5F;
+  return static_cast<std::uint16_t>(clamp((x - low) / unit, 0.0F, kParts) + kHalf);
+}
+
+}  // namespace
+
+void MotionTree::take(Arena& arena, std::uint32_t vertices, std::uint32_t expansions, int state_size) {
+  vertex_capacity_ = vertices;
+  expansion_capacity_ = expansions;
+  state_size_ = static_cast<std::size_t>(state_size);
+  records_ = arena.take<Expansion>(Pool::expansions, expansions);
+  branches_ = arena.take<std::uint32_t>(Pool::vertices, vertices);
+  states_ = arena.take<float>(Pool::states, std::uint64_t{vertices} * state_size_);
+}
+
+void MotionTree::clear(const Box& bounds) {
+  vertices_ = 0;
+  expansions_ = 0;
+  vertex_high_ = 0;
+  expansion_high_ = 0;
+  free_vertex_ = kNone;
+  free_expansion_ = kNone;
+  low_ = bounds.min;
+  unit_ = (1.0F / kParts) * (bounds.max - bounds.min);
+}
+
+std::uint64_t MotionTree::bytes_untouched() const {
+  const std::uint64_t vertex_bytes = sizeof(std::uint32_t) + state_size_ * sizeof(float);
+  return (vertex_capacity_ - vertex_high_) * vertex_bytes + (expansion_capacity_ - expansion_high_) * sizeof(Expansion);
+}
+
+Index MotionTree::begin_expansion(Branch from, Vec2 target, float speed) {
+  const Index expansion = free_expansion_ == kNone ? expansion_high_++ : free_expansion_;
+  Expansion& record = records_[expansion];
+  if (expansion == free_expansion_) free_expansion_ = record.origin;
+  const float scaled = clamp(speed, -1.0F, 1.0F) * kSpeedParts;
+  record = {packed(from), kUse, parts(target.x, low_.x, unit_.x), parts(target.y, low_.y, unit_.y),
+            static_cast<std::int16_t>(scaled + (scaled < 0.0F ? -0.5F : 0.5F))};
+  use(from);
+  ++expansions_;
+  return expansion;
+}
+
+void MotionTree::end_expansion(Index expansion, std::uint32_t steps) {
+  records_[expansion].steps_and_uses += steps;
+  release({expansion, 0});
+}
+
+Target MotionTree::target(Index expansion) const {
+  const Expansion& record = records_[expansion];
+  return {{low_.x + static_cast<float>(record.x) * unit_.x, low_.y + static_cast<float>(record.y) * unit_.y},
+          static_cast<float>(record.speed) / kSpeedParts};
+}
+
+Branch MotionTree::origin(Index expansion) const { return unpacked(records_[expansion].origin); }
+
+Index MotionTree::add(Branch branch, const float* state) {
+  const Index vertex = free_vertex_ == kNone ? vertex_high_++ : free_vertex_;
+  if (vertex == free_vertex_) free_vertex_ = branches_[vertex];
+  ++vertices_;
+  write(vertex, branch, state);
+  return vertex;
+}
+
+void MotionTree::replace(Index vertex, Branch branch, const float* state) {
+  const Branch before = this->branch(vertex);
+  write(vertex, branch, state);
+  release(before);
+}
+
+void MotionTree::remove(Index vertex) {
+  const Branch before = branch(vertex);
+  branches_[vertex] = free_vertex_;
+  free_vertex_ = vertex;
+  --vertices_;
+  release(before);
+}
+
+void MotionTree::write(Index vertex, Branch branch, const float* state) {
+  branches_[vertex] = packed(branch);
+  float* const copy = states_ + std::size_t{vertex} * state_size_;
+  for (std::size_t i = 0; i < state_size_; ++i) copy[i] = state[i];
+  use(branch);
+}
+
+// An expansion that nothing needs any more goes, and no longer needs the one before it. O(expansions that go).
+void MotionTree::release(Branch branch) {
+  for (Index expansion = branch.expansion; expansion != kNone;) {
+    Expansion& record = records_[expansion];
+    record.steps_and_uses -= kUse;
+    if (record.steps_and_uses >= kUse) return;
+    const Index before = unpacked(record.origin).expansion;
+    record.origin = free_expansion_;
+    free_expansion_ = expansion;
+    --expansions_;
+    expansion = before;
+  }
+}
+
+Index MotionTree::turn_path(Branch last) {
+  Branch at = last;
+  Index after = kNone;
+  for (;;) {
+    Expansion& record = records_[at.expansion];
+    const Branch before = unpacked(record.origin);
+    record.origin = packed({after, 0});
+    record.steps_and_uses = record.steps_and_uses - (record.steps_and_uses & kMostSteps) + at.step;
+    after = at.expansion;
+    if (before.expansion == kNone) return after;
+    at = before;
+  }
 }
 
 }  // namespace krait

@@ -2,6 +2,9 @@
 
 #include <bit>
 
+#include "krait/search/groups.hpp"
+#include "krait/search/motion_tree.hpp"
+
 namespace krait {
 namespace {
 
@@ -14,9 +17,11 @@ bool within(std::uint32_t x, std::uint32_t low, std::uint32_t high) { return x >
 
 Parameters Parameters::paper() {
   Parameters parameters;
+  parameters.beta = 0.85F;
   parameters.cost_length = 0.0F;
   parameters.stray_share = 0.0F;
   parameters.raise_goal = true;
+  parameters.group_sample = kUnboundedSample;
   parameters.continuous = false;
   parameters.prune_portals = false;
   parameters.goal_margin = 0.0F;
@@ -27,10 +32,12 @@ Argument Parameters::first_bad() const {
   if (!within(alpha, 1.0F, 64.0F)) return Argument::alpha;
   if (!(beta > 0.0F && beta < 1.0F)) return Argument::beta;
   if (!above(epsilon, 0.0F, 1.0F)) return Argument::epsilon;
-  if (!above(gamma, 0.0F, 1e6F)) return Argument::gamma;
+  if (!within(gamma, 0.0F, 1e6F)) return Argument::gamma;
   if (!within(cost_length, 0.0F, 10.0F)) return Argument::cost_length;
   if (!within(kappa, 1, 10000)) return Argument::kappa;
+  if (!within(group_sample, 1, kUnboundedSample)) return Argument::group_sample;
   if (!within(dt, 0.001F, 1.0F)) return Argument::dt;
+  static_assert(MotionTree::kMostSteps >= 1000);
   if (!within(max_steps, 1, 1000)) return Argument::max_steps;
   if (!within(path_regions, 1, 64)) return Argument::path_regions;
   if (!within(near_radius, 0.0F, 10.0F)) return Argument::near_radius;
@@ -47,6 +54,12 @@ Argument Parameters::first_bad() const {
   if (!within(prior.nearest_share, 0.0F, 1.0F)) return Argument::prior_nearest_share;
   if (!within(rrt.goal_share, 0.0F, 1.0F)) return Argument::rrt_goal_share;
   return Argument::none;
+}
+
+Argument Limits::first_bad() const {
+  if (!within(vertices, 2, MotionTree::kMostExpansions)) return Argument::vertices;
+  if (expansions != 0 && !within(expansions, 2, MotionTree::kMostExpansions)) return Argument::expansions;
+  return iterations < 1 ? Argument::iterations : Argument::none;
 }
 
 }  // namespace krait

@@ -1,12 +1,16 @@
 #include "firmware/application.hpp"
 
+#include <cstddef>
+#include <cstring>
+
 namespace krait::firmware {
 
 Failure open_scene(const Board& board, Scene& scene) {
-  std::size_t size = 0;
-  if (board.scene_room >= sizeof(format::Header)) size = static_cast<const format::Header*>(board.scene)->total_bytes;
-  if (size > board.scene_room) size = board.scene_room;
-  return Scene::open(board.scene, size, scene);
+  std::uint32_t size = 0;  // a scene is aligned to 4 bytes only, its header's type to 8
+  if (board.scene_room >= sizeof(format::Header)) {
+    std::memcpy(&size, static_cast<const std::byte*>(board.scene) + offsetof(format::Header, total_bytes), sizeof size);
+  }
+  return Scene::open(board.scene, size > board.scene_room ? board.scene_room : size, scene);
 }
 
 std::uint64_t block_bytes(const Board& board, const Request& request) {

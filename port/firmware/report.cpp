@@ -51,6 +51,7 @@ void add_statistics(JsonLine& line, const Report& report) {
   line.add_seconds("time_s", report.nanoseconds)
       .add("iterations", s.iterations)
       .add("vertices", s.vertices)
+      .add("recycled", s.recycled)
       .add("collision_checks", s.collision_checks)
       .add("dijkstra_runs", s.dijkstra_runs)
       .add("regions_repaired", s.regions_repaired)

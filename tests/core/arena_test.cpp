@@ -19,7 +19,7 @@ struct Twelve {
 std::vector<const void*> take_all(Arena& arena) {
   return {arena.take<std::uint8_t>(Pool::regions, 3), arena.take<std::uint64_t>(Pool::states, 2),
           arena.take<Twelve>(Pool::states, 5), arena.take<std::uint16_t>(Pool::members, 1),
-          arena.take<float>(Pool::controls, 0)};
+          arena.take<float>(Pool::expansions, 0)};
 }
 
 TEST(Arena, CountsWhatItLaterTakes) {

@@ -1,11 +1,12 @@
-// Groups and their choice against brute force in double precision; their memory at its worst.
+// Groups, their samples and the choice of one, against brute force.
 #include "krait/search/groups.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
+#include <set>
 #include <vector>
 
 #include "scene_builder.hpp"
@@ -13,26 +14,39 @@
 namespace krait::test {
 namespace {
 
+constexpr std::uint32_t kSample = 8;
+
 // Regions of a room and groups of at most `vertices` vertices, in memory that ends where theirs does.
 struct Partition {
   explicit Partition(std::uint32_t vertices, const Room& room = random_room(1)) : open(room) {
     Arena counting;
     take(counting, vertices);
     block.resize(counting.needed() / 8);
-    members_capacity = counting.needed(Pool::members) / sizeof(Index);
     Arena arena(block.data(), block.size() * 8);
     take(arena, vertices);
     EXPECT_TRUE(regions.reset(Goal::named(0), 0.0F, 0.05F));
-    groups.clear({});
+    groups.clear({}, kSample);
   }
   void take(Arena& arena, std::uint32_t vertices) {
     regions.take(arena, open.scene);
-    groups.take(arena, open.scene.triangle_count(), vertices);
+    groups.take(arena, open.scene, vertices);
+  }
+
+  Index random_region(std::mt19937& random) const { return regions.region(below(random, open.scene.triangle_count())); }
+  // Not the goal's, and connected to it.
+  Index region_with_a_cost() const {
+    Index r = 0;
+    while (regions.cost(regions.region(r)) == kInfinity || regions.region(r) == regions.goal_region()) ++r;
+    return r;
+  }
+  std::vector<Index> members(Index region) const {
+    std::vector<Index> result;
+    groups.for_each_vertex(region, [&](Index vertex) { result.push_back(vertex); });
+    return result;
   }
 
   OpenScene open;
   std::vector<std::uint64_t> block;
-  std::uint64_t members_capacity;
   Regions regions;
   Groups groups;
 };
@@ -45,38 +59,135 @@ double log_weight(const Regions& regions, Index region, std::uint32_t selections
          static_cast<double>(w.beta < 1 ? std::log(static_cast<double>(w.beta)) : 0) * selections;
 }
 
+// Groups told in the simplest way: by region, the members in the order in which they came.
+class Reference {
+ public:
+  Reference(const Regions& regions, const Groups& groups) : regions_(regions), groups_(groups) {}
+
+  // The first region whose weight none exceeds.
+  Index best() const {
+    Index result = kNone;
+    float most = -kInfinity;
+    for (const auto& [region, vertices] : members) {
+      const float weight = groups_.log_weight(regions_, region);
+      if (vertices.empty() || !(weight > most)) continue;
+      most = weight;
+      result = region;
+    }
+    return result;
+  }
+
+  // The last region with more than the root whose weight none is below.
+  Index lightest(Index besides) const {
+    Index result = kNone;
+    for (const auto& [region, vertices] : members) {
+      if (region == besides || vertices.empty() || vertices.back() == Groups::kRoot) continue;
+      const float weight = groups_.log_weight(regions_, region);
+      if (result == kNone || weight <= groups_.log_weight(regions_, result)) result = region;
+    }
+    return result;
+  }
+
+  std::map<Index, std::vector<Index>> members;
+
+ private:
+  const Regions& regions_;
+  const Groups& groups_;
+};
+
 TEST(Groups, SelectsTheLargestWeightOfEqn7) {
   for (unsigned seed = 1; seed <= 10; ++seed) {
     Partition p(20'000, random_room(seed));
     std::mt19937 random(seed);
     const GroupWeights weights{uniform_float(random, 1, 16), uniform_float(random, 0.5, 0.95), 0.01F};
-    p.groups.clear(weights);
+    p.groups.clear(weights, kUnboundedSample);
     std::map<Index, std::uint32_t> selections;  // of every group
     Index vertex = 0;
     for (int i = 0; i < 5000; ++i) {
       if (i == 0 || random() % 4 == 0) {
-        Index region = p.regions.region(below(random, p.open.scene.triangle_count()));
-        while (i == 0 && p.regions.cost(region) == kInfinity)
-          region = p.regions.region(below(random, p.open.scene.triangle_count()));
+        Index region = p.random_region(random);
+        while (i == 0 && p.regions.cost(region) == kInfinity) region = p.random_region(random);
         p.groups.insert(p.regions, region, vertex++);
         selections.insert({region, 0});
       }
       if (random() % 20 == 0) {
-        p.regions.raise_edges(p.regions.region(below(random, p.open.scene.triangle_count())), {50.0F, 0.7F});
+        p.regions.raise_edges(p.random_region(random), {50.0F, 0.7F});
         p.regions.update();
         p.groups.weigh(p.regions);
       }
       double best = -std::numeric_limits<double>::infinity();
       for (const auto& [region, count] : selections)
         best = std::max(best, log_weight(p.regions, region, count, weights));
-      const Index chosen = p.groups.select();
+      const Index chosen = p.groups.select(p.regions);
       ASSERT_EQ(selections.count(chosen), 1U);
       const double got = log_weight(p.regions, chosen, selections[chosen], weights);
       ASSERT_NEAR(got, best, 1e-5 * (1 + std::abs(best))) << i;
       ++selections[chosen];
       ASSERT_EQ(p.groups.selections(chosen), selections[chosen]);
     }
-    ASSERT_EQ(p.groups.count(), selections.size());
+  }
+}
+
+// Every operation in random turns; among few weights, so that there are ties.
+TEST(Groups, ChoicesAreThoseOfAScanAfterAnySequence) {
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    constexpr std::uint32_t kVertices = 3000;
+    Partition p(kVertices, random_room(seed));
+    std::mt19937 random(seed);
+    const bool ties = seed % 2 == 0;
+    p.groups.clear({ties ? 1.0F : 8.0F, ties ? 0.5F : 0.85F, ties ? 1.0F : 0.01F}, kUnboundedSample);
+    if (ties) {
+      ASSERT_TRUE(p.regions.reset(Goal::disc({6, 6}, 4), 0.0F, 0.05F));  // many sources of the same weight
+    }
+    Reference reference(p.regions, p.groups);
+    std::vector<Index> unused;
+    for (Index v = kVertices; v > 1; --v) unused.push_back(v - 1);
+    const Index start = p.region_with_a_cost();
+    p.groups.insert(p.regions, start, Groups::kRoot);
+    reference.members[start] = {Groups::kRoot};
+    for (int i = 0; i < 6000; ++i) {
+      const Index region = p.random_region(random);
+      auto& members = reference.members[region];
+      switch (random() % 8) {
+        case 0:
+        case 1:
+        case 2:
+          if (unused.empty()) break;
+          p.groups.insert(p.regions, region, unused.back());
+          members.push_back(unused.back());
+          unused.pop_back();
+          break;
+        case 3: {
+          const bool none = members.empty() || members.back() == Groups::kRoot;
+          ASSERT_EQ(p.groups.remove(region), none ? kNone : members.back());
+          if (none) break;
+          unused.push_back(members.back());
+          members.pop_back();
+          break;
+        }
+        case 4: {
+          const Index besides = random() % 2 == 0 ? kNone : p.random_region(random);
+          ASSERT_EQ(p.groups.lightest(besides), reference.lightest(besides)) << i;
+          break;
+        }
+        case 5:
+          if (random() % 10 != 0) break;
+          p.regions.raise_edges(region, {50.0F, 0.7F});
+          p.regions.repair();
+          p.groups.weigh(p.regions);
+          break;
+        default: {
+          const Index expected = reference.best();
+          const std::uint32_t before = expected == kNone ? 0 : p.groups.selections(expected);
+          ASSERT_EQ(p.groups.select(p.regions), expected) << i;
+          if (expected != kNone) {
+            ASSERT_EQ(p.groups.selections(expected), before + 1);
+          }
+        }
+      }
+      ASSERT_EQ(p.groups.size(region), members.size());
+      ASSERT_EQ(p.members(region), std::vector<Index>(members.rbegin(), members.rend()));
+    }
   }
 }
 
@@ -88,8 +199,10 @@ TEST(Groups, EqualWeightsGoToTheSmallestRegion) {
     if (p.regions.is_goal(t)) sources.push_back(t);
   }
   ASSERT_GT(sources.size(), 5U);
-  for (std::size_t i = sources.size(); i > 0; --i) p.groups.insert(p.regions, sources[i - 1], 0);
-  for (const Index expected : sources) EXPECT_EQ(p.groups.select(), expected);
+  for (Index i = 0; i < sources.size(); ++i) p.groups.insert(p.regions, sources[sources.size() - 1 - i], i + 1);
+  EXPECT_EQ(p.groups.lightest(kNone), sources.back());
+  EXPECT_EQ(p.groups.lightest(sources.back()), sources[sources.size() - 2]);
+  for (const Index expected : sources) EXPECT_EQ(p.groups.select(p.regions), expected);
 }
 
 TEST(Groups, WithoutAFiniteCostNoneIsSelected) {
@@ -98,34 +211,68 @@ TEST(Groups, WithoutAFiniteCostNoneIsSelected) {
   room.boxes = {{4, 0, 5, 4}};
   room.goals = {{8, 0, 10, 4}};
   Partition p(10, room);
-  EXPECT_EQ(p.groups.select(), kNone);
+  EXPECT_EQ(p.groups.select(p.regions), kNone);
   Index cut_off = 0;
   while (p.regions.cost(cut_off) != kInfinity) ++cut_off;
   p.groups.insert(p.regions, cut_off, 0);
-  EXPECT_EQ(p.groups.select(), kNone);
+  EXPECT_EQ(p.groups.select(p.regions), kNone);
   EXPECT_EQ(p.groups.selections(cut_off), 0U);
 }
 
 TEST(Groups, SelectionsAreCountedManyThousandTimesWithoutUnderflow) {
   Partition p(10);
-  p.groups.clear({8.0F, 0.5F, 0.01F});
-  Index a = 0;
-  while (p.regions.cost(p.regions.region(a)) == kInfinity || p.regions.region(a) == p.regions.goal_region()) ++a;
-  const Index goal = p.regions.goal_region();
+  p.groups.clear({8.0F, 0.5F, 0.01F}, kSample);
+  const Index a = p.region_with_a_cost(), goal = p.regions.goal_region();
   p.groups.insert(p.regions, a, 0);
   p.groups.insert(p.regions, goal, 1);
-  for (int i = 0; i < 20'000; ++i) ASSERT_NE(p.groups.select(), kNone);
+  for (int i = 0; i < 20'000; ++i) ASSERT_NE(p.groups.select(p.regions), kNone);
   // After so many, both are selected equally often, but for the head start of the goal.
   EXPECT_NEAR(static_cast<double>(p.groups.selections(a)), 10'000, 40);
   EXPECT_EQ(p.groups.selections(a) + p.groups.selections(goal), 20'000U);
+}
+
+TEST(Groups, SelectionsStayWhenTheMembersGo) {
+  Partition p(10);
+  const Index a = p.region_with_a_cost();
+  p.groups.insert(p.regions, a, 1);
+  for (int i = 0; i < 5; ++i) ASSERT_EQ(p.groups.select(p.regions), a);
+  const float weight = p.groups.log_weight(p.regions, a);
+  ASSERT_EQ(p.groups.remove(a), 1U);
+  EXPECT_EQ(p.groups.size(a), 0U);
+  EXPECT_EQ(p.groups.select(p.regions), kNone);
+  EXPECT_EQ(p.groups.selections(a), 5U);
+  p.groups.insert(p.regions, a, 2);
+  EXPECT_EQ(p.groups.log_weight(p.regions, a), weight);
+  EXPECT_EQ(p.groups.select(p.regions), a);
+}
+
+TEST(Groups, TheRootIsNeverRemoved) {
+  Partition p(10);
+  const Index a = p.region_with_a_cost();
+  p.groups.insert(p.regions, a, Groups::kRoot);
+  EXPECT_EQ(p.groups.lightest(kNone), kNone);
+  EXPECT_EQ(p.groups.remove(a), kNone);
+  p.groups.insert(p.regions, a, 5);
+  EXPECT_EQ(p.groups.lightest(kNone), a);
+  EXPECT_EQ(p.groups.lightest(a), kNone);
+  EXPECT_EQ(p.groups.remove(a), 5U);
+  EXPECT_EQ(p.groups.remove(a), kNone);
+  EXPECT_EQ(p.groups.remove(a + 1), kNone);  // it has no members
+  EXPECT_EQ(p.members(a), std::vector<Index>{Groups::kRoot});
+}
+
+double chi_square(const std::vector<int>& counts, double expected) {
+  double sum = 0;
+  for (const int c : counts) sum += (c - expected) * (c - expected) / expected;
+  return sum;
 }
 
 TEST(Groups, RandomVertexIsUniformInItsGroup) {
   for (const std::uint32_t size : {1U, 2U, 4U, 5U, 12U, 13U, 28U, 29U, 100U}) {
     Partition p(200);
     for (Index v = 0; v < size; ++v) {
-      p.groups.insert(p.regions, 0, 1000 + v);
-      p.groups.insert(p.regions, 1, 5000 + v);  // interleaved with another group's
+      p.groups.insert(p.regions, 0, 2 * v);
+      p.groups.insert(p.regions, 1, 2 * v + 1);  // interleaved with another group's
     }
     ASSERT_EQ(p.groups.size(0), size);
     Random random(size);
@@ -133,79 +280,140 @@ TEST(Groups, RandomVertexIsUniformInItsGroup) {
     const int draws = 2000 * static_cast<int>(size);
     for (int i = 0; i < draws; ++i) {
       const Index v = p.groups.random_vertex(0, random);
-      ASSERT_GE(v, 1000U);
-      ASSERT_LT(v, 1000U + size);
-      ++counts[v - 1000];
+      ASSERT_EQ(v % 2, 0U);
+      ASSERT_LT(v / 2, size);
+      ++counts[v / 2];
     }
-    double chi_square = 0;
-    for (const int c : counts) chi_square += (c - 2000.0) * (c - 2000.0) / 2000.0;
     const double freedom = size - 1.0;
-    EXPECT_LE(chi_square, freedom + 5 * std::sqrt(2 * freedom) + 1e-9) << size;
+    EXPECT_LE(chi_square(counts, 2000.0), freedom + 5 * std::sqrt(2 * freedom) + 1e-9) << size;
   }
 }
 
-// Inserts vertices by `region_of` and checks that the members stay in their pool after each.
-template <class RegionOf>
-void fill(std::uint32_t vertices, RegionOf region_of) {
-  static const Partition p(2);
-  const Index regions = p.open.scene.triangle_count();
-  Groups groups;
-  Arena counting;
-  groups.take(counting, regions, vertices);
-  std::vector<std::uint64_t> block(counting.needed() / 8);
-  Arena arena(block.data(), block.size() * 8);
-  groups.take(arena, regions, vertices);
-  groups.clear({});
-  const std::uint64_t capacity = counting.needed(Pool::members) / sizeof(Index);
-  for (Index v = 0; v < vertices; ++v) {
-    groups.insert(p.regions, region_of(v, regions), v);
-    ASSERT_LE(groups.members_used(), capacity) << "vertex " << v << " of " << vertices;
-  }
-}
+// A group's sample while `states` states reach its region one by one; vertex i is in slot i + 1, the root's is 0.
+class Sample {
+ public:
+  Sample(Partition& partition, Index region) : p_(partition), region_(region) {}
 
-TEST(Groups, MembersNeverOutgrowTheirPool) {
-  for (std::uint32_t n = 2; n < 600; ++n) {
-    fill(n, [](Index, Index) { return Index{0}; });                      // one group
-    fill(n, [](Index v, Index regions) { return v % regions; });         // as many groups as can be
-    fill(n, [](Index v, Index) { return v / 5; });                       // five each: a second block begun
-    fill(n, [](Index v, Index regions) { return (v / 13) % regions; });  // a third block begun
-  }
-}
-
-TEST(Groups, MembersNeverOutgrowTheirPoolAtTheSizesThatBeginABlock) {
-  for (std::uint32_t blocks = 1; blocks <= 14; ++blocks) {
-    const std::uint32_t full = 4 * ((1U << blocks) - 1);
-    for (const std::uint32_t n : {full - 1, full, full + 1}) {
-      fill(n, [](Index, Index) { return Index{0}; });
-      fill(n, [](Index v, Index) { return v % 2; });
-      fill(n, [](Index v, Index regions) { return std::min(v, regions - 1); });
+  void reach(int state, Random& random, Index root = kNone) {
+    const Groups::Place place = p_.groups.place(region_, random);
+    if (!place.kept) return;
+    if (place.replaced != kNone) {
+      EXPECT_NE(place.replaced, Groups::kRoot);
+      held_[place.replaced] = state;
+      return;
     }
+    const Index vertex = root != kNone ? root : next_++;
+    p_.groups.insert(p_.regions, region_, vertex);
+    held_[vertex] = state;
+  }
+  const std::map<Index, int>& held() const { return held_; }
+
+ private:
+  Partition& p_;
+  Index region_;
+  Index next_ = 1;
+  std::map<Index, int> held_;
+};
+
+TEST(Groups, EachStateThatReachedARegionIsAsLikelyInItsSample) {
+  for (const auto& [sample, states] : {std::pair{1U, 5}, {4U, 20}, {8U, 9}, {8U, 60}}) {
+    Partition p(20);
+    Random random(sample + 100);
+    std::vector<int> counts(static_cast<std::size_t>(states));
+    constexpr int kTrials = 20'000;
+    for (int trial = 0; trial < kTrials; ++trial) {
+      p.groups.clear({}, sample);
+      Sample drawn(p, 0);
+      for (int i = 0; i < states; ++i) drawn.reach(i, random);
+      ASSERT_EQ(p.groups.size(0), sample);
+      ASSERT_EQ(p.groups.reached(0), static_cast<std::uint32_t>(states));
+      for (const auto& [vertex, state] : drawn.held()) ++counts[static_cast<std::size_t>(state)];
+    }
+    // A trial draws `sample` of them without repetition: the counts vary less than of independent draws.
+    const double share = static_cast<double>(sample) / states, freedom = states - 1.0;
+    const double got = chi_square(counts, kTrials * share) / (1 - share) * freedom / states;
+    EXPECT_LE(got, freedom + 5 * std::sqrt(2 * freedom)) << sample << " of " << states;
+    EXPECT_GE(got, freedom - 5 * std::sqrt(2 * freedom)) << sample << " of " << states;
   }
 }
 
-TEST(Groups, MembersNeverOutgrowTheirPoolInRandomDistributions) {
-  std::mt19937 random(9);
-  for (int i = 0; i < 200; ++i) {
-    const std::uint32_t n = 2 + below(random, 2000), some = 1 + below(random, 50);
-    fill(n, [&](Index, Index regions) { return below(random, std::min(some, regions)); });
+TEST(Groups, TheRootIsNeverReplaced) {
+  Partition p(20);
+  Random random(1);
+  for (const std::uint32_t sample : {1U, 2U, 8U}) {
+    p.groups.clear({}, sample);
+    Sample drawn(p, 0);
+    drawn.reach(-1, random, Groups::kRoot);
+    for (int i = 0; i < 5000; ++i) drawn.reach(i, random);
+    EXPECT_EQ(drawn.held().at(Groups::kRoot), -1);
+    EXPECT_EQ(p.members(0).back(), Groups::kRoot);
+    EXPECT_EQ(p.groups.size(0), sample);
+  }
+}
+
+TEST(Groups, AnUnboundedSampleKeepsAllUpTo65535) {
+  Partition p(70'000);
+  p.groups.clear({}, kUnboundedSample);
+  Random random(1);
+  for (Index v = 0; v < 65'535; ++v) {
+    const Groups::Place place = p.groups.place(0, random);
+    ASSERT_TRUE(place.kept);
+    ASSERT_EQ(place.replaced, kNone);
+    p.groups.insert(p.regions, 0, v);
+  }
+  for (int i = 0; i < 100; ++i) {
+    const Groups::Place place = p.groups.place(0, random);
+    ASSERT_TRUE(!place.kept || place.replaced != kNone);
+  }
+  EXPECT_EQ(p.groups.size(0), 65'535U);
+  EXPECT_EQ(p.groups.reached(0), 65'635U);
+}
+
+TEST(Groups, ForEachVertexVisitsEachOfItsGroupOnce) {
+  Partition p(400);
+  std::map<Index, std::multiset<Index>> expected;
+  std::mt19937 random(1);
+  for (Index v = 0; v < 400; ++v) {
+    const Index region = below(random, 3);
+    p.groups.insert(p.regions, region, v);
+    expected[region].insert(v);
+    for (const auto& [r, vertices] : expected) {
+      const auto visited = p.members(r);
+      ASSERT_EQ(std::multiset<Index>(visited.begin(), visited.end()), vertices);
+    }
   }
 }
 
 TEST(Groups, EveryVertexCanBeDrawnFromAFullPool) {
-  constexpr std::uint32_t kVertices = 1021;
-  Partition p(kVertices);
-  const Index groups = 7;
-  for (Index v = 0; v < kVertices; ++v) p.groups.insert(p.regions, v % groups, v);
-  std::vector<bool> seen(kVertices);
-  Random random(1);
-  for (int i = 0; i < 40'000; ++i) {
-    const Index group = static_cast<Index>(i) % groups;
-    const Index v = p.groups.random_vertex(group, random);
-    ASSERT_LT(v, kVertices);
-    ASSERT_EQ(v % groups, group);
-    seen[v] = true;
+  for (const std::uint32_t vertices : {1021U, 70'001U}) {  // of two and of four bytes
+    Partition p(vertices);
+    p.groups.clear({}, kUnboundedSample);
+    const Index groups = 7;
+    for (Index v = 0; v < vertices; ++v) p.groups.insert(p.regions, v % groups, v);
+    std::vector<bool> seen(vertices);
+    for (Index group = 0; group < groups; ++group) {
+      for (const Index v : p.members(group)) {
+        ASSERT_EQ(v % groups, group);
+        seen[v] = true;
+      }
+    }
+    EXPECT_EQ(std::count(seen.begin(), seen.end(), true), vertices);
   }
-  EXPECT_EQ(std::count(seen.begin(), seen.end(), true), kVertices);
+}
+
+TEST(Groups, ClearForgetsEverything) {
+  Partition p(10);
+  const Index a = p.region_with_a_cost();
+  Random random(1);
+  p.groups.place(a, random);
+  p.groups.insert(p.regions, a, 1);
+  p.groups.select(p.regions);
+  p.groups.clear({}, kSample);
+  EXPECT_EQ(p.groups.select(p.regions), kNone);
+  EXPECT_EQ(p.groups.size(a), 0U);
+  EXPECT_EQ(p.groups.reached(a), 0U);
+  EXPECT_EQ(p.groups.selections(a), 0U);
+  EXPECT_EQ(p.members(a), std::vector<Index>{});
 }
 
 }  // namespace

@@ -105,7 +105,7 @@ void expect_no_heap(const R& robot, const std::vector<float>& start) {
     bench.planner.init(block.data(), block.size() * 8, bench.open.scene, bench.robot, bench.parameters, bench.limits);
     bench.planner.start({start.data()});
     status = bench.planner.advance(1'000'000);
-    const Plan plan = bench.planner.plan();
+    const Plan<R> plan = bench.planner.plan();
     if (plan.steps() < 1000) plan.copy(states.data(), controls.data());
   }
   EXPECT_EQ(calls, 0);

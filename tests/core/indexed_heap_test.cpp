@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <numeric>
 #include <random>
 #include <set>
 #include <utility>
@@ -14,11 +16,15 @@ namespace krait::test {
 namespace {
 
 struct Fixture {
-  explicit Fixture(Index capacity) : items(capacity), places(capacity), keys(capacity) {
-    heap.assign(items.data(), places.data(), keys.data(), capacity);
+  explicit Fixture(Index capacity) : keys(capacity) {
+    Arena counting;
+    heap.take(counting, Pool::regions, keys.data(), capacity);
+    block.resize(counting.needed() / 8);
+    Arena arena(block.data(), block.size() * 8);
+    heap.take(arena, Pool::regions, keys.data(), capacity);
     heap.reset();
   }
-  std::vector<Index> items, places;
+  std::vector<std::uint64_t> block;
   std::vector<float> keys;
   IndexedHeap heap;
 };
@@ -68,6 +74,37 @@ TEST(IndexedHeap, ResetEmptiesIt) {
   f.heap.push(3);
   EXPECT_EQ(f.heap.pop(), 3U);
   EXPECT_TRUE(f.heap.empty());
+}
+
+// What a repair of the shortest paths does with it: a list, then a queue in the same memory.
+TEST(IndexedHeap, PushingItsOwnListFrontToBackLosesNone) {
+  std::mt19937 random(4);
+  for (int round = 0; round < 200; ++round) {
+    const Index capacity = 1 + below(random, 300);
+    Fixture f(capacity);
+    std::vector<Index> numbers(capacity);
+    std::iota(numbers.begin(), numbers.end(), 0U);
+    std::shuffle(numbers.begin(), numbers.end(), random);
+    std::set<std::pair<float, Index>> expected;
+    const Index count = 1 + below(random, capacity);
+    for (Index i = 0; i < count; ++i) f.heap.list(i, numbers[i]);
+    for (Index i = 0; i < count; ++i) {
+      const Index number = f.heap.listed(i);
+      ASSERT_EQ(number, numbers[i]);
+      if (random() % 4 == 0) continue;  // some are not queued
+      f.keys[number] = static_cast<float>(random() % 64);
+      f.heap.push(number);
+      expected.insert({f.keys[number], number});
+    }
+    for (const auto& [key, number] : expected) ASSERT_EQ(f.heap.pop(), number);
+    ASSERT_TRUE(f.heap.empty());
+  }
+}
+
+TEST(IndexedHeap, NumbersBeyond16BitsAreOrderedAsWell) {
+  Fixture f(200'000);
+  for (const Index number : {199'999U, 65'535U, 65'534U, 65'536U, 0U, 131'071U}) f.heap.push(number);
+  for (const Index number : {0U, 65'534U, 65'535U, 65'536U, 131'071U, 199'999U}) ASSERT_EQ(f.heap.pop(), number);
 }
 
 TEST(IndexedHeap, InfiniteKeysComeLast) {

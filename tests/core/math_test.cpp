@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <random>
+#include <vector>
 
 namespace krait {
 namespace {
@@ -60,6 +61,68 @@ TEST(Math, SineAndCosineRefuseWhatIsOutOfRange) {
   }
   EXPECT_FALSE(std::isnan(sin_cos(kMaxAngle).sin));
   EXPECT_FALSE(std::isnan(sin_cos(-kMaxAngle).cos));
+}
+
+std::uint32_t bits(float x) { return std::bit_cast<std::uint32_t>(x); }
+
+// sin_cos of an array is the scalar one's in every bit. Of NaN only that it is one: IEEE-754 leaves its bits open.
+void expect_as_scalar(const std::vector<float>& angles) {
+  const std::size_t count = angles.size();
+  std::vector<float> sines(count + 1, 7.0F), cosines(count + 1, 7.0F);
+  sin_cos(angles.data(), static_cast<int>(count), sines.data(), cosines.data());
+  for (std::size_t i = 0; i < count; ++i) {
+    const SinCos expected = sin_cos(angles[i]);
+    if (expected.sin != expected.sin) {
+      ASSERT_TRUE(std::isnan(sines[i]) && std::isnan(cosines[i])) << angles[i];
+      continue;
+    }
+    ASSERT_EQ(bits(sines[i]), bits(expected.sin)) << angles[i];
+    ASSERT_EQ(bits(cosines[i]), bits(expected.cos)) << angles[i];
+  }
+  ASSERT_EQ(sines[count], 7.0F);  // and nothing beyond
+  ASSERT_EQ(cosines[count], 7.0F);
+}
+
+TEST(MathArrays, SinesAndCosinesAreTheScalarOnesBitForBit) {
+  std::vector<float> angles;
+  const auto add = [&](float x) { angles.push_back(x); };
+  sweep(-8.0F, 8.0F, 400'000, add);
+  sweep(-kMaxAngle, kMaxAngle, 1'000'000, add);
+  sweep(-1e-3F, 1e-3F, 10'000, add);
+  for (int i = -5215; i <= 5215; ++i) {
+    float x = static_cast<float>(i * kTrueAngle / 4);  // where the quadrant changes, and the multiples of pi/2
+    for (int step = 0; step < 3; ++step, x = std::nextafter(x, 1e9F)) add(x);
+  }
+  for (std::uint32_t pattern = 0; pattern < 0xFFFF0000U; pattern += 65'521) add(std::bit_cast<float>(pattern));
+  expect_as_scalar(angles);
+}
+
+TEST(MathArrays, OfEveryCountAndAtEveryPlace) {
+  std::mt19937 random(5);
+  for (std::size_t count = 0; count <= 27; ++count) {
+    for (int trial = 0; trial < 200; ++trial) {
+      std::vector<float> angles;
+      for (std::size_t i = 0; i < count; ++i) {
+        angles.push_back(16.0F * static_cast<float>(static_cast<double>(random()) / 4294967296.0 - 0.5));
+      }
+      expect_as_scalar(angles);
+    }
+  }
+}
+
+// A lane that is out of range must not touch the others.
+TEST(MathArrays, LanesOutOfRangeAreNanAndOthersAreNot) {
+  const float strange[] = {kNan,  -kNan, kInfinity, -kInfinity, 1e30F,      -1e30F, std::nextafter(kMaxAngle, 1e9F),
+                           3e38F, -0.0F, 1e-40F,    kMaxAngle,  -kMaxAngle, 2.1e9F, -2.2e9F};
+  for (std::size_t count = 1; count <= 9; ++count) {
+    for (std::size_t place = 0; place < count; ++place) {
+      for (const float x : strange) {
+        std::vector<float> angles(count, 1.25F);
+        angles[place] = x;
+        expect_as_scalar(angles);
+      }
+    }
+  }
 }
 
 TEST(Math, Atan2Within4e7OnEveryScale) {

@@ -49,16 +49,16 @@ struct Tally {
 
 // Walks of random controls from random free states: no accepted step may come to touch anything.
 template <class R>
-Tally expect_sound(const R& robot, const Scene& scene, float clearance, float dt, int walks, unsigned seed) {
+Tally expect_sound(const R& robot, const Scene& scene, float clearance, float dt, int walks, unsigned seed,
+                   bool shortcuts = true) {
   std::mt19937 random(seed);
   MotionCheck<R> check;
-  check.assign(robot, scene, clearance, 16);
+  check.assign(robot, scene, clearance, 16, shortcuts);
   Tally tally;
   while (walks > 0) {
     auto s = somewhere(robot, scene, random);
     if (!check.free(s.data())) continue;
     --walks;
-    check.begin(s.data());
     for (int i = 0; i < 12; ++i) {
       const auto u = random_control(robot, s, dt, random);
       const auto next = step(robot, s, u, dt);
@@ -80,6 +80,7 @@ template <class R>
 class MotionCheckSound : public ::testing::Test {};
 TYPED_TEST_SUITE(MotionCheckSound, Models, ModelNames);
 
+// With shortcuts and, in half as many walks, without.
 TYPED_TEST(MotionCheckSound, AcceptedStepsTouchNothingInBetween) {
   std::vector<TypeParam> robots = instances<TypeParam>();
   if constexpr (std::is_same_v<TypeParam, Snake> || std::is_same_v<TypeParam, Truck>) {
@@ -91,10 +92,13 @@ TYPED_TEST(MotionCheckSound, AcceptedStepsTouchNothingInBetween) {
   for (const TypeParam& robot : robots) {
     for (unsigned seed = 1; seed <= 8; ++seed) {
       const OpenScene open(crowded(seed));
-      const int walks = robot.body_count() == 1 ? 25 : 15;
-      const Tally tally = expect_sound(robot, open.scene, 1e-3F, 0.1F, walks, seed);
-      all.accepted += tally.accepted;
-      all.rejected += tally.rejected;
+      const int walks = robot.body_count() == 1 ? 24 : 14;
+      for (const bool shortcuts : {true, false}) {
+        const Tally tally =
+            expect_sound(robot, open.scene, 1e-3F, 0.1F, shortcuts ? walks : walks / 2, seed, shortcuts);
+        all.accepted += tally.accepted;
+        all.rejected += tally.rejected;
+      }
     }
   }
   EXPECT_GT(all.accepted, 100);
@@ -143,7 +147,7 @@ TEST(MotionCheck, StepsWithRoomEverywhereAreAccepted) {
     const OpenScene open(crowded(seed));
     std::mt19937 random(seed);
     MotionCheck<Snake> check;
-    check.assign(snake, open.scene, 1e-3F, 16);
+    check.assign(snake, open.scene, 1e-3F, 16, seed % 2 == 0);
     for (int i = 0; i < 400; ++i) {
       const auto s = somewhere(snake, open.scene, random);
       const auto u = random_control(snake, s, 0.1F, random);
@@ -158,8 +162,8 @@ TEST(MotionCheck, StepsWithRoomEverywhereAreAccepted) {
   EXPECT_GT(accepted, 50);
 }
 
-// A wall of a centimetre across the room at x = 5.
-struct Walled : ::testing::Test {
+// A wall of a centimetre across the room at x = 5; with shortcuts and without.
+struct Walled : ::testing::TestWithParam<bool> {
   static Room room() {
     Room result;
     result.boxes = {{5, 0, 5.01, 10}};
@@ -170,7 +174,7 @@ struct Walled : ::testing::Test {
   Slider slider{0.1F, 100.0F};
   MotionCheck<Slider> check;
 
-  void SetUp() override { check.assign(slider, open.scene, 0.0F, 16); }
+  void SetUp() override { check.assign(slider, open.scene, 0.0F, 16, GetParam()); }
 
   // Whether a step from x to x + u dt along y = 5 is accepted after begin.
   bool steps(float x, float speed, float dt = 0.1F) {
@@ -179,7 +183,7 @@ struct Walled : ::testing::Test {
   }
 };
 
-TEST_F(Walled, ThinWallBetweenTwoFreeStatesIsSeen) {
+TEST_P(Walled, ThinWallBetweenTwoFreeStatesIsSeen) {
   for (float x = 2.0F; x < 4.9F; x += 0.01F) {
     for (const float speed : {5.0F, 12.0F, 30.0F, 45.0F}) {
       const float end = x + 0.1F * speed;
@@ -193,7 +197,7 @@ TEST_F(Walled, ThinWallBetweenTwoFreeStatesIsSeen) {
   }
 }
 
-TEST_F(Walled, ThinWallIsSeenAfterASlowStepBesideIt) {
+TEST_P(Walled, ThinWallIsSeenAfterASlowStepBesideIt) {
   // The slow step learns only of what is near; the fast one must not take that for room.
   const float s[] = {4.945F, 5};
   ASSERT_TRUE(check.free(s));
@@ -208,7 +212,7 @@ TEST_F(Walled, ThinWallIsSeenAfterASlowStepBesideIt) {
   }
 }
 
-TEST_F(Walled, FastStepInTheOpenIsAccepted) {
+TEST_P(Walled, FastStepInTheOpenIsAccepted) {
   const float s[] = {1, 5};
   check.begin(s);
   EXPECT_TRUE(steps(1, 35));  // up to 0.4 m before the wall: by halving
@@ -216,16 +220,40 @@ TEST_F(Walled, FastStepInTheOpenIsAccepted) {
   EXPECT_TRUE(steps(1, 5));
 }
 
-TEST_F(Walled, WithoutSubstepsOnlyTheEndsCanProveAStep) {
-  check.assign(slider, open.scene, 0.0F, 1);
-  const float s[] = {1, 5};
-  check.begin(s);
-  EXPECT_FALSE(steps(1, 35));
-  check.begin(s);
-  EXPECT_TRUE(steps(1, 5));
+TEST_P(Walled, FastStepThatEndsJustBeforeTheWallIsAccepted) {
+  check.assign(slider, open.scene, 0.0F, 1, GetParam());
+  for (const float gap : {0.001F, 0.01F, 0.1F, 1.0F}) {
+    const float s[] = {1, 5};
+    check.begin(s);
+    EXPECT_TRUE(steps(1, 10 * (3.95F - gap))) << gap;
+    check.begin(s);
+    EXPECT_FALSE(steps(1, 10 * (3.95F + gap))) << gap;
+  }
 }
 
-TEST_F(Walled, StepAlongTheWallIsAcceptedByTheGapItKeeps) {
+// A turning body leaves the hull of its places: what one part cannot prove, many can, and never the other way round.
+TEST_P(Walled, SubstepsProveWhatTheWholeStepCannot) {
+  const Unicycle unicycle({});
+  MotionCheck<Unicycle> whole, parts;
+  whole.assign(unicycle, open.scene, 0.0F, 1, GetParam());
+  parts.assign(unicycle, open.scene, 0.0F, 16, GetParam());
+  int by_whole = 0, by_parts = 0;
+  for (float x = 4.74F; x < 4.80F; x += 0.0005F) {
+    const std::vector<float> s = {x, 5, 0.5F * kPi}, u = {1, 2};
+    const auto next = step(unicycle, s, u, 0.1F);
+    whole.begin(s.data());
+    parts.begin(s.data());
+    const bool one = whole.step_free(s.data(), u.data(), 0.1F, next.data());
+    const bool many = parts.step_free(s.data(), u.data(), 0.1F, next.data());
+    EXPECT_TRUE(many || !one) << x;
+    by_whole += one ? 1 : 0;
+    by_parts += many ? 1 : 0;
+  }
+  EXPECT_GT(by_whole, 0);
+  EXPECT_GT(by_parts, by_whole);
+}
+
+TEST_P(Walled, StepAlongTheWallIsAcceptedByTheGapItKeeps) {
   for (const float gap : {0.02F, 0.05F, 0.2F}) {
     const float x = 5.0F - 0.05F - gap;
     const float s[] = {x, 4}, u[] = {0, 3}, next[] = {x, 4.3F};
@@ -234,31 +262,65 @@ TEST_F(Walled, StepAlongTheWallIsAcceptedByTheGapItKeeps) {
   }
 }
 
-TEST_F(Walled, ClearanceIsKept) {
-  check.assign(slider, open.scene, 0.5F, 16);
+TEST_P(Walled, ClearanceIsKept) {
+  check.assign(slider, open.scene, 0.5F, 16, GetParam());
   const float near[] = {4.46F, 5}, far[] = {4.44F, 5};
   EXPECT_FALSE(check.free(near));
   EXPECT_TRUE(check.free(far));
 }
 
-TEST_F(Walled, StandingStillIsFree) {
+TEST_P(Walled, StandingStillIsFree) {
   const float s[] = {3, 5};
   check.begin(s);
   EXPECT_TRUE(steps(3, 0));
 }
 
-TEST_F(Walled, LeavingTheBoundsIsSeen) {
+TEST_P(Walled, LeavingTheBoundsIsSeen) {
   const float s[] = {0.5F, 5}, u[] = {-10, 0}, next[] = {-0.5F, 5};
   check.begin(s);
   EXPECT_FALSE(check.step_free(s, u, 0.1F, next));
   EXPECT_FALSE(check.free(next));
 }
 
-TEST_F(Walled, CountsWhatItPlaces) {
+TEST_P(Walled, CountsWhatItPlaces) {
   const float s[] = {3, 5};
   EXPECT_EQ(check.checks(), 0U);
   check.free(s);
   EXPECT_EQ(check.checks(), 1U);
+}
+
+TEST_P(Walled, AFreeStateIsWhereTheNextStepBegins) {
+  const float far[] = {8, 5}, s[] = {4, 5}, inside[] = {5, 5};
+  check.begin(far);
+  ASSERT_TRUE(check.free(s));
+  EXPECT_EQ(check.poses()[0].position.x, 4.0F);
+  EXPECT_FALSE(steps(4, 20));  // from 8 it would be free
+  ASSERT_TRUE(steps(4, 5));
+  EXPECT_EQ(check.poses()[0].position.x, 4.5F);
+  EXPECT_FALSE(check.free(inside));
+  EXPECT_EQ(check.poses()[0].position.x, 4.5F);  // it stays where it was
+  EXPECT_FALSE(steps(4.5F, 10));
+}
+
+INSTANTIATE_TEST_SUITE_P(Checks, Walled, ::testing::Bool(),
+                         [](const auto& check) { return check.param ? "with_shortcuts" : "plain"; });
+
+// A slit: what the robot's width leaves of it decides, to the margin.
+TEST(MotionCheckSlit, IsPassedExactlyWhereTheBodyFits) {
+  for (const bool shortcuts : {true, false}) {
+    for (const double spare : {-0.02, -0.002, 0.002, 0.02}) {
+      Room room;
+      const double half = 0.05 + spare / 2;
+      room.boxes = {{5, 0, 5.5, 5 - half}, {5, 5 + half, 5.5, 10}};
+      const OpenScene open(room);
+      const Slider slider(0.1F, 100.0F);
+      MotionCheck<Slider> check;
+      check.assign(slider, open.scene, 0.0F, 16, shortcuts);
+      const float s[] = {4, 5}, u[] = {25, 0}, next[] = {6.5F, 5};
+      check.begin(s);
+      EXPECT_EQ(check.step_free(s, u, 0.1F, next), spare > 0) << spare;
+    }
+  }
 }
 
 // A shuttle of two squares: the second slides along the first's x axis by its third state.
@@ -274,8 +336,11 @@ class Shuttle : public Slider {
     poses[0] = {position(s), {0.0F, 1.0F}};
     poses[1] = {position(s) + Vec2{s[2], 0.0F}, {0.0F, 1.0F}};
   }
-  float travel(StateView, ControlView u, float dt, int k) const {
-    return dt * (length({u[0], u[1]}) + (k == 1 ? std::abs(u[2]) : 0.0F));
+  bool travel(StateView, ControlView u, float dt, StateView, Travel* travel) const {
+    const float path = dt * length({u[0], u[1]});
+    travel[0] = {path, 0.0F, 0.0F, 0.0F};
+    travel[1] = {path + dt * std::abs(u[2]), 0.0F, 0.0F, 0.0F};
+    return true;
   }
 };
 
@@ -284,10 +349,10 @@ TEST(MotionCheckSelf, BodiesThatPassThroughEachOtherAreSeen) {
   const OpenScene open{Room{}};
   const Shuttle shuttle;
   MotionCheck<Shuttle> check;
-  check.assign(shuttle, open.scene, 0.0F, 16);
   std::mt19937 random(1);
   int crossing = 0, apart = 0;
   for (int i = 0; i < 2000; ++i) {
+    if (i % 1000 == 0) check.assign(shuttle, open.scene, 0.0F, 16, i == 0);
     const float from = uniform_float(random, -3, 3), to = uniform_float(random, -3, 3);
     const float s[] = {5, 5, from}, u[] = {0, 0, 10 * (to - from)}, next[] = {5, 5, to};
     if (!check.free(s) || !check.free(next)) continue;
@@ -324,7 +389,7 @@ TEST(MotionCheck, FastSmallRobotPassesThroughNoSliver) {
     const OpenScene open(room);
     const auto pieces = rings_of_pieces(open.scene);
     MotionCheck<Slider> check;
-    check.assign(slider, open.scene, 0.0F, 16);
+    check.assign(slider, open.scene, 0.0F, 16, seed > 2);
     float s[] = {0.1F, 0.1F};
     for (int i = 0; i < 1500; ++i) {
       const float reach = below(random, 2) == 0 ? 0.02F : 2.0F;  // slow steps between the fast ones
@@ -334,12 +399,10 @@ TEST(MotionCheck, FastSmallRobotPassesThroughNoSliver) {
       if (i % 50 == 0 || !check.free(s)) {
         s[0] = uniform_float(random, 0.1, 9.9);
         s[1] = uniform_float(random, 0.1, 9.9);
-        if (check.free(s)) check.begin(s);
         continue;
       }
       if (!check.step_free(s, u, 0.1F, next)) {
         ++rejected;
-        check.begin(s);
         continue;
       }
       ++accepted;
@@ -362,7 +425,7 @@ TEST(MotionCheckEdges, StateWithoutAPoseIsNotFree) {
   const OpenScene open{Room{}};
   const Unicycle robot({});
   MotionCheck<Unicycle> check;
-  check.assign(robot, open.scene, 0.0F, 16);
+  check.assign(robot, open.scene, 0.0F, 16, true);
   for (const float heading : {std::numeric_limits<float>::quiet_NaN(), 1e30F, 9000.0F}) {
     const float s[] = {5, 5, heading};
     EXPECT_FALSE(check.free(s)) << heading;

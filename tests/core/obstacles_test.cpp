@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "convex.hpp"
+#include "krait/robot/box.hpp"
 
 namespace krait::test {
 namespace {
@@ -30,11 +31,7 @@ PlacedBody body_at(Vec2 at, const std::vector<Vec2>& vertices) {
   PlacedBody body;
   body.at = at;
   body.count = static_cast<int>(vertices.size());
-  body.center = at;
-  for (int i = 0; i < body.count; ++i) {
-    body.vertices[i] = vertices[static_cast<std::size_t>(i)];
-    body.radius = std::max(body.radius, length(body.vertices[i]) * 1.000001F);
-  }
+  for (int i = 0; i < body.count; ++i) body.vertices[i] = vertices[static_cast<std::size_t>(i)];
   return body;
 }
 
@@ -134,7 +131,8 @@ TEST(Obstacles, RoomByTheGridIsNeverMoreThanThereIs) {
   for (int i = 0; i < 5000; ++i) {
     const Vec2 at{uniform_float(random, 0, 12), uniform_float(random, 0, 12)};
     const PlacedBody body = body_at(at, random_convex(random, {0, 0}, 0.4));
-    const auto by_grid = static_cast<double>(obstacles.room_by_grid(body.center, body.radius));
+    const float radius = farthest(body.vertices, body.count) * 1.000001F;
+    const auto by_grid = static_cast<double>(obstacles.room_by_grid(at, radius));
     ASSERT_LE(by_grid, true_room(open.scene, body));
     positive += by_grid > 0 ? 1 : 0;
   }

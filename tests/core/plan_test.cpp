@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <set>
+#include <utility>
 
 #include "planner_fixture.hpp"
 #include "robot_oracle.hpp"
@@ -74,15 +76,17 @@ class PlanOf : public ::testing::Test {
     ASSERT_EQ(bench_.solve({start_.data()}), Status::solved);
     plan_ = bench_.planner.plan();
     ASSERT_GT(plan_.steps(), 5U);
+    const Path path(plan_);
+    states_ = path.states;
+    controls_ = path.controls;
   }
-  std::vector<float> state(std::uint32_t i) const { return {plan_.state(i), plan_.state(i) + plan_.state_size()}; }
-  std::vector<float> control(std::uint32_t i) const {
-    return {plan_.control(i), plan_.control(i) + plan_.control_size()};
-  }
+  const std::vector<float>& state(std::uint32_t i) const { return states_.at(i); }
+  const std::vector<float>& control(std::uint32_t i) const { return controls_.at(i); }
 
   Bench<R> bench_{two_rooms(), small_robot<R>()};
   std::vector<float> start_;
-  Plan plan_;
+  Plan<R> plan_;
+  std::vector<std::vector<float>> states_, controls_;
 };
 TYPED_TEST_SUITE(PlanOf, Models, ModelNames);
 
@@ -109,7 +113,7 @@ TYPED_TEST(PlanOf, KeepsItsLimits) {
       ASSERT_GE(u[k], limits[k].low);
       ASSERT_LE(u[k], limits[k].high);
     }
-    ASSERT_TRUE(this->bench_.robot.within_limits(StateView(this->plan_.state(i + 1), this->plan_.state_size())));
+    ASSERT_TRUE(this->bench_.robot.within_limits(StateView(this->state(i + 1).data(), this->plan_.state_size())));
   }
 }
 
@@ -123,14 +127,16 @@ TYPED_TEST(PlanOf, TouchesNothingAtAnyTime) {
 }
 
 TYPED_TEST(PlanOf, CopyIsWhatTheCursorShows) {
-  const Plan& plan = this->plan_;
+  const auto& plan = this->plan_;
+  ASSERT_EQ(this->states_.size(), plan.steps() + 1U);
+  ASSERT_EQ(this->controls_.size(), plan.steps());
   const auto n = static_cast<std::size_t>(plan.state_size()), m = static_cast<std::size_t>(plan.control_size());
   std::vector<float> states((plan.steps() + 1) * n), controls(plan.steps() * m);
   plan.copy(states.data(), controls.data());
   for (std::size_t i = 0; i <= plan.steps(); ++i) {
-    for (std::size_t k = 0; k < n; ++k) ASSERT_EQ(states[i * n + k], plan.state(static_cast<std::uint32_t>(i))[k]);
+    for (std::size_t k = 0; k < n; ++k) ASSERT_EQ(states[i * n + k], this->states_[i][k]);
     for (std::size_t k = 0; i < plan.steps() && k < m; ++k) {
-      ASSERT_EQ(controls[i * m + k], plan.control(static_cast<std::uint32_t>(i))[k]);
+      ASSERT_EQ(controls[i * m + k], this->controls_[i][k]);
     }
   }
 }
@@ -162,11 +168,28 @@ TYPED_TEST(PlanOf, LengthAndDurationAreThoseOfItsStates) {
   EXPECT_EQ(statistics.plan_duration, this->plan_.duration());
 }
 
-TYPED_TEST(PlanOf, FollowsTheTreeFromTheRoot) {
-  const MotionTree& tree = this->bench_.planner.tree();
-  EXPECT_EQ(tree.parent(this->plan_.vertex(0)), kNone);
+TYPED_TEST(PlanOf, EveryStepIsOneThatTheTreeGrewBy) {
+  std::set<std::pair<std::vector<float>, std::vector<float>>> grown;
+  const auto watch = [&](const float* from, const float* to) {
+    const auto n = this->start_.size();
+    grown.insert({{from, from + n}, {to, to + n}});
+  };
+  this->bench_.planner.start({this->start_.data()});
+  ASSERT_EQ(this->bench_.planner.advance(1'000'000, watch), Status::solved);
   for (std::uint32_t i = 0; i < this->plan_.steps(); ++i)
-    ASSERT_EQ(tree.parent(this->plan_.vertex(i + 1)), this->plan_.vertex(i));
+    ASSERT_EQ(grown.count({this->state(i), this->state(i + 1)}), 1U) << i;
+}
+
+TYPED_TEST(PlanOf, CursorsAreIndependentOfEachOther) {
+  auto one = this->plan_.cursor();
+  for (int i = 0; i < 3; ++i) one.advance();
+  auto two = this->plan_.cursor();
+  auto copy = one;
+  one.advance();
+  const auto n = this->start_.size();
+  EXPECT_EQ(std::vector<float>(two.state(), two.state() + n), this->state(0));
+  EXPECT_EQ(std::vector<float>(copy.state(), copy.state() + n), this->state(3));
+  EXPECT_EQ(std::vector<float>(one.state(), one.state() + n), this->state(4));
 }
 
 TEST(PlanFnv, TestsOwnHashGivesTheKnownValue) {
@@ -176,13 +199,61 @@ TEST(PlanFnv, TestsOwnHashGivesTheKnownValue) {
 }
 
 TEST(PlanEmpty, IsHarmless) {
-  const Plan plan;
+  const Plan<Unicycle> plan;
   EXPECT_TRUE(plan.empty());
   EXPECT_EQ(plan.steps(), 0U);
+  EXPECT_EQ(plan.state_size(), 0);
+  EXPECT_EQ(plan.control_size(), 0);
   EXPECT_EQ(plan.hash(), 0U);
   EXPECT_EQ(plan.length(), 0.0F);
   EXPECT_EQ(plan.duration(), 0.0F);
   plan.copy(nullptr, nullptr);
+}
+
+// A robot that is no pure function: from its n-th control on it steers a little otherwise.
+class Fickle : public Slider {
+ public:
+  explicit Fickle(const int* after) : Slider(0.5F, 1.5F), after_(after) {}
+  void steer(StateView s, const Target& target, Steering& steering, ControlRef u) const {
+    Slider::steer(s, target, steering, u);
+    if (++calls > *after_) u[0] *= 0.99F;
+  }
+
+  mutable int calls = 0;
+
+ private:
+  const int* after_;
+};
+
+template <class P>
+class PlanReplay : public ::testing::Test {};
+TYPED_TEST_SUITE(PlanReplay, Planners, PlannerNames);
+
+// The plan is driven again before it is given out: what cannot be repeated is not.
+TYPED_TEST(PlanReplay, ThatEndsElsewhereIsAnInternalError) {
+  const float start[] = {2, 6};
+  int after = 1'000'000'000;
+  Bench<Fickle, TypeParam> bench(two_rooms(), Fickle(&after));
+  ASSERT_TRUE(bench.init().ok());
+  int growing = 0;
+  ASSERT_EQ(bench.planner.start({start}), Status::searching);
+  while (bench.planner.status() == Status::searching) {
+    growing = bench.robot.calls;  // at the beginning of the last expansion
+    bench.planner.advance(1);
+  }
+  ASSERT_EQ(bench.planner.status(), Status::solved);
+  const std::uint64_t hash = bench.planner.statistics().hash;
+  // The tree grows as before; the replay comes later than all of it, or in the middle of the last expansion.
+  after = growing;
+  bench.robot.calls = 0;
+  const Status status = bench.solve({start});
+  EXPECT_EQ(status, Status::internal);
+  EXPECT_TRUE(bench.planner.plan().empty());
+  EXPECT_EQ(bench.planner.statistics().hash, 0U);
+  EXPECT_EQ(bench.planner.advance(10), Status::internal);
+  after = 1'000'000'000;
+  ASSERT_EQ(bench.solve({start}), Status::solved);
+  EXPECT_EQ(bench.planner.statistics().hash, hash);
 }
 
 // Every planner, over random scenes: whatever it calls solved touches nothing.
@@ -206,10 +277,9 @@ TYPED_TEST(PlanByPlanner, TouchesNothingInRandomScenes) {
     }
     if (status != Status::solved) continue;
     ++solved;
-    const Plan plan = bench.planner.plan();
-    for (std::uint32_t i = 0; i < plan.steps(); ++i) {
-      const std::vector<float> s(plan.state(i), plan.state(i) + 8), u(plan.control(i), plan.control(i) + 2);
-      ASSERT_GT(separation_of_step(bench.robot, bench.open.scene, s, u, plan.dt(), 30), 0)
+    const Path path(bench.planner.plan());
+    for (std::size_t i = 0; i < path.controls.size(); ++i) {
+      ASSERT_GT(separation_of_step(bench.robot, bench.open.scene, path.states[i], path.controls[i], 0.1F, 30), 0)
           << "seed " << seed << " step " << i;
     }
   }

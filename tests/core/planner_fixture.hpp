@@ -72,6 +72,21 @@ struct Bench {
   PlannerType planner;
 };
 
+// A plan's states and controls, by its cursor.
+struct Path {
+  template <class R>
+  explicit Path(const Plan<R>& plan) {
+    PlanCursor<R> at = plan.cursor();
+    for (; !at.done(); at.advance()) {
+      states.emplace_back(at.state(), at.state() + plan.state_size());
+      controls.emplace_back(at.control(), at.control() + plan.control_size());
+    }
+    states.emplace_back(at.state(), at.state() + plan.state_size());
+  }
+
+  std::vector<std::vector<float>> states, controls;
+};
+
 inline Unicycle small_unicycle() {
   UnicycleParameters p;
   p.body_length = 0.5F;

@@ -67,6 +67,73 @@ TYPED_TEST(PlannerMemory, LimitsForFitAndAreTheMost) {
   }
 }
 
+TYPED_TEST(PlannerMemory, MoreBytesNeverMeanFewerVertices) {
+  const OpenScene open(two_rooms());
+  const Unicycle robot = small_unicycle();
+  using P = typename TypeParam::template Of<Unicycle>;
+  std::uint32_t before = 2;
+  for (std::uint64_t bytes = 0; bytes < 8'000'000; bytes += 1 + bytes / 97) {
+    const std::uint32_t vertices = P::limits_for(bytes, open.scene, robot).vertices;
+    ASSERT_GE(vertices, before) << bytes;
+    before = vertices;
+  }
+  EXPECT_GT(before, 100'000U);  // with indices of both widths
+}
+
+TYPED_TEST(PlannerMemory, MoreOfAnythingNeverNeedsFewerBytes) {
+  const OpenScene open(two_rooms());
+  const Unicycle robot = small_unicycle();
+  using P = typename TypeParam::template Of<Unicycle>;
+  std::uint64_t before = 0;
+  for (std::uint32_t vertices = 2; vertices < 200'000; vertices += 1 + vertices / 50) {
+    Limits limits;
+    limits.vertices = vertices;
+    const std::uint64_t bytes = P::bytes_required(open.scene, robot, limits);
+    ASSERT_GE(bytes, before) << vertices;
+    ASSERT_EQ(bytes % 8, 0U);
+    limits.expansions = limits.kept_expansions();
+    ASSERT_EQ(P::bytes_required(open.scene, robot, limits), bytes);
+    limits.expansions += 100;
+    ASSERT_GE(P::bytes_required(open.scene, robot, limits), bytes + 1600);
+    before = bytes;
+  }
+}
+
+TYPED_TEST(PlannerMemory, LimitsForAHugeBlockAreTheMostThatAPlannerTakes) {
+  typename TypeParam::template Of<Unicycle> planner;
+  const OpenScene open(two_rooms());
+  for (const std::uint64_t bytes : {std::uint64_t{1} << 34U, ~std::uint64_t{0}}) {
+    const Limits limits = planner.limits_for(bytes, open.scene, small_unicycle());
+    EXPECT_EQ(limits.vertices, MotionTree::kMostExpansions);
+    EXPECT_EQ(limits.first_bad(), Argument::none);
+  }
+}
+
+// From the tables alone to all of the block, as the tree grows.
+TYPED_TEST(PlannerMemory, BytesUsedGrowWithTheTreeUpToAllOfThem) {
+  Bench<Unicycle, TypeParam> bench(two_rooms(), small_unicycle());
+  bench.limits.vertices = 300;
+  bench.limits.expansions = 100;
+  bench.limits.when_full = WhenFull::stop;
+  bench.parameters.group_sample = kUnboundedSample;
+  bench.parameters.max_steps = 5;
+  ASSERT_TRUE(bench.init().ok());
+  ASSERT_EQ(bench.planner.start({kStart, Goal::disc({11, 1}, 1e-3F)}), Status::searching);
+  const Arena& arena = bench.planner.arena();
+  const std::uint64_t tree_bytes =
+      arena.needed(Pool::vertices) + arena.needed(Pool::states) + arena.needed(Pool::expansions);
+  std::uint64_t before = bench.planner.statistics().bytes_used;
+  EXPECT_NEAR(static_cast<double>(before), static_cast<double>(arena.needed() - tree_bytes), 32);
+  while (bench.planner.advance(1) == Status::searching) {
+    const std::uint64_t used = bench.planner.statistics().bytes_used;
+    ASSERT_GE(used, before);
+    before = used;
+  }
+  ASSERT_EQ(bench.planner.status(), Status::tree_full);
+  EXPECT_LE(before, arena.needed());
+  EXPECT_GT(before, arena.needed() - tree_bytes / 2);
+}
+
 TYPED_TEST(PlannerMemory, LimitsForABlockThatIsTooSmallAreTheLeast) {
   const OpenScene open(two_rooms());
   const Unicycle robot = small_unicycle();

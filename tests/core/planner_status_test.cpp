@@ -49,7 +49,9 @@ TYPED_TEST(PlannerStatus, SolvedWithoutAStepWhenTheStartIsInTheGoal) {
   EXPECT_EQ(bench.planner.start({start}), Status::solved);
   EXPECT_EQ(bench.planner.plan().steps(), 0U);
   EXPECT_FALSE(bench.planner.plan().empty());
-  EXPECT_EQ(bench.planner.plan().state(0)[0], 10.5F);
+  EXPECT_TRUE(bench.planner.plan().cursor().done());
+  EXPECT_EQ(bench.planner.plan().cursor().state()[0], 10.5F);
+  EXPECT_EQ(bench.planner.plan().length(), 0.0F);
   EXPECT_NE(bench.planner.statistics().hash, 0U);
   EXPECT_EQ(bench.planner.statistics().iterations, 0U);
   EXPECT_EQ(bench.planner.advance(10), Status::solved);
@@ -77,19 +79,36 @@ TYPED_TEST(PlannerStatus, BudgetUsed) {
   EXPECT_EQ(bench.planner.statistics().hash, 0U);
 }
 
-TYPED_TEST(PlannerStatus, TreeFull) {
+TYPED_TEST(PlannerStatus, TreeFullOfVertices) {
   typename TestFixture::TestBench bench(two_rooms(), small_unicycle());
+  bench.limits.when_full = WhenFull::stop;
   for (const std::uint32_t vertices : {2U, 3U, 20U}) {
     bench.limits.vertices = vertices;
+    bench.limits.expansions = 1000;
     ASSERT_TRUE(bench.init().ok());
     EXPECT_EQ(bench.solve({kStart}), Status::tree_full);
-    EXPECT_EQ(bench.planner.statistics().vertices, vertices);
+    EXPECT_EQ(bench.planner.tree().vertices(), vertices);
+    EXPECT_EQ(bench.planner.statistics().recycled, 0U);
+    EXPECT_TRUE(bench.planner.plan().empty());
+  }
+}
+
+TYPED_TEST(PlannerStatus, TreeFullOfExpansions) {
+  typename TestFixture::TestBench bench(two_rooms(), small_unicycle());
+  bench.limits.when_full = WhenFull::stop;
+  bench.parameters.max_steps = 2;
+  for (const std::uint32_t expansions : {2U, 3U, 9U}) {
+    bench.limits.expansions = expansions;
+    ASSERT_TRUE(bench.init().ok());
+    EXPECT_EQ(bench.solve({kStart}), Status::tree_full);
+    EXPECT_EQ(bench.planner.tree().expansions(), expansions);
     EXPECT_TRUE(bench.planner.plan().empty());
   }
 }
 
 TYPED_TEST(PlannerStatus, SolvesAfterTreeFullWithMoreMemory) {
   typename TestFixture::TestBench bench(two_rooms(), small_unicycle());
+  bench.limits.when_full = WhenFull::stop;
   bench.limits.vertices = 20;
   ASSERT_TRUE(bench.init().ok());
   ASSERT_EQ(bench.solve({kStart}), Status::tree_full);
@@ -178,14 +197,26 @@ TYPED_TEST(PlannerStatus, BadRobot) {
 }
 
 TYPED_TEST(PlannerStatus, BadLimits) {
-  typename TestFixture::TestBench bench(two_rooms(), small_unicycle());
-  bench.limits.vertices = 1;
-  EXPECT_EQ(bench.init().element, blame(Argument::vertices));
-  bench.limits.vertices = 2;
-  bench.limits.iterations = 0;
-  const Failure failure = bench.init();
-  EXPECT_EQ(failure.status, Status::bad_argument);
-  EXPECT_EQ(failure.element, blame(Argument::iterations));
+  const auto expect_bad = [](const Limits& limits, Argument argument) {
+    typename TestFixture::TestBench bench(two_rooms(), small_unicycle());
+    bench.limits = limits;
+    const Failure failure = bench.init(1'000'000);
+    EXPECT_EQ(failure.status, Status::bad_argument);
+    EXPECT_EQ(failure.element, blame(argument));
+  };
+  Limits limits;
+  for (const std::uint32_t bad : {0U, 1U, MotionTree::kMostExpansions + 1, 0xFFFFFFFFU}) {
+    limits.vertices = bad;
+    expect_bad(limits, Argument::vertices);
+  }
+  limits.vertices = 2;
+  for (const std::uint32_t bad : {1U, MotionTree::kMostExpansions + 1, 0xFFFFFFFFU}) {
+    limits.expansions = bad;
+    expect_bad(limits, Argument::expansions);
+  }
+  limits.expansions = 2;
+  limits.iterations = 0;
+  expect_bad(limits, Argument::iterations);
 }
 
 TYPED_TEST(PlannerStatus, BeforeInitAndStartNothingIsSolved) {
@@ -230,7 +261,7 @@ std::vector<ParameterRange> float_ranges() {
   return {{Argument::alpha, 1, 64, false, false, [](auto& p, float x) { p.alpha = x; }},
           {Argument::beta, 0, 1, true, true, [](auto& p, float x) { p.beta = x; }},
           {Argument::epsilon, 0, 1, true, false, [](auto& p, float x) { p.epsilon = x; }},
-          {Argument::gamma, 0, 1e6F, true, false, [](auto& p, float x) { p.gamma = x; }},
+          {Argument::gamma, 0, 1e6F, false, false, [](auto& p, float x) { p.gamma = x; }},
           {Argument::cost_length, 0, 10, false, false, [](auto& p, float x) { p.cost_length = x; }},
           {Argument::dt, 0.001F, 1, false, false, [](auto& p, float x) { p.dt = x; }},
           {Argument::near_radius, 0, 10, false, false, [](auto& p, float x) { p.near_radius = x; }},
@@ -280,7 +311,8 @@ TEST(PlannerParameters, EachCountIsCheckedAtBothEnds) {
     Argument argument;
     std::uint32_t low, high;
     std::uint32_t Parameters::*member;
-  } ranges[] = {{Argument::kappa, 1, 10000, &Parameters::kappa},
+  } ranges[] = {{Argument::group_sample, 1, 65535, &Parameters::group_sample},
+                {Argument::kappa, 1, 10000, &Parameters::kappa},
                 {Argument::max_steps, 1, 1000, &Parameters::max_steps},
                 {Argument::path_regions, 1, 64, &Parameters::path_regions},
                 {Argument::max_substeps, 1, 64, &Parameters::max_substeps}};

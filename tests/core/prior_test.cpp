@@ -37,12 +37,14 @@ double log_weight(const OfUnicycle& planner, Index region) {
   if (!std::isfinite(h)) return -std::numeric_limits<double>::infinity();
   const double epsilon = 1e-11;
   return 8 * std::log(epsilon + (1 - epsilon) * (most - h) / (most - least)) +
-         std::log(0.85) * planner.groups().selections(region);
+         std::log(double{Parameters().beta}) * planner.guide().selections(region);
 }
 
 std::set<Index> groups_of(const OfUnicycle& planner) {
   std::set<Index> regions;
-  for (Index v = 0; v < planner.tree().size(); ++v) regions.insert(planner.tree().region(v));
+  for (Index r = 0; r < planner.regions().scene().triangle_count(); ++r) {
+    if (planner.guide().size(r) > 0) regions.insert(r);
+  }
   return regions;
 }
 
@@ -56,14 +58,14 @@ TEST(PriorPlanner, SelectsTheGroupOfTheLargestWeight) {
       std::map<Index, double> weights;
       double best = -std::numeric_limits<double>::infinity();
       for (const Index region : groups_of(f.planner)) {
-        selections[region] = f.planner.groups().selections(region);
+        selections[region] = f.planner.guide().selections(region);
         weights[region] = log_weight(f.planner, region);
         best = std::max(best, weights[region]);
       }
       f.planner.advance(1);
       int grown = 0;
       for (const auto& [region, before] : selections) {
-        if (f.planner.groups().selections(region) == before) continue;
+        if (f.planner.guide().selections(region) == before) continue;
         ++grown;
         ASSERT_NEAR(weights[region], best, 1e-4 * (1 + std::abs(best))) << i;
       }
@@ -84,9 +86,14 @@ TEST(PriorPlanner, CostsNeverChange) {
   EXPECT_EQ(f.planner.statistics().dijkstra_runs, 1U);
 }
 
-float distance_to(const OfUnicycle& planner, Index vertex, Vec2 point) {
-  const float* state = planner.tree().state(vertex);
-  return length(point - Vec2{state[0], state[1]});
+float distance(const float* state, Vec2 point) { return length(point - Vec2{state[0], state[1]}); }
+
+// How near the nearest member of a group is to the point.
+float least_distance(const OfUnicycle& planner, Index group, Vec2 point) {
+  float least = kInfinity;
+  planner.guide().for_each_vertex(
+      group, [&](Index vertex) { least = std::min(least, distance(planner.tree().state(vertex), point)); });
+  return least;
 }
 
 // Runs with every target in a goal too small to matter where; returns how many of the expansions that added vertices
@@ -101,18 +108,20 @@ std::pair<int, int> nearest_expansions(float nearest_share) {
   f.planner.start({kStart, Goal::disc(center, 1e-3F), 1});
   int nearest = 0, all = 0;
   for (int i = 0; i < 400 && f.planner.status() == Status::searching; ++i) {
-    const Index size = f.planner.tree().size();
-    f.planner.advance(1);
-    if (f.planner.tree().size() == size) continue;
-    const Index parent = f.planner.tree().parent(size);
-    float least = kInfinity;
-    for (Index v = 0; v < size; ++v) {
-      if (f.planner.tree().region(v) == f.planner.tree().region(parent)) {
-        least = std::min(least, distance_to(f.planner, v, center));
-      }
+    std::map<Index, std::pair<std::uint32_t, float>> before;  // by group: selections, nearest member
+    for (const Index group : groups_of(f.planner)) {
+      before[group] = {f.planner.guide().selections(group), least_distance(f.planner, group, center)};
     }
+    float from = kInfinity;  // of the expansion's first state, if it had a step
+    f.planner.advance(1, [&](const float* state, const float*) {
+      if (from == kInfinity) from = distance(state, center);
+    });
+    if (from == kInfinity) continue;
     ++all;
-    nearest += distance_to(f.planner, parent, center) <= least + 3e-3F ? 1 : 0;
+    for (const auto& [group, then] : before) {
+      const bool selected = f.planner.guide().selections(group) > then.first;
+      nearest += selected && from <= then.second + 3e-3F ? 1 : 0;
+    }
   }
   return {nearest, all};
 }
@@ -127,33 +136,6 @@ TEST(PriorPlanner, GrowsFromAnyVertexOfTheGroupWhereItsShareSaysSo) {
   const auto [nearest, all] = nearest_expansions(0.0F);
   EXPECT_GT(all, 50);
   EXPECT_LT(nearest, all / 2);
-}
-
-TEST(Groups, ForEachVertexVisitsEachOfItsGroupOnce) {
-  const OpenScene open(two_rooms());
-  Regions regions;
-  Groups groups;
-  Arena counting;
-  regions.take(counting, open.scene);
-  groups.take(counting, open.scene, 400);
-  std::vector<std::uint64_t> block(counting.needed() / 8);
-  Arena arena(block.data(), block.size() * 8);
-  regions.take(arena, open.scene);
-  groups.take(arena, open.scene, 400);
-  ASSERT_TRUE(regions.reset(Goal::named(0), 0.0F, 0.05F));
-  groups.clear({});
-  std::map<Index, std::multiset<Index>> expected;
-  std::mt19937 random(1);
-  for (Index v = 0; v < 400; ++v) {
-    const Index region = below(random, 3);
-    groups.insert(regions, region, v);
-    expected[region].insert(v);
-    for (const auto& [r, vertices] : expected) {
-      std::multiset<Index> visited;
-      groups.for_each_vertex(r, [&](Index vertex) { visited.insert(vertex); });
-      ASSERT_EQ(visited, vertices);
-    }
-  }
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/dijkstra_shortest_paths.hpp>
 #include <cmath>
+#include <set>
 #include <vector>
 
 #include "krait/decomposition/locate.hpp"
@@ -201,6 +202,158 @@ TEST(Regions, CostsAreBoostsAfterRandomRaisesInBothForms) {
   }
 }
 
+// The same decomposition twice: one repaired, one computed anew after the same raises.
+class Twins {
+ public:
+  Twins(const Scene& scene, const Goal& goal, float least_width = 0.0F)
+      : triangles_(scene.triangle_count()), repaired_(scene), updated_(scene) {
+    found_ = repaired_.regions.reset(goal, least_width, 0.05F) && updated_.regions.reset(goal, least_width, 0.05F);
+  }
+
+  bool found() const { return found_; }
+  const Regions& regions() const { return repaired_.regions; }
+
+  void raise(Index region, const CostRaise& raise) {
+    repaired_.regions.raise_edges(region, raise);
+    updated_.regions.raise_edges(region, raise);
+  }
+
+  // Gives how many regions' paths were found anew.
+  Index repair() {
+    updated_.regions.update();
+    return repaired_.regions.repair();
+  }
+
+  void expect_equal() const {
+    const Regions &a = repaired_.regions, &b = updated_.regions;
+    ASSERT_EQ(a.largest_cost(), b.largest_cost());
+    for (Index t = 0; t < triangles_; ++t) {
+      ASSERT_EQ(a.cost(a.region(t)), b.cost(b.region(t))) << t;
+      ASSERT_EQ(a.next(a.region(t)), b.next(b.region(t))) << t;
+    }
+  }
+
+ private:
+  Index triangles_;
+  Decomposition repaired_, updated_;
+  bool found_ = false;
+};
+
+// Raises some regions, mostly ones that paths go through, now and then the goal itself or a source.
+void raise_some(Twins& twins, std::mt19937& random, const CostRaise& raise) {
+  const Regions& regions = twins.regions();
+  for (unsigned i = 0; i < 1 + random() % 12; ++i) {
+    Index region = regions.region(below(random, regions.scene().triangle_count()));
+    for (unsigned steps = static_cast<unsigned>(random() % 6); steps > 0; --steps) {
+      if (regions.next(region) != kNone) region = regions.next(region);
+    }
+    twins.raise(region, raise);
+  }
+}
+
+void expect_repairs(const Scene& scene, const Goal& goal, float least_width, const CostRaise& raise, unsigned seed) {
+  Twins twins(scene, goal, least_width);
+  if (!twins.found()) return;
+  std::mt19937 random(seed);
+  Index repaired = 0, rounds = 0;
+  for (; rounds < 60; ++rounds) {
+    raise_some(twins, random, raise);
+    const Index count = twins.repair();
+    ASSERT_LE(count, scene.triangle_count());
+    repaired += count;
+    twins.expect_equal();
+    if (testing::Test::HasFatalFailure()) FAIL() << "seed " << seed << " round " << rounds;
+  }
+  EXPECT_GT(repaired, 0U);
+}
+
+TEST(RegionsRepair, IsAnUpdateBitForBitForNamedGoals) {
+  for (unsigned seed = 1; seed <= 25; ++seed) {
+    const OpenScene open(random_room(seed));
+    for (const CostRaise& raise : {CostRaise{50.0F, 0.7F}, CostRaise{50.0F, 0.0F}, CostRaise{0.01F, 0.7F}}) {
+      expect_repairs(open.scene, Goal::named(0), seed % 3 == 0 ? 0.9F : 0.0F, raise, seed);
+    }
+  }
+}
+
+TEST(RegionsRepair, IsAnUpdateBitForBitForDiscGoals) {
+  for (unsigned seed = 1; seed <= 25; ++seed) {
+    const OpenScene open(random_room(seed));
+    std::mt19937 random(seed + 50);
+    const Goal goal =
+        Goal::disc({uniform_float(random, 1, 11), uniform_float(random, 1, 11)}, uniform_float(random, 0.05, 3));
+    expect_repairs(open.scene, goal, 0.0F, {50.0F, 0.7F}, seed);
+  }
+}
+
+// Rooms of equal cells have many paths of equal cost: ties must fall alike.
+TEST(RegionsRepair, IsAnUpdateBitForBitAmongTies) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    Room room;
+    room.goals = {{4, 4, 6, 6}, {0, 0, 1, 1}};
+    room.diagonals = seed;
+    const OpenScene open(room);
+    expect_repairs(open.scene, Goal::named(seed % 2), 0.0F, {1.0F, 1.0F}, seed);
+  }
+}
+
+// Paths so long that float loses edges on them, whose order then decides.
+TEST(RegionsRepair, IsAnUpdateBitForBitAfterTheSteepestRaises) {
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    const OpenScene open(random_room(seed));
+    expect_repairs(open.scene, Goal::named(0), 0.0F, {1e6F, 10.0F}, seed);
+    expect_repairs(open.scene, Goal::named(0), 0.0F, {1e6F, 0.0F}, seed);
+  }
+}
+
+TEST(RegionsRepair, OfTheWholeGoalRaisesEveryPath) {
+  const OpenScene open(random_room(1));
+  Twins twins(open.scene, Goal::named(0));
+  ASSERT_TRUE(twins.found());
+  for (int i = 0; i < 5; ++i) {
+    twins.raise(twins.regions().goal_region(), {50.0F, 0.7F});
+    const Index count = twins.repair();
+    Index reachable = 0;
+    for (Index t = 0; t < open.scene.triangle_count(); ++t) {
+      const float h = twins.regions().cost(twins.regions().region(t));
+      reachable += h > 0.0F && h < kInfinity ? 1 : 0;
+    }
+    EXPECT_EQ(count, reachable);
+    twins.expect_equal();
+  }
+}
+
+TEST(RegionsRepair, OfARegionThatNoPathCrossesTouchesOnlyItself) {
+  const OpenScene open(random_room(1));
+  Twins twins(open.scene, Goal::named(0));
+  ASSERT_TRUE(twins.found());
+  const Regions& regions = twins.regions();
+  std::set<Index> crossed;
+  for (Index t = 0; t < open.scene.triangle_count(); ++t) crossed.insert(regions.next(regions.region(t)));
+  Index leaf = 0;
+  while (crossed.count(leaf) != 0 || regions.is_goal(regions.region(leaf)) || regions.cost(leaf) == kInfinity) ++leaf;
+  twins.raise(leaf, {50.0F, 0.7F});
+  EXPECT_EQ(twins.repair(), 1U);
+  twins.expect_equal();
+  EXPECT_EQ(twins.repair(), 0U);  // nothing was raised since
+  twins.expect_equal();
+}
+
+TEST(RegionsRepair, AfterAResetStartsAnew) {
+  const OpenScene open(random_room(2));
+  Decomposition d(open.scene), fresh(open.scene);
+  ASSERT_TRUE(d.regions.reset(Goal::named(0), 0.0F, 0.05F));
+  for (Index t = 0; t < open.scene.triangle_count(); t += 3) d.regions.raise_edges(d.regions.region(t), {50.0F, 0.7F});
+  const Goal disc = Goal::disc({3, 3}, 1);
+  ASSERT_TRUE(d.regions.reset(disc, 0.0F, 0.05F));
+  ASSERT_TRUE(fresh.regions.reset(disc, 0.0F, 0.05F));
+  EXPECT_EQ(d.regions.repair(), 0U);
+  for (Index t = 0; t < open.scene.triangle_count(); ++t) {
+    ASSERT_EQ(d.regions.cost(t), fresh.regions.cost(t));
+    ASSERT_EQ(d.regions.next(t), fresh.regions.next(t));
+  }
+}
+
 TEST(Regions, DiscGoalsMakeEveryTriangleThatTheyMeetASource) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     const OpenScene open(random_room(seed));
@@ -271,6 +424,31 @@ TEST(Regions, BeyondAClosedDoorAllIsInfinite) {
   EXPECT_EQ(d.regions.cost(left), kInfinity);
   EXPECT_EQ(d.regions.next(left), kNone);
   EXPECT_LT(d.regions.largest_cost(), 20.0F);  // of what can be reached
+}
+
+// Where every edge costs the same, ways of the same length abound: the smaller region is the next one.
+TEST(Regions, OfEquallyShortWaysTheOneOverTheSmallerRegionIsTaken) {
+  const OpenScene open(random_room(3));
+  const Scene& scene = open.scene;
+  Decomposition d(scene);
+  constexpr float kCost = 64.0F;
+  ASSERT_TRUE(d.regions.reset(Goal::named(0), 0, kCost));
+  int ties = 0;
+  for (Index t = 0; t < scene.triangle_count(); ++t) {
+    if (d.regions.is_goal(d.regions.region(t)) || d.regions.cost(t) == kInfinity) continue;
+    Index smallest = kNone;
+    int shortest = 0;
+    for (int i = 0; i < 3; ++i) {
+      if (scene.neighbor(t, i) == kNone) continue;
+      const Index n = d.regions.region(scene.neighbor(t, i));
+      if (d.regions.cost(n) + kCost != d.regions.cost(t)) continue;
+      ++shortest;
+      smallest = std::min(smallest, n);
+    }
+    ties += shortest > 1 ? 1 : 0;
+    ASSERT_EQ(d.regions.next(t), smallest) << t;
+  }
+  EXPECT_GT(ties, 10);
 }
 
 TEST(Regions, TrianglesOfAGoalAreOneRegion) {

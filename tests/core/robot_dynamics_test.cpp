@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 
 #include "robot_oracle.hpp"
 
@@ -44,6 +45,32 @@ TYPED_TEST(RobotDynamics, DerivativeIsTheFormula) {
     for (std::size_t i = 0; i < got.size(); ++i)
       ASSERT_NEAR(wide(got[i]), expected[i], 3e-6 * (1 + std::abs(expected[i]))) << i;
   });
+}
+
+// The dynamics at a state near one whose frames are known, and at one further off than small angles go.
+TYPED_TEST(RobotDynamics, NearAStateTheyAreTheFormulaToo) {
+  if constexpr (std::is_base_of_v<Chain, TypeParam>) {
+    for (const double away : {0.0, 0.1, 0.4, 2.0}) {
+      std::mt19937 random(5);
+      this->for_random(500, 0.1F, [&](const auto& robot, const auto& s, const auto& u) {
+        const int n = robot.state_size();
+        Pose poses[TypeParam::kMaxBodies];
+        robot.place(StateView(s.data(), n), poses);
+        std::vector<float> other = s;
+        for (float& x : other) x += static_cast<float>(uniform(random, -away, away));
+        std::vector<float> got(s.size()), here(s.size());
+        const auto dynamics = robot.near(StateView(s.data(), n), poses);
+        dynamics.derivative(StateView(other.data(), n), ControlView(u.data(), 2), StateRef(got.data(), n));
+        const auto expected = rate(robot, doubles(other), doubles(u));
+        for (std::size_t i = 0; i < got.size(); ++i)
+          ASSERT_NEAR(wide(got[i]), expected[i], 3e-6 * (1 + std::abs(expected[i]))) << i << " away " << away;
+        dynamics.derivative(ControlView(u.data(), 2), StateRef(here.data(), n));
+        const auto at_s = rate(robot, doubles(s), doubles(u));
+        for (std::size_t i = 0; i < here.size(); ++i)
+          ASSERT_NEAR(wide(here[i]), at_s[i], 3e-6 * (1 + std::abs(at_s[i]))) << i;
+      });
+    }
+  }
 }
 
 TYPED_TEST(RobotDynamics, StepIsRungeKuttas) {

@@ -43,10 +43,9 @@ Tally try_steps(const R& robot, float dt, int count) {
   Tally tally;
   for (int n = 0; n < count; ++n) {
     const std::vector<float> s = bent_state(robot, random);
-    const float u[2] = {robot.parameters().max_acceleration * (2.0F * random.unit() - 1.0F),
-                        robot.parameters().max_steering_rate * (2.0F * random.unit() - 1.0F)};
-    std::vector<float> next(s.size());
-    propagate(robot, s.data(), u, dt, next.data());
+    const std::vector<float> u = {robot.parameters().max_acceleration * (2.0F * random.unit() - 1.0F),
+                                  robot.parameters().max_steering_rate * (2.0F * random.unit() - 1.0F)};
+    const std::vector<float> next = step(robot, s, u, dt);
     const StateView before(s.data(), robot.state_size()), after(next.data(), robot.state_size());
     if (!robot.within_limits(before) || !robot.within_limits(after)) continue;
     Numbers fine(s.begin(), s.end());
@@ -56,7 +55,7 @@ Tally try_steps(const R& robot, float dt, int count) {
       largest = std::max(largest, largest_hitch(fine));
     }
     tally.broken_between += largest > limit + 1e-4 ? 1 : 0;
-    if (!keeps_limits(robot, before, ControlView(u, 2), dt, after)) continue;
+    if (!bounds_of(robot, s, u, dt, next).limited) continue;
     ++tally.kept;
     EXPECT_LE(largest, limit + 1e-5) << "step " << n;
   }
@@ -84,18 +83,20 @@ TEST(RobotKeepsLimits, ShortStepsAreKeptUpToTheLimit) {
 
 TEST(RobotKeepsLimits, AStraightTrainKeepsThem) {
   const Truck truck(train(5));
-  std::vector<float> s(10), next(10);
+  std::vector<float> s(10);
   truck.rest({1, 2}, 0.5F, nullptr, s.data());
   s[3] = 2.0F;
-  const float u[2] = {0, 0};
-  propagate(truck, s.data(), u, kDt, next.data());
-  EXPECT_TRUE(keeps_limits(truck, StateView(s.data(), 10), ControlView(u, 2), kDt, StateView(next.data(), 10)));
+  const std::vector<float> u = {0, 0};
+  EXPECT_TRUE(bounds_of(truck, s, u, kDt, step(truck, s, u, kDt)).limited);
 }
 
-TEST(RobotKeepsLimits, ARobotWithoutAWordKeepsThem) {
+TEST(RobotKeepsLimits, ARobotWhoseLimitsAreConvexKeepsThem) {
+  const std::vector<float> s = {0, 0, 0}, u = {1, 1};
   const Unicycle unicycle({});
-  const float s[3] = {0, 0, 0}, u[2] = {1, 1};
-  EXPECT_TRUE(keeps_limits(unicycle, StateView(s, 3), ControlView(u, 2), kDt, StateView(s, 3)));
+  EXPECT_TRUE(bounds_of(unicycle, s, u, kDt, step(unicycle, s, u, kDt)).limited);
+  const std::vector<float> wheels = {0, 0, 0, 3, -5};
+  const DifferentialDrive drive({});
+  EXPECT_TRUE(bounds_of(drive, wheels, u, kDt, step(drive, wheels, u, kDt)).limited);
 }
 
 }  // namespace

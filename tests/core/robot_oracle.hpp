@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -212,6 +213,22 @@ std::vector<float> derivative(const R& robot, const std::vector<float>& s, const
   robot.derivative(StateView(s.data(), robot.state_size()), ControlView(u.data(), robot.control_size()),
                    StateRef(ds.data(), robot.state_size()));
   return ds;
+}
+
+// The robot's own bounds on a step, and whether it proves that the limits hold in it.
+struct Bounds {
+  bool limited;
+  std::vector<Travel> bodies;
+};
+
+template <class R>
+Bounds bounds_of(const R& robot, const std::vector<float>& s, const std::vector<float>& u, float dt,
+                 const std::vector<float>& next) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  Bounds bounds{false, std::vector<Travel>(static_cast<std::size_t>(robot.body_count()), Travel{nan, nan, nan, nan})};
+  bounds.limited = robot.travel(StateView(s.data(), robot.state_size()), ControlView(u.data(), robot.control_size()),
+                                dt, StateView(next.data(), robot.state_size()), bounds.bodies.data());
+  return bounds;
 }
 
 template <class R>

@@ -1,6 +1,8 @@
 // RRT: where connections begin, and that they go on. What holds for every planner is tested in planner_*_test.cpp.
 #include "krait/search/rrt.hpp"
 
+#include <algorithm>
+
 #include "planner_fixture.hpp"
 
 namespace krait::test {
@@ -22,15 +24,19 @@ TEST(RrtPlanner, ConnectionsBeginAtTheVertexNearestToTheirTarget) {
   f.planner.start({start, Goal::disc(center, 1e-3F), 1});
   int begun = 0;
   for (int i = 0; i < 200; ++i) {
-    const Index size = f.planner.tree().size();
-    f.planner.advance(1);
-    if (f.planner.tree().size() == size) continue;
-    const Index parent = f.planner.tree().parent(size);
-    if (parent + 1 == size && size > 1) continue;  // may be the last connection, going on
+    const Index size = f.planner.tree().vertices();
     float least = kInfinity;
     for (Index v = 0; v < size; ++v) least = std::min(least, length(center - position(f.planner, v)));
-    ++begun;
-    EXPECT_LE(length(center - position(f.planner, parent)), least + 3e-3F);
+    const Vec2 last = position(f.planner, size - 1);
+    bool first = true;
+    f.planner.advance(1, [&](const float* from, const float*) {
+      const bool goes_on = from[0] == last.x && from[1] == last.y && size > 1;  // may be the last connection
+      if (first && !goes_on) {
+        ++begun;
+        EXPECT_LE(length(center - Vec2{from[0], from[1]}), least + 3e-3F);
+      }
+      first = false;
+    });
   }
   EXPECT_GT(begun, 0);
 }
@@ -44,12 +50,16 @@ TEST(RrtPlanner, ConnectionsGoOnInTheNextIteration) {
   ASSERT_TRUE(f.init().ok());
   const float start[] = {20, 20, 0};
   f.planner.start({start, Goal::disc({1, 1}, 1e-3F), 1});
-  f.planner.advance(3000);
-  const MotionTree& tree = f.planner.tree();
-  ASSERT_GT(tree.size(), 1000U);
-  std::uint32_t connections = 1;
-  for (Index v = 2; v < tree.size(); ++v) connections += tree.parent(v) != v - 1 ? 1U : 0U;
-  EXPECT_GT(tree.size() / connections, 20U);
+  std::vector<float> last(3, kInfinity);
+  std::uint32_t steps = 0, connections = 0;
+  f.planner.advance(3000, [&](const float* from, const float* to) {
+    ++steps;
+    connections += std::equal(last.begin(), last.end(), from) ? 0U : 1U;
+    last.assign(to, to + 3);
+  });
+  ASSERT_GT(steps, 1000U);
+  EXPECT_EQ(f.planner.tree().vertices(), steps + 1);
+  EXPECT_GT(steps / connections, 20U);
 }
 
 }  // namespace

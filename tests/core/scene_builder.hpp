@@ -333,7 +333,7 @@ class RoomBuilder {
     h.bucket_size = snap(room_.bucket_size);
     h.bucket_columns = cells(width, static_cast<double>(h.bucket_size));
     h.bucket_rows = cells(height, static_cast<double>(h.bucket_size));
-    h.clearance_cell = snap(room_.clearance_cell);
+    h.clearance_cell = static_cast<float>(std::round(room_.clearance_cell * 512.0) / 512.0);
     h.clearance_columns = cells(width, static_cast<double>(h.clearance_cell));
     h.clearance_rows = cells(height, static_cast<double>(h.clearance_cell));
     h.clearance_unit = 0.125F * h.clearance_cell;
@@ -453,14 +453,32 @@ class RoomBuilder {
     }
   }
 
+  // Whether all of the square, given as buckets_meeting does, lies strictly to the right of an edge of the triangle.
+  bool beyond_an_edge(const std::array<Index, 3>& triangle, std::size_t bucket) const {
+    const format::Header& h = data_.header;
+    const double size = static_cast<double>(h.bucket_size), wide = 4.0 / 4096;
+    const double x = static_cast<double>(h.bounds_min_x) + static_cast<double>(bucket % h.bucket_columns) * size;
+    const double y = static_cast<double>(h.bounds_min_y) + static_cast<double>(bucket / h.bucket_columns) * size;
+    const Point square[] = {{x - wide, y - wide},
+                            {x + size + wide, y - wide},
+                            {x + size + wide, y + size + wide},
+                            {x - wide, y + size + wide}};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Point a = point(data_.vertices[triangle[i]]), b = point(data_.vertices[triangle[(i + 1) % 3]]);
+      if (std::all_of(std::begin(square), std::end(square), [&](Point p) { return side(a, b, p) < 0; })) return true;
+    }
+    return false;
+  }
+
   void fill_buckets() {
     const std::size_t buckets = std::size_t{data_.header.bucket_columns} * data_.header.bucket_rows;
     data_.bucket_triangles.resize(buckets);
     data_.bucket_pieces.resize(buckets);
     for (Index t = 0; t < data_.triangles.size(); ++t) {
       const auto& [a, b, c] = data_.triangles[t];
-      buckets_meeting({data_.vertices[a], data_.vertices[b], data_.vertices[c]},
-                      [&](std::size_t bucket) { data_.bucket_triangles[bucket].push_back(t); });
+      buckets_meeting({data_.vertices[a], data_.vertices[b], data_.vertices[c]}, [&](std::size_t bucket) {
+        if (!beyond_an_edge(data_.triangles[t], bucket)) data_.bucket_triangles[bucket].push_back(t);
+      });
     }
     for (Index p = 0; p < data_.pieces.size(); ++p) {
       buckets_meeting(data_.pieces[p], [&](std::size_t bucket) { data_.bucket_pieces[bucket].push_back(p); });
@@ -477,6 +495,27 @@ class RoomBuilder {
                            static_cast<double>(h.bounds_min_y) + (row + 0.5) * size};
         const double bound = (clearance(center) - reach) / static_cast<double>(h.clearance_unit) - 1e-6;
         data_.clearance.push_back(static_cast<std::uint8_t>(std::clamp(bound, 0.0, 255.0)));
+      }
+    }
+    // At most 8 more than any neighbour; so often that it comes to rest.
+    for (std::uint32_t i = 0; i < 32; ++i) limit_steps();
+  }
+
+  void limit_steps() {
+    const auto columns = static_cast<int>(data_.header.clearance_columns);
+    const auto rows = static_cast<int>(data_.header.clearance_rows);
+    const auto at = [&](int column, int row) -> std::uint8_t& {
+      return data_.clearance[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+                             static_cast<std::size_t>(column)];
+    };
+    for (int row = 0; row < rows; ++row) {
+      for (int column = 0; column < columns; ++column) {
+        for (int n = 0; n < 9; ++n) {
+          const int x = column + n % 3 - 1, y = row + n / 3 - 1;
+          if (x < 0 || y < 0 || x >= columns || y >= rows) continue;
+          const int limit = at(x, y) + 8;
+          if (at(column, row) > limit) at(column, row) = static_cast<std::uint8_t>(limit);
+        }
       }
     }
   }

@@ -32,6 +32,8 @@ TEST(StatusNames, ArgumentsAreNamedLikeTheParametersThatTheyBlame) {
   EXPECT_STREQ(name(Argument::start), "start");
   EXPECT_STREQ(name(Argument::alpha), "alpha");
   EXPECT_STREQ(name(Argument::kappa), "kappa");
+  EXPECT_STREQ(name(Argument::expansions), "expansions");
+  EXPECT_STREQ(name(Argument::group_sample), "group_sample");
   EXPECT_STREQ(name(Argument::cost_length), "cost_length");
   EXPECT_STREQ(name(Argument::max_substeps), "max_substeps");
   EXPECT_STREQ(name(Argument::robot_sizes), "robot_sizes");

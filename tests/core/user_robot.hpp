@@ -24,7 +24,10 @@ class Slider {
   bool within_limits(StateView s) const { return finite(position(s)); }
   Polygon body(int) const { return {square_, 4}; }
   void place(StateView s, Pose* poses) const { poses[0] = {position(s), {0.0F, 1.0F}}; }
-  float travel(StateView, ControlView u, float dt, int) const { return dt * length({u[0], u[1]}); }
+  bool travel(StateView, ControlView u, float dt, StateView, Travel* travel) const {
+    travel[0] = {dt * length({u[0], u[1]}), 0.0F, 0.0F, 0.0F};
+    return true;
+  }
 
  private:
   float max_speed_;

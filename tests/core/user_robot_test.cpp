@@ -16,15 +16,13 @@ TYPED_TEST(UserRobot, PlansThroughADoor) {
   const float start[] = {2, 6};
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     ASSERT_EQ(bench.solve({start, Goal::named(0), seed}), Status::solved);
-    const Plan plan = bench.planner.plan();
-    EXPECT_EQ(plan.state_size(), 2);
-    for (std::uint32_t i = 0; i < plan.steps(); ++i) {
+    for (const auto& state : Path(bench.planner.plan()).states) {
+      ASSERT_EQ(state.size(), 2U);
       // The square of half a metre keeps off the wall and inside the door.
-      const float x = plan.state(i)[0], y = plan.state(i)[1];
-      const bool at_wall = x > 5.75F && x < 6.5F;
+      const bool at_wall = state[0] > 5.75F && state[0] < 6.5F;
       if (at_wall) {
-        ASSERT_GE(y, 3.25F);
-        ASSERT_LE(y, 4.75F);
+        ASSERT_GE(state[1], 3.25F);
+        ASSERT_LE(state[1], 4.75F);
       }
     }
   }
@@ -34,6 +32,9 @@ TEST(UserRobotDefaults, MayBeLeftOut) {
   const Slider slider(0.5F, 1);
   EXPECT_EQ(self_collision_gap(slider), 2);
   EXPECT_FALSE(reversible(slider));
+  const float s[] = {1, 2};
+  const Travel travel{};
+  EXPECT_EQ(least_separation(slider, StateView(s, 2), StateView(s, 2), &travel), 0.0F);
   EXPECT_TRUE(sound(slider));
   EXPECT_EQ(first_bad_of_robot(slider), Argument::none);
 }

@@ -1,13 +1,16 @@
 // COLLISION (section 3) for states and for whole time steps.
 //
-// A step is free when it is proven so: no point of body k travels further than t(k) during it, so where the body is
-// a(k) from everything at the step's beginning and b(k) at its end, a(k) + b(k) > t(k) means that it was never touched.
+// A step is free when it is proven so. In the open, by the clearance grid alone: the circle around body k is at least
+// a(k) from everything at the step's beginning and b(k) at its end, its centre travels at most t(k), and
+// a(k) + b(k) > t(k). Near obstacles, by the body itself: its vertices stay within e(k) of the straight lines between
+// their places at the ends, so that it never leaves the hull of both, grown by e(k); the hull must keep away by more.
 // Where that is not so, or the robot's limits are not proven to hold in between, the step is halved, down to one part
 // of max_substeps; what is then still unproven counts as a collision.
 #pragma once
 
 #include "krait/collision/obstacles.hpp"
 #include "krait/motion/rk4.hpp"
+#include "krait/robot/box.hpp"
 #include "krait/robot/robot.hpp"
 
 namespace krait {
@@ -15,41 +18,52 @@ namespace krait {
 template <Robot R>
 class MotionCheck {
  public:
-  // Copies nothing: robot and scene must outlive this. `max_substeps` is a power of two.
-  void assign(const R& robot, const Scene& scene, float clearance, int max_substeps) {
+  // Copies nothing: robot and scene must outlive this. `max_substeps` is a power of two. Without `shortcuts` every body
+  // is compared with the obstacles themselves, and every pair of bodies with each other.
+  void assign(const R& robot, const Scene& scene, float clearance, int max_substeps, bool shortcuts) {
     robot_ = &robot;
     obstacles_ = Obstacles(scene, clearance);
     max_substeps_ = max_substeps;
+    shortcuts_ = shortcuts;
     gap_ = krait::self_collision_gap(robot);
     bodies_ = robot.body_count();
     measure_bodies();
     checks_ = 0;
   }
 
-  // Whether the robot, standing in `state`, keeps the margin everywhere. Discrete.
+  // Makes `state` the one that the next step begins from.
+  void begin(const float* state) { place(state, left()); }
+
+  // The frames of the state that the next step begins from.
+  const Pose* poses() const { return placements_[left_].poses; }
+
+  // Whether the robot, standing in `state`, keeps the margin everywhere. Discrete. On success the next step begins from
+  // it.
   bool free(const float* state) {
-    place(state, left_);
+    place(state, right());
     for (int k = 0; k < bodies_; ++k) {
-      if (!(room(left_, k, 0.0F) > 0.0F)) return false;
+      if (!clear(right(), k)) return false;
     }
-    return self_free(left_, left_, 0.0F, nullptr);
+    left_ = 1 - left_;
+    return R::kMaxBodies == 1 || bodies_ <= gap_ || still_apart();
   }
 
-  // Makes `state` the one that the next step begins from.
-  void begin(const float* state) {
-    place(state, left_);
-    for (int k = 0; k < bodies_; ++k) left_.room[k] = -1.0F;  // not known yet
+  // Whether the robot's limits are proven to hold throughout the step, whose ends keep them.
+  bool keeps_limits(const float* state, const float* control, float dt, const float* next) {
+    bounded_ = false;
+    return bound_bodies({state, control, dt, next});
   }
 
   // Whether the step from `state` (that of begin, or the last step's end) under `control` to `next`, both within the
   // robot's limits, is proven free and within them.
   // On success the next step begins from `next`.
   bool step_free(const float* state, const float* control, float dt, const float* next) {
-    place(next, right_);
-    const Outcome whole = judge(state, control, dt, next);
+    const Step step{state, control, dt, next};
+    place(next, right());
+    const Outcome whole = judge(step);
     if (whole == Outcome::hit) return false;
-    if (whole == Outcome::unproven && !march(state, control, dt, next)) return false;
-    swap_sides();
+    if (whole == Outcome::unproven && !march(step)) return false;
+    left_ = 1 - left_;
     return true;
   }
 
@@ -59,93 +73,159 @@ class MotionCheck {
  private:
   enum class Outcome { free, unproven, hit };
 
-  static constexpr float kLeastReach = 1e-3F;  // metres: how far obstacles are looked for around a body that stands
+  static constexpr float kReach = 1e-3F;  // metres: how far obstacles are looked for beyond what must be free
+
+  // From `state` under `control` for dt seconds to `next`.
+  struct Step {
+    const float* state;
+    const float* control;
+    float dt;
+    const float* next;
+  };
 
   struct Placement {
     Pose poses[R::kMaxBodies];
-    float room[R::kMaxBodies];  // at most the distance to obstacles and bounds, less the margin; -1: not known
+    float circle_room[R::kMaxBodies];  // at most the distance of body k's circle, less the margin, by the grid
   };
 
   struct Circle {
     Vec2 center;  // in the body's frame
-    float radius;
+    float offset = 0.0F;
+    float radius = 0.0F;
   };
 
+  Placement& left() { return placements_[left_]; }
+  Placement& right() { return placements_[1 - left_]; }
+
   void measure_bodies() {
-    largest_radius_ = 0.0F;
+    farthest_of_all_ = 0.0F;
     for (int k = 0; k < bodies_; ++k) {
       const Polygon body = robot_->body(k);
-      Vec2 low = body[0];
-      Vec2 high = body[0];
-      for (int i = 1; i < body.count; ++i) {
-        low = {body[i].x < low.x ? body[i].x : low.x, body[i].y < low.y ? body[i].y : low.y};
-        high = {body[i].x > high.x ? body[i].x : high.x, body[i].y > high.y ? body[i].y : high.y};
-      }
-      circles_[k] = {0.5F * (low + high), 0.0F};
+      const Box box = bounding_box(body);
+      Circle circle;
+      circle.center = 0.5F * (box.min + box.max);
       for (int i = 0; i < body.count; ++i) {
-        const float distance = length(body[i] - circles_[k].center);
-        if (distance > circles_[k].radius) circles_[k].radius = distance;
+        const float distance = length(body[i] - circle.center);
+        if (distance > circle.radius) circle.radius = distance;
       }
-      circles_[k].radius = circles_[k].radius * (1.0F + 1e-6F);
-      if (circles_[k].radius > largest_radius_) largest_radius_ = circles_[k].radius;
+      circle.radius = circle.radius * (1.0F + 1e-6F);
+      circle.offset = length(circle.center);
+      circles_[k] = circle;
+      farthest_[k] = farthest(body.vertices, body.count);
+      if (farthest_[k] > farthest_of_all_) farthest_of_all_ = farthest_[k];
     }
   }
 
   Vec2 center(const Placement& placement, int k) const {
-    return placement.poses[k].position + turned(placement.poses[k].heading, circles_[k].center);
+    const Pose& pose = placement.poses[k];
+    return pose.position + turned(pose.heading, circles_[k].center);
   }
 
   void place(const float* state, Placement& placement) {
     robot_->place(StateView(state, robot_->state_size()), placement.poses);
+    for (int k = 0; k < bodies_; ++k) {
+      placement.circle_room[k] = shortcuts_ ? obstacles_.room_by_grid(center(placement, k), circles_[k].radius) : 0.0F;
+    }
     ++checks_;
   }
 
   // Body k with its vertices relative to `at`.
   PlacedBody placed(const Placement& placement, int k, Vec2 at) const {
-    const Polygon shape = robot_->body(k);
-    const Pose& pose = placement.poses[k];
     PlacedBody body;
     body.at = at;
-    body.count = shape.count;
-    const Vec2 shift = pose.position - at;
-    for (int i = 0; i < shape.count; ++i) body.vertices[i] = shift + turned(pose.heading, shape[i]);
-    body.center = center(placement, k);
-    body.radius = circles_[k].radius;
+    add_vertices(placement, k, body);
     return body;
   }
 
-  // At least `half` of what is free around body k, by the grid if that suffices, else exactly up to 1.25 times `half`
-  // twice over.
-  float room(Placement& placement, int k, float half) const {
-    const float by_grid = obstacles_.room_by_grid(center(placement, k), circles_[k].radius);
-    if (by_grid > half) return placement.room[k] = by_grid;
-    const float reach = 2.5F * half + kLeastReach;
-    return placement.room[k] = obstacles_.room(placed(placement, k, placement.poses[k].position), reach);
+  void add_vertices(const Placement& placement, int k, PlacedBody& body) const {
+    const Polygon shape = robot_->body(k);
+    const Pose& pose = placement.poses[k];
+    const Vec2 shift = pose.position - body.at;
+    for (int i = 0; i < shape.count; ++i) body.vertices[body.count++] = shift + turned(pose.heading, shape[i]);
   }
 
-  // Judges left_ to right_, the ends of a step of dt seconds from `state` to `next`.
-  Outcome judge(const float* state, const float* control, float dt, const float* next) {
-    const StateView s(state, robot_->state_size());
-    const ControlView u(control, robot_->control_size());
-    float travel[R::kMaxBodies];
-    float longest = 0.0F;
-    const bool limited = keeps_limits(*robot_, s, u, dt, StateView(next, robot_->state_size()));
-    Outcome outcome = limited ? Outcome::free : Outcome::unproven;
-    for (int k = 0; k < bodies_; ++k) {
-      travel[k] = robot_->travel(s, u, dt, k);
-      if (travel[k] > longest) longest = travel[k];
-      const float half = 0.5F * travel[k];
-      if (!(room(right_, k, half) > 0.0F)) return Outcome::hit;
-      if (left_.room[k] < half) room(left_, k, half);
-      if (!(left_.room[k] + right_.room[k] > travel[k])) outcome = Outcome::unproven;
+  // The hull of body k at both ends.
+  PlacedBody swept(int k, Vec2 at) const {
+    PlacedBody hull = placed(placements_[1 - left_], k, at);
+    add_vertices(placements_[left_], k, hull);
+    return hull;
+  }
+
+  // Whether body k, standing, keeps the margin.
+  bool clear(const Placement& placement, int k) const {
+    return placement.circle_room[k] > 0.0F ||
+           obstacles_.room(placed(placement, k, placement.poses[k].position), kReach) > 0.0F;
+  }
+
+  StateView view(const float* state) const { return {state, robot_->state_size()}; }
+
+  // Each body's own bounds in travel_; gives whether the limits hold.
+  bool bound_bodies(const Step& step) {
+    if (!bounded_) {
+      const ControlView control(step.control, robot_->control_size());
+      limited_ = robot_->travel(view(step.state), control, step.dt, view(step.next), travel_);
+      bounded_ = true;
     }
-    if (outcome == Outcome::free && !self_free(left_, right_, longest, travel)) outcome = Outcome::unproven;
-    return outcome;
+    return limited_;
+  }
+
+  // Whether all circles are proven free from left to right, by the grid and the longest path.
+  bool all_circles_free(const Step& step) const {
+    const ControlView control(step.control, robot_->control_size());
+    const float path = shortcuts_ ? longest_path(*robot_, view(step.state), control, step.dt) : kInfinity;
+    for (int k = 0; k < bodies_; ++k) {
+      if (circles_[k].offset > 0.0F || !circle_free(k, path)) return false;
+    }
+    return true;
+  }
+
+  // Whether body k's circle, whose centre goes no further than `path`, is proven free from left to right, by the grid.
+  bool circle_free(int k, float path) const {
+    const float before = placements_[left_].circle_room[k];
+    const float after = placements_[1 - left_].circle_room[k];
+    return before > 0.0F && after > 0.0F && before + after > path;
+  }
+
+  bool circle_free(int k) const { return circle_free(k, travel_[k].path + circles_[k].offset * travel_[k].turn); }
+
+  // Whether bodies whose frames' origins are so far apart cannot touch.
+  bool far_apart(float separation) const { return separation > 2.0F * farthest_of_all_ + obstacles_.margin(); }
+
+  // How far body k may leave the hull of its two places: never by more than half of what it moved.
+  float stray(int k) const {
+    const Travel& travel = travel_[k];
+    const float bent = travel.bend + farthest_[k] * travel.twist;
+    const float half = 0.5F * (travel.path + farthest_[k] * travel.turn);
+    return bent < half ? bent : half;
+  }
+
+  // Whether body k is proven free from left to right, by its hull.
+  bool hull_free(int k) const {
+    const float allowed = stray(k);
+    return obstacles_.room(swept(k, placements_[1 - left_].poses[k].position), allowed + kReach) > allowed;
+  }
+
+  // Judges the step from left to right.
+  Outcome judge(const Step& step) {
+    bounded_ = false;
+    if (all_circles_free(step)) {
+      const ControlView control(step.control, robot_->control_size());
+      const QuickBound quick = quick_bound(*robot_, view(step.state), control, step.dt, view(step.next));
+      const bool limited = quick.limited || bound_bodies(step);
+      return limited && self_free(step, quick.separation) ? Outcome::free : Outcome::unproven;
+    }
+    bool proven = bound_bodies(step);
+    for (int k = 0; k < bodies_; ++k) {
+      if (circle_free(k) || (proven && hull_free(k))) continue;
+      if (!clear(right(), k)) return Outcome::hit;
+      proven = false;
+    }
+    return proven && self_free(step, 0.0F) ? Outcome::free : Outcome::unproven;
   }
 
   // Halves the step from left to right until every part is proven free. False when one is not.
-  bool march(const float* state, const float* control, float dt, const float* next) {
-    for (int i = 0; i < robot_->state_size(); ++i) middle_[0][i] = state[i];
+  bool march(const Step& step) {
+    for (int i = 0; i < robot_->state_size(); ++i) middle_[0][i] = step.state[i];
     int here = 0;
     int done = 0;  // in parts of 1 / max_substeps
     int part = max_substeps_ / 2;
@@ -153,14 +233,14 @@ class MotionCheck {
       const bool last = done + part >= max_substeps_;
       const float* from = middle_[here];
       float* to = middle_[1 - here];
-      const float duration = dt * static_cast<float>(part) / static_cast<float>(max_substeps_);
+      const float duration = step.dt * static_cast<float>(part) / static_cast<float>(max_substeps_);
       if (last) {
-        for (int i = 0; i < robot_->state_size(); ++i) to[i] = next[i];
+        for (int i = 0; i < robot_->state_size(); ++i) to[i] = step.next[i];
       } else {
-        propagate(*robot_, from, control, duration, to);
+        propagate(*robot_, from, poses(), step.control, duration, to);
       }
-      place(to, right_);
-      const Outcome outcome = judge(from, control, duration, to);
+      place(to, right());
+      const Outcome outcome = judge({from, step.control, duration, to});
       if (outcome == Outcome::hit) return false;
       if (outcome == Outcome::unproven) {
         part /= 2;
@@ -168,26 +248,40 @@ class MotionCheck {
       }
       done += part;
       here = 1 - here;
-      if (done < max_substeps_) swap_sides();
+      if (done < max_substeps_) left_ = 1 - left_;
       while (done % (2 * part) == 0 && done + 2 * part <= max_substeps_) part *= 2;
     }
     return done >= max_substeps_;
   }
 
-  void swap_sides() { left_ = right_; }
+  // No two bodies at least gap_ apart come within the margin on the way from left to right, during which their frames'
+  // origins stay at least `separation` apart.
+  bool self_free(const Step& step, float separation) {
+    if (R::kMaxBodies == 1 || bodies_ <= gap_ || far_apart(separation)) return true;
+    bound_bodies(step);
+    if (shortcuts_ && far_apart(least_separation(*robot_, view(step.state), view(step.next), travel_))) return true;
+    return pairs_free();
+  }
 
-  // No two bodies at least gap_ apart come within the margin, at right or while no point of them moved further than
-  // `longest` from left. Bodies whose circles are far apart are skipped, and with them all that the chain cannot
-  // bring closer.
-  bool self_free(const Placement& left, const Placement& right, float longest, const float* travel) const {
-    if (R::kMaxBodies == 1 || bodies_ <= gap_) return true;
+  // No two bodies come within the margin of each other at left.
+  bool still_apart() {
+    right() = left();
+    for (int k = 0; k < bodies_; ++k) travel_[k] = {};
+    return pairs_free();
+  }
+
+  // A body stays within `farthest` and half its path of the middle between its places. Pairs that are further apart are
+  // skipped, and with them all that the chain cannot bring closer.
+  bool pairs_free() const {
     Vec2 centers[R::kMaxBodies];
     float along[R::kMaxBodies];  // length of the line through the centres
+    float path = 0.0F;
     for (int k = 0; k < bodies_; ++k) {
-      centers[k] = center(right, k);
+      centers[k] = 0.5F * (placements_[0].poses[k].position + placements_[1].poses[k].position);
       along[k] = k == 0 ? 0.0F : along[k - 1] + length(centers[k] - centers[k - 1]);
+      if (travel_[k].path > path) path = travel_[k].path;
     }
-    const float near = 2.0F * (largest_radius_ + longest) + obstacles_.margin();
+    const float near = 2.0F * farthest_of_all_ + path + obstacles_.margin();
     for (int i = 0; i + gap_ < bodies_; ++i) {
       int j = i + gap_;
       while (j < bodies_) {
@@ -196,7 +290,7 @@ class MotionCheck {
           const float reached = along[j] + apart;
           for (++j; j < bodies_ && along[j] < reached;) ++j;
         } else {
-          if (!pair_free(left, right, i, j, travel)) return false;
+          if (!pair_free(i, j)) return false;
           ++j;
         }
       }
@@ -204,18 +298,10 @@ class MotionCheck {
     return true;
   }
 
-  float pair_distance(const Placement& placement, int i, int j) const {
-    const Vec2 at = placement.poses[i].position;
-    return polygon_distance(placed(placement, i, at).polygon(), placed(placement, j, at).polygon()) -
-           obstacles_.margin();
-  }
-
-  bool pair_free(const Placement& left, const Placement& right, int i, int j, const float* travel) const {
-    const float after = pair_distance(right, i, j);
-    if (!(after > 0.0F)) return false;
-    if (travel == nullptr) return true;
-    const float moved = travel[i] + travel[j];
-    return after > moved || after + pair_distance(left, i, j) > moved;
+  bool pair_free(int i, int j) const {
+    const Vec2 at = placements_[1 - left_].poses[i].position;
+    const float apart = polygon_distance(swept(i, at).polygon(), swept(j, at).polygon());
+    return apart - obstacles_.margin() > stray(i) + stray(j);
   }
 
   const R* robot_ = nullptr;
@@ -223,10 +309,15 @@ class MotionCheck {
   int max_substeps_ = 16;
   int gap_ = 2;
   int bodies_ = 0;
-  float largest_radius_ = 0.0F;
+  bool shortcuts_ = true;
+  float farthest_of_all_ = 0.0F;
   Circle circles_[R::kMaxBodies];
-  Placement left_;
-  Placement right_;
+  float farthest_[R::kMaxBodies];  // of a body's vertices from its frame's origin
+  bool bounded_ = false;           // whether the next two are known of the step in question
+  bool limited_ = false;
+  Travel travel_[R::kMaxBodies];
+  Placement placements_[2];  // the step's two ends
+  int left_ = 0;
   float middle_[2][R::kMaxState];
   std::uint64_t checks_ = 0;
 };

@@ -6,13 +6,12 @@
 
 namespace krait {
 
-// A convex body in the workspace. Vertices are relative to `at`, which keeps float distances exact far from the origin.
+// A convex body in the workspace, the hull of up to 16 points: a body that stands, or what it sweeps between two
+// places. Vertices are relative to `at`, which keeps float distances exact far from the origin.
 struct PlacedBody {
   Vec2 at;
-  Vec2 vertices[format::kMaxPieceVertices];
+  Vec2 vertices[2 * format::kMaxPieceVertices];  // in any order
   int count = 0;
-  Vec2 center;       // of a circle that contains the body, absolute
-  float radius = 0;  // metres
 
   Polygon polygon() const { return {vertices, count}; }
 };
@@ -29,7 +28,7 @@ class Obstacles {
 
   // Metres from the body to the nearest obstacle or bound, less the margin: exact where it is below `reach` > 0, else
   // `reach`; zero or less where the body is too close or not finite. Worst case: every piece in the buckets that
-  // the circle, grown by `reach` and the margin, meets, one GJK each.
+  // the body's box, grown by `reach` and the margin, meets, one GJK each.
   float room(const PlacedBody& body, float reach) const;
 
   float margin() const { return margin_; }
@@ -39,7 +38,7 @@ class Obstacles {
   static constexpr float kPositionRounding = 3e-6F;  // of the largest coordinate: 25 trailers placed one by one
   static constexpr float kRelativeRounding = 1e-6F;  // of a piece's largest coordinate seen from the body
 
-  float room_to_bounds(const PlacedBody& body) const;
+  float room_to_bounds(const Box& box) const;
   float distance_to_piece(const PlacedBody& body, Index piece) const;
 
   const Scene* scene_ = nullptr;

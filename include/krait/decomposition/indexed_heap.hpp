@@ -1,19 +1,18 @@
 // A binary heap of region numbers ordered by (key, number), with decrease-key: Dijkstra's queue.
 #pragma once
 
-#include <cstdint>
-
-#include "krait/scene/scene.hpp"
+#include "krait/packed_indices.hpp"
 
 namespace krait {
 
-// Memory is the caller's: `heap` and `place` hold one entry a number, `keys` is the array that orders them and is
-// changed by the caller before each push. All numbers start absent (reset).
+// `keys` is the caller's array that orders the numbers and is changed by the caller before each push. All numbers start
+// absent (reset).
 class IndexedHeap {
  public:
-  void assign(Index* heap, Index* place, const float* keys, Index capacity) {
-    heap_ = heap;
-    place_ = place;
+  // For numbers below `capacity`: 4 or 8 bytes each.
+  void take(Arena& arena, Pool pool, const float* keys, Index capacity) {
+    heap_.take(arena, pool, capacity, capacity);
+    place_.take(arena, pool, capacity, capacity);
     keys_ = keys;
     capacity_ = capacity;
   }
@@ -21,8 +20,13 @@ class IndexedHeap {
   // O(capacity).
   void reset() {
     size_ = 0;
-    for (Index i = 0; i < capacity_; ++i) place_[i] = kNone;
+    for (Index i = 0; i < capacity_; ++i) place_.set(i, kNone);
   }
+
+  // The queue's memory as a plain list of `capacity` numbers, while it is empty. Pushing the list's numbers one by one,
+  // front to back, overwrites none that is still to come.
+  Index listed(Index i) const { return heap_[i]; }
+  void list(Index i, Index number) { heap_.set(i, number); }
 
   bool empty() const { return size_ == 0; }
 
@@ -42,7 +46,7 @@ class IndexedHeap {
   // Removes and returns the number with the smallest (key, number). Not empty. O(log n).
   Index pop() {
     const Index top = heap_[0];
-    place_[top] = kNone;
+    place_.set(top, kNone);
     const Index last = heap_[--size_];
     if (size_ == 0) return top;
     Index hole = 0;
@@ -59,12 +63,12 @@ class IndexedHeap {
  private:
   bool before(Index a, Index b) const { return keys_[a] < keys_[b] || (keys_[a] == keys_[b] && a < b); }
   void put(Index number, Index hole) {
-    heap_[hole] = number;
-    place_[number] = hole;
+    heap_.set(hole, number);
+    place_.set(number, hole);
   }
 
-  Index* heap_ = nullptr;
-  Index* place_ = nullptr;
+  PackedIndices heap_;
+  PackedIndices place_;
   const float* keys_ = nullptr;
   Index capacity_ = 0;
   Index size_ = 0;

@@ -19,7 +19,7 @@ struct CostRaise {
 
 class Regions {
  public:
-  // Takes its tables: about 28 bytes a triangle and 4 a portal.
+  // Takes its tables: 9 bytes a triangle (13 from 65,535 on) and 4 a portal.
   void take(Arena& arena, const Scene& scene);
 
   // Costs C between centroids, but at least `least_cost` metres; portals narrower than `least_width` are no edges;
@@ -33,6 +33,10 @@ class Regions {
   // Dijkstra from the goal over the costs as they are: h and the shortest-path tree. O(R log R).
   void update();
 
+  // The same, bit for bit, where edges were only raised since the last update or repair: finds the paths anew of those
+  // regions only whose path went over a raised edge. Gives how many. O(R + n log n) for n of them.
+  Index repair();
+
   // The region of a triangle.
   Index region(Index triangle) const { return is_goal_triangle(triangle) ? goal_region_ : triangle; }
   // h(r), metres; infinite where no path leads to the goal.
@@ -40,14 +44,17 @@ class Regions {
   // Largest finite h (Eqn 7's h_max).
   float largest_cost() const { return largest_; }
   // The region after r on its shortest path, as of the last update; kNone at a goal and where there is no path.
-  Index next(Index region) const { return next_[region]; }
+  Index next(Index region) const {
+    const std::uint8_t edge = next_[region] & kEdgeMask;
+    return edge == kNoEdge ? kNone : this->region(scene_->neighbor(region, edge));
+  }
   bool is_goal(Index region) const { return h_[region] == 0.0F; }
   // A named goal's one region; kNone for a disc.
   Index goal_region() const { return goal_region_; }
   const Goal& goal() const { return goal_; }
   const Scene& scene() const { return *scene_; }
 
-  // Raises the cost of every edge of r (Algorithm 1, line 11). O(edges of r), O(R) for G.
+  // Raises the cost of every edge of r (Algorithm 1, line 11). O(edges of r), O(R) for G. Costs h stay as they were.
   void raise_edges(Index region, const CostRaise& raise);
 
   // A point drawn uniformly: in the triangle; in the whole goal polygon's triangles for G; a disc's sources
@@ -67,8 +74,15 @@ class Regions {
   Vec2 region_center(Index region) const;
   void set_costs(float least_width, float least_cost);
   void push_sources();
+  void settle();
   void relax_neighbors(Index triangle, float distance);
-  void find_next();
+  std::uint8_t find_next(Index triangle) const;
+  float cost_through(Index triangle, int edge) const;
+  float cost_beside(Index triangle) const;
+  bool follows(Index triangle, Index ahead) const;
+  Index list_stale();
+  Index list_followers(Index triangle, Index count);
+  Index list_if_new(Index triangle, Index count);
   void raise_triangle_edges(Index triangle, const CostRaise& raise);
   Index random_goal_triangle(Random& random) const;
 
@@ -76,13 +90,18 @@ class Regions {
   Goal goal_ = Goal::named(0);
   Index goal_region_ = kNone;
   Vec2 goal_center_;
+  // Of next_: the edge that a triangle's shortest path crosses, and marks.
+  static constexpr std::uint8_t kEdgeMask = 3;
+  static constexpr std::uint8_t kNoEdge = 3;
+  static constexpr std::uint8_t kRaised = 4;  // its edges were raised since h was found
+  static constexpr std::uint8_t kListed = 8;  // its path is to be found anew
+
   float* h_ = nullptr;
-  Index* next_ = nullptr;
+  std::uint8_t* next_ = nullptr;
   float* portal_costs_ = nullptr;
   IndexedHeap heap_;
-  Index* heap_items_ = nullptr;
-  Index* heap_places_ = nullptr;
   float largest_ = 0.0F;
+  float exact_below_ = 0.0F;  // metres: up to there every edge of a path counts in float
 };
 
 }  // namespace krait

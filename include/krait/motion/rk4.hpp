@@ -5,27 +5,62 @@
 
 namespace krait {
 
-// next = the state after dt seconds; `next` may not overlap `state`. Four derivatives.
+// What a robot says of its dynamics near `state`, whose frames are `poses`; itself where it says nothing.
 template <Robot R>
-void propagate(const R& robot, const float* state, const float* control, float dt, float* next) {
+class Dynamics {
+ public:
+  Dynamics(const R& robot, StateView state, const Pose*) : robot_(&robot), state_(state) {}
+  void derivative(ControlView u, StateRef ds) const { robot_->derivative(state_, u, ds); }
+  void derivative(StateView s, ControlView u, StateRef ds) const { robot_->derivative(s, u, ds); }
+
+ private:
+  const R* robot_;
+  StateView state_;
+};
+
+template <Robot R>
+auto dynamics_near(const R& robot, StateView state, const Pose* poses) {
+  if constexpr (requires { robot.near(state, poses); }) {
+    return robot.near(state, poses);
+  } else {
+    return Dynamics<R>(robot, state, poses);
+  }
+}
+
+// next = the state after dt seconds; `next` may not overlap `state`, whose bodies' frames are `poses`. Four
+// derivatives.
+template <Robot R>
+void propagate(const R& robot, const float* state, const Pose* poses, const float* control, float dt, float* next) {
   const int n = robot.state_size();
   float k1[R::kMaxState];
-  float k2[R::kMaxState];
-  float k3[R::kMaxState];
-  float k4[R::kMaxState];
-  float middle[R::kMaxState] = {};
+  float k23[R::kMaxState];
+  float k[R::kMaxState];
+  float middle[R::kMaxState];
+  const StateView s(state, n);
+  const StateView at(middle, n);
   const ControlView u(control, robot.control_size());
-  const auto rate = [&](const float* s, float* ds) { robot.derivative(StateView(s, n), u, StateRef(ds, n)); };
+  const auto dynamics = dynamics_near(robot, s, poses);
   const float half = 0.5F * dt;
-  rate(state, k1);
+  dynamics.derivative(u, StateRef(k1, n));
   for (int i = 0; i < n; ++i) middle[i] = state[i] + half * k1[i];
-  rate(middle, k2);
-  for (int i = 0; i < n; ++i) middle[i] = state[i] + half * k2[i];
-  rate(middle, k3);
-  for (int i = 0; i < n; ++i) middle[i] = state[i] + dt * k3[i];
-  rate(middle, k4);
+  dynamics.derivative(at, u, StateRef(k23, n));
+  for (int i = 0; i < n; ++i) middle[i] = state[i] + half * k23[i];
+  dynamics.derivative(at, u, StateRef(k, n));
+  for (int i = 0; i < n; ++i) {
+    middle[i] = state[i] + dt * k[i];
+    k23[i] = k23[i] + k[i];
+  }
+  dynamics.derivative(at, u, StateRef(k, n));
   const float sixth = dt / 6.0F;
-  for (int i = 0; i < n; ++i) next[i] = state[i] + sixth * ((k1[i] + k4[i]) + 2.0F * (k2[i] + k3[i]));
+  for (int i = 0; i < n; ++i) next[i] = state[i] + sixth * ((k1[i] + k[i]) + 2.0F * k23[i]);
+}
+
+// The same where the frames have yet to be found.
+template <Robot R>
+void propagate(const R& robot, const float* state, const float* control, float dt, float* next) {
+  Pose poses[R::kMaxBodies];
+  robot.place(StateView(state, robot.state_size()), poses);
+  propagate(robot, state, poses, control, dt, next);
 }
 
 }  // namespace krait

@@ -55,48 +55,47 @@ class Chain {
 
   void steer(StateView s, const Target& target, Steering& steering, ControlRef u) const;
   bool within_limits(StateView s) const;
-  bool keeps_limits(StateView s, ControlView u, float dt, StateView next) const;
   void place(StateView s, Pose* poses) const;
-  float travel(StateView s, ControlView u, float dt, int k) const;
+  bool travel(StateView s, ControlView u, float dt, StateView next, Travel* travel) const;
+  float longest_path(StateView s, ControlView u, float dt) const;
+  QuickBound quick_bound(StateView s, ControlView u, float dt, StateView next) const;
+  float least_separation(StateView s, StateView next, const Travel* travel) const;
 
- protected:
-  // Eqn 1 with the hitch angle's sine as in LaValle, Planning Algorithms, 13.1.2.3: the trailers move with speed
-  // `follow`(v, cos psi).
-  template <class Follow>
-  void chain_derivative(StateView s, ControlView u, StateRef ds, Follow follow) const;
+  // Eqn 1 with the hitch angle's sine as in LaValle, Planning Algorithms, 13.1.2.3: the trailers move with speed v if
+  // they slip, else with v cos psi.
+  void derivative(StateView s, ControlView u, StateRef ds) const;
+
+  // The dynamics near a state whose frames are known: angles change little in a step, and turning what is known by a
+  // little costs less than a sine. The chain and the state must outlive it.
+  class Near {
+   public:
+    Near(const Chain& chain, StateView s, const Pose* poses);
+    void derivative(ControlView u, StateRef ds) const;
+    void derivative(StateView s, ControlView u, StateRef ds) const;
+
+   private:
+    const Chain* chain_;
+    const float* state_;
+    SinCos heading_;
+    SinCos steering_;
+    float sin_[1 + kMaxTrailers];  // of the hitch angle before trailer i, at i
+    float cos_[1 + kMaxTrailers];
+  };
+  Near near(StateView s, const Pose* poses) const { return {*this, s, poses}; }
 
  private:
+  void rates(StateView s, ControlView u, SinCos heading, SinCos steering, const float* sines, const float* cosines,
+             StateRef ds) const;
   struct Body {
     Vec2 vertices[format::kMaxPieceVertices];
     int count = 0;
   };
+  float separation(float hitch, float spread) const;
   float steering_limit(StateView s, float heading_error, float speed) const;
-  float farthest(int k) const { return farthest_[k]; }
 
   ChainParameters parameters_;
   bool slip_;
   Body bodies_[kMaxBodies];
-  float farthest_[kMaxBodies] = {};  // of a body's vertices from its axle
 };
-
-template <class Follow>
-void Chain::chain_derivative(StateView s, ControlView u, StateRef ds, Follow follow) const {
-  const float v = s[3];
-  const SinCos psi = sin_cos(s[4]);
-  SinCos ahead = sin_cos(s[2]);
-  const float axle_speed = v * psi.cos;
-  ds[0] = axle_speed * ahead.cos;
-  ds[1] = axle_speed * ahead.sin;
-  ds[2] = v * psi.sin / parameters_.wheelbase;
-  ds[3] = u[0];
-  ds[4] = u[1];
-  float pull = follow(v, psi.cos) / parameters_.hitch_length;
-  for (int i = 5; i < state_size(); ++i) {
-    const SinCos own = sin_cos(s[i]);
-    ds[i] = pull * (ahead.sin * own.cos - ahead.cos * own.sin);
-    pull = pull * (ahead.cos * own.cos + ahead.sin * own.sin);
-    ahead = own;
-  }
-}
 
 }  // namespace krait

@@ -13,7 +13,6 @@ class PlanarBody {
   PlanarBody(float body_length, float body_width) {
     box(body_length, body_width, 0.0F, vertices_);
     count_ = 4;
-    farthest_ = krait::farthest(vertices_, count_);
   }
 
   int body_count() const { return 1; }
@@ -24,14 +23,11 @@ class PlanarBody {
   void set_body(int, Polygon polygon) {
     count_ = polygon.count <= format::kMaxPieceVertices ? polygon.count : 0;
     for (int i = 0; i < count_; ++i) vertices_[i] = polygon[i];
-    farthest_ = krait::farthest(vertices_, count_);
   }
 
   void place(StateView s, Pose* poses) const { poses[0] = {position(s), sin_cos(s[2])}; }
 
  protected:
-  float farthest() const { return farthest_; }
-
   // Heading error to the target in radians, of the rear when driving backwards.
   static float heading_error(StateView s, const Target& target) {
     const SinCos heading = sin_cos(s[2]);
@@ -43,7 +39,6 @@ class PlanarBody {
  private:
   Vec2 vertices_[format::kMaxPieceVertices];
   int count_ = 0;
-  float farthest_ = 0.0F;
 };
 
 }  // namespace krait

@@ -32,6 +32,17 @@ struct Target {
   float dt = 0.1F;     // seconds that the control will be held
 };
 
+// How a body can have moved during a step. Of a point of it that is r metres from its frame's origin: it has gone at
+// most path + r turn, and was never further than bend + r twist from the straight line between its places at the step's
+// ends. With accelerations of at most A and angular ones of at most W, bend = A dt^2 / 8 and
+// twist = (W + (turn / dt)^2) dt^2 / 8; path / 2 and turn / 2 are always right.
+struct Travel {
+  float path;   // metres, of the frame's origin
+  float turn;   // radians
+  float bend;   // metres, of the frame's origin
+  float twist;  // radians
+};
+
 // The controller's memory; fresh at the start of an expansion.
 struct Steering {
   Pid heading;
@@ -47,11 +58,16 @@ struct Steering {
 //   within_limits(s)             speeds, steering and hitch angles are valid
 //   body(k)                      convex polygon of 3 to 8 vertices, counter-clockwise, in body k's frame, metres
 //   place(s, poses)              writes the frame of every body; body 0's origin is the position
-//   travel(s, u, dt, k)          at least the path length, metres, of every point of body k while u is held
-//                                for dt from s: what proves that nothing is jumped over between two states
+//   travel(s, u, dt, next, travel)  bounds the motion of every body while u is held for dt from s to next, what proves
+//                                that nothing is jumped over between two states; false when it is not proven that the
+//                                limits, which s and next keep, hold all the way
+// It may also have
+//   near(s, poses)               given the frames of s, an object with derivative(u, ds), the dynamics at s, and
+//                                derivative(s', u, ds), those at states near s: derivative's values but for rounding,
+//                                at less cost; used instead of it throughout
 template <class R>
 concept Robot = requires(const R& robot, StateView s, StateRef ds, ControlView u, ControlRef control,
-                         Steering& steering, const Target& target, Pose* poses, float dt, int k) {
+                         Steering& steering, const Target& target, Pose* poses, Travel* travel, float dt, int k) {
   { R::kMaxState } -> std::convertible_to<int>;
   { R::kMaxControl } -> std::convertible_to<int>;
   { R::kMaxBodies } -> std::convertible_to<int>;
@@ -63,7 +79,7 @@ concept Robot = requires(const R& robot, StateView s, StateRef ds, ControlView u
   { robot.within_limits(s) } -> std::same_as<bool>;
   { robot.body(k) } -> std::same_as<Polygon>;
   {robot.place(s, poses)};
-  { robot.travel(s, u, dt, k) } -> std::same_as<float>;
+  { robot.travel(s, u, dt, s, travel) } -> std::same_as<bool>;
 };
 
 // Bodies i and j are tested against each other when |i - j| is at least this; a robot may say otherwise.
@@ -86,15 +102,41 @@ bool sound(const R& robot) {
   return true;
 }
 
-// Whether a step that holds u for dt from s to next, both within the limits, is proven to stay within them all the
-// way; a robot may say. Without a word it does, as what is linear in time must.
+// What can be said of a whole robot's step at little cost. Where it suffices nobody asks for more.
+struct QuickBound {
+  bool limited = false;     // whether its limits are proven to hold throughout
+  float separation = 0.0F;  // as least_separation
+};
+
+// A robot may say.
 template <Robot R>
-bool keeps_limits(const R& robot, StateView s, ControlView u, float dt, StateView next) {
+QuickBound quick_bound(const R& robot, StateView s, ControlView u, float dt, StateView next) {
   if constexpr (requires {
-                  { robot.keeps_limits(s, u, dt, next) } -> std::same_as<bool>;
+                  { robot.quick_bound(s, u, dt, next) } -> std::same_as<QuickBound>;
                 })
-    return robot.keeps_limits(s, u, dt, next);
-  return true;
+    return robot.quick_bound(s, u, dt, next);
+  return {};
+}
+
+// At least the path of every body's frame's origin, metres, while u is held for dt from s; a robot may say. O(1).
+template <Robot R>
+float longest_path(const R& robot, StateView s, ControlView u, float dt) {
+  if constexpr (requires {
+                  { robot.longest_path(s, u, dt) } -> std::same_as<float>;
+                })
+    return robot.longest_path(s, u, dt);
+  return kInfinity;
+}
+
+// At most the distance between the origins of any two bodies that are tested against each other, while the step bounded
+// by `travel` goes from s to next; a robot may say, which spares looking at the pairs.
+template <Robot R>
+float least_separation(const R& robot, StateView s, StateView next, const Travel* travel) {
+  if constexpr (requires {
+                  { robot.least_separation(s, next, travel) } -> std::same_as<float>;
+                })
+    return robot.least_separation(s, next, travel);
+  return 0.0F;
 }
 
 // Whether the robot can drive backwards; a robot may say.

@@ -8,10 +8,6 @@ namespace krait {
 class Snake : public Chain {
  public:
   explicit Snake(const ChainParameters& parameters) : Chain(parameters, true) {}
-
-  void derivative(StateView s, ControlView u, StateRef ds) const {
-    chain_derivative(s, u, ds, [](float v, float) { return v; });
-  }
 };
 
 }  // namespace krait

@@ -9,10 +9,6 @@ namespace krait {
 class Truck : public Chain {
  public:
   explicit Truck(const ChainParameters& parameters) : Chain(parameters, false) {}
-
-  void derivative(StateView s, ControlView u, StateRef ds) const {
-    chain_derivative(s, u, ds, [](float v, float cos_psi) { return v * cos_psi; });
-  }
 };
 
 }  // namespace krait

@@ -43,7 +43,7 @@ class Unicycle : public PlanarBody {
   }
   void steer(StateView s, const Target& target, Steering& steering, ControlRef u) const;
   bool within_limits(StateView s) const;
-  float travel(StateView s, ControlView u, float dt, int k) const;
+  bool travel(StateView s, ControlView u, float dt, StateView next, Travel* travel) const;
 
  private:
   UnicycleParameters parameters_;

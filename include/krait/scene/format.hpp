@@ -23,6 +23,9 @@ inline constexpr std::uint32_t kNone32 = 0xFFFFFFFF;
 inline constexpr int kMinPieceVertices = 3;
 inline constexpr int kMaxPieceVertices = 8;
 inline constexpr std::uint8_t kMaxClearance = 255;
+inline constexpr int kClearanceUnits = 8;          // of Header::clearance_unit in a clearance cell
+inline constexpr int kCellMargin = 4;              // grid steps by which cells are widened: readers find them in float
+inline constexpr std::uint32_t kMaxCells = 65536;  // of buckets, and of clearance cells
 
 // Sections follow the header in this order, each at the next multiple of 4 bytes. "index" is an unsigned
 // integer of Header::index_width bytes.

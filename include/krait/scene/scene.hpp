@@ -154,16 +154,27 @@ class Scene {
 
   // At most the distance from p to the nearest obstacle or bound; 0 where p lies near one or outside. One look-up.
   float clearance(Vec2 p) const {
-    if (!inside_bounds(p)) return 0.0F;
-    return header_.clearance_unit * static_cast<float>(clearance_[clearance_grid_.index(clearance_grid_.cell(p))]);
+    const float column = (p.x - clearance_grid_.origin.x) * clearance_grid_.per_metre;
+    const float row = (p.y - clearance_grid_.origin.y) * clearance_grid_.per_metre;
+    const bool inside = column >= 0.0F && row >= 0.0F && column < clearance_columns_ && row < clearance_rows_;
+    if (!inside) return 0.0F;
+    const Cell cell{static_cast<std::int32_t>(column), static_cast<std::int32_t>(row)};
+    return header_.clearance_unit * static_cast<float>(clearance_[clearance_grid_.index(cell)]);
   }
 
  private:
   static std::size_t at(Index triangle, int i) { return std::size_t{triangle} * 3 + static_cast<std::size_t>(i); }
+  // Of a scene that was not opened, which contains no point.
+  static format::Header unopened() {
+    format::Header header{};
+    header.bounds_min_x = 1.0F;
+    header.bounds_max_x = -1.0F;
+    return header;
+  }
   const char* nth_name(Index n) const;
   void view(const std::byte* bytes);
 
-  format::Header header_{};
+  format::Header header_ = unopened();
   const Vec2* vertices_ = nullptr;
   IndexArray triangle_vertices_;
   IndexArray triangle_neighbors_;
@@ -185,6 +196,8 @@ class Scene {
   const char* names_ = nullptr;
   CellGrid buckets_;
   CellGrid clearance_grid_;
+  float clearance_columns_ = 0.0F;
+  float clearance_rows_ = 0.0F;
 
   friend class SceneChecker;
 };

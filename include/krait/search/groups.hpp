@@ -2,8 +2,6 @@
 // group to expand (Eqns 7, 8).
 #pragma once
 
-#include <bit>
-
 #include "krait/arena.hpp"
 #include "krait/decomposition/regions.hpp"
 #include "krait/random.hpp"
@@ -17,80 +15,80 @@ struct GroupWeights {
   float epsilon = 0.01F;
 };
 
+// A group keeps at most so many of its states: a sample, each of all that ever reached the region as likely to be in
+// it.
+inline constexpr std::uint32_t kUnboundedSample = 65535;
+
 class Groups {
  public:
-  // For `regions` regions and `vertices` vertices in all; its pools cannot fill before the tree's does.
-  void take(Arena& arena, Index regions, std::uint32_t vertices);
+  static constexpr Index kRoot = 0;  // the vertex of the start, which stays
 
-  void take(Arena& arena, const Scene& scene, std::uint32_t vertices) { take(arena, scene.triangle_count(), vertices); }
+  // For `vertices` vertices in all: 18 bytes a region, 2 to 4 a vertex.
+  void take(Arena& arena, const Scene& scene, std::uint32_t vertices);
 
-  // No groups, no selections.
-  void clear(const GroupWeights& weights);
+  // No members, no selections. A group keeps at most `sample` members, 1 … kUnboundedSample. O(R).
+  void clear(const GroupWeights& weights, std::uint32_t sample);
 
-  // Puts a vertex into its region's group, which is made if there is none. O(1).
+  // What becomes of a state that reached the region: it joins the group, or takes the place of a member other than the
+  // root, or is left out. Counts it. Each with the probability that keeps the sample uniform. O(sample).
+  struct Place {
+    bool kept = false;
+    Index replaced = kNone;
+  };
+  Place place(Index region, Random& random);
+
+  // Makes a vertex a member; the first one gives its group a weight. O(1), or O(kBlock) when the weight falls.
   void insert(const Regions& regions, Index region, Index vertex);
 
-  // Weighs every group anew after h changed. O(groups).
+  // Takes the newest member but the root out of the group and returns it, or kNone. The count of selections stays.
+  Index remove(Index region);
+
+  // Weighs every group anew after h changed. O(R).
   void weigh(const Regions& regions);
 
   // SELECTGROUP: the region whose group has the largest weight, the smallest number among equals; counts the
-  // selection. kNone when no group has a finite cost. O(groups).
-  Index select();
+  // selection. kNone when no group with members has a finite cost. O(R / kBlock + kBlock).
+  Index select(const Regions& regions);
 
-  // A vertex of the region's group, each as likely. O(log of the group's size), O(1) on average.
+  // The region whose group has the smallest weight of those with members besides the root, the largest number among
+  // equals, `besides` left out; kNone when there is no other. O(R).
+  Index lightest(Index besides) const;
+
+  // The logarithm of the weight that the region's group has, or would have with a member.
+  float log_weight(const Regions& regions, Index region) const;
+
+  // A member of the region's group, each as likely. O(sample).
   Index random_vertex(Index region, Random& random) const;
 
-  // Calls visit(vertex) for every vertex of the region's group. O(the group's size).
+  // Calls visit(vertex) for every member of the region's group, newest first.
   template <class Visit>
-  void for_each_vertex(Index region, Visit visit) const;
+  void for_each_vertex(Index region, Visit visit) const {
+    for (Index vertex = newest_[region]; vertex != kNone; vertex = links_[vertex]) visit(vertex);
+  }
 
-  std::uint32_t count() const { return group_count_; }
-  std::uint32_t size(Index region) const { return groups_[group_of_[region]].vertices; }
-  std::uint32_t selections(Index region) const;
-  std::uint32_t members_used() const { return members_used_; }
-
-  // The memory of the members, which is free once the search has ended: at least one entry a vertex.
-  Index* scratch() { return members_; }
+  std::uint32_t size(Index region) const { return sizes_[region]; }
+  std::uint32_t reached(Index region) const { return reached_[region]; }
+  std::uint32_t selections(Index region) const { return selections_[region]; }
 
  private:
-  struct Group {
-    Index region;
-    std::uint32_t selections;
-    std::uint32_t vertices;
-    Index newest_block;  // of members: an entry that names the previous block, then vertices
-    float log_progress;  // alpha * log(epsilon + 1 - h / h_max)
-  };
+  static constexpr Index kBlock = 32;  // regions whose largest weight is kept
 
-  static constexpr std::uint32_t kFirstBlock = 4;  // vertices; every further block has twice the last one's
+  void set_weight(const Regions& regions, Index region);
+  void change_weight(Index region, float weight);
+  float largest_in_block(Index block) const;
+  Index block_end(Index block) const;
 
-  // Size of the block that holds a group's n-th vertex, counted from 0: 4, 8, 16, …
-  static std::uint32_t block_of(std::uint32_t n) { return std::bit_floor(n / kFirstBlock + 1) * kFirstBlock; }
-
-  float log_progress(const Regions& regions, Index region) const;
-  void set_weight(std::uint32_t id);
-
-  Index* group_of_ = nullptr;  // by region
-  Group* groups_ = nullptr;
-  float* log_weights_ = nullptr;
-  Index* members_ = nullptr;
+  float* log_weights_ = nullptr;  // by region: minus infinity without members
+  float* block_weights_ = nullptr;
+  std::uint32_t* reached_ = nullptr;  // how many states ever
+  std::uint32_t* selections_ = nullptr;
+  std::uint16_t* sizes_ = nullptr;
+  PackedIndices newest_;  // by region: its newest member
+  PackedIndices links_;   // by vertex: the member before it
   Index region_count_ = 0;
-  std::uint32_t group_count_ = 0;
-  std::uint32_t members_used_ = 0;
+  std::uint32_t sample_ = kUnboundedSample;
   GroupWeights weights_;
   float log_beta_ = 0.0F;
 };
-
-template <class Visit>
-void Groups::for_each_vertex(Index region, Visit visit) const {
-  const Group& group = groups_[group_of_[region]];
-  std::uint32_t block_size = block_of(group.vertices - 1);
-  std::uint32_t end = group.vertices;
-  for (Index block = group.newest_block; block != kNone; block = members_[block]) {
-    const std::uint32_t before = block_size - kFirstBlock;  // vertices in the blocks before this one
-    for (std::uint32_t i = 0; i < end - before; ++i) visit(members_[block + 1 + i]);
-    end = before;
-    block_size /= 2;
-  }
-}
 
 }  // namespace krait

@@ -1,47 +1,100 @@
-// The motion tree T = (V, E) (section 4.2): a pool of vertices, each with its state, region, parent and the control of
-// the edge from the parent.
+// The motion tree T = (V, E) (section 4.2), kept small. An expansion is a run of steps toward one target, and is fully
+// told by where it branches off, its target and its number of steps: whoever needs the states drives it again. Only the
+// states that the search may grow from are kept as such.
 #pragma once
 
 #include "krait/arena.hpp"
+#include "krait/robot/robot.hpp"
 #include "krait/scene/scene.hpp"
 
 namespace krait {
 
+// A state of the tree: the one after `step` steps of an expansion.
+struct Branch {
+  Index expansion = kNone;
+  std::uint32_t step = 0;
+};
+
+// A vertex is a state that is kept, in a slot of its own. Slots are reused.
 class MotionTree {
  public:
-  // Room for `capacity` vertices.
-  void take(Arena& arena, std::uint32_t capacity, int state_size, int control_size);
+  static constexpr std::uint32_t kMostExpansions = (1U << 22U) - 2048;
+  static constexpr std::uint32_t kMostSteps = (1U << 10U) - 1;  // of an expansion
 
-  void clear() { size_ = 0; }
-  std::uint32_t size() const { return size_; }
-  std::uint32_t capacity() const { return capacity_; }
-  bool full() const { return size_ == capacity_; }
+  // Room for `vertices` states of `state_size` floats, and `expansions`, at most kMostExpansions.
+  void take(Arena& arena, std::uint32_t vertices, std::uint32_t expansions, int state_size);
 
-  // Adds a vertex whose state and control the caller then writes; not when full. The root's parent is kNone.
-  Index add(Index parent, Index region) {
-    parents_[size_] = parent;
-    regions_[size_] = region;
-    return size_++;
-  }
+  // No vertex, no expansion. Targets are points of `bounds`, stored to 1/65535 of them.
+  void clear(const Box& bounds);
 
-  float* state(Index vertex) { return states_ + offset(vertex, state_size_); }
-  const float* state(Index vertex) const { return states_ + offset(vertex, state_size_); }
-  float* control(Index vertex) { return controls_ + offset(vertex, control_size_); }
-  const float* control(Index vertex) const { return controls_ + offset(vertex, control_size_); }
-  Index parent(Index vertex) const { return parents_[vertex]; }
-  Index region(Index vertex) const { return regions_[vertex]; }
+  std::uint32_t vertices() const { return vertices_; }
+  std::uint32_t expansions() const { return expansions_; }
+  std::uint32_t most_vertices() const { return vertex_high_; }  // at any time since clear
+  std::uint32_t most_expansions() const { return expansion_high_; }
+  // Bytes of the pools that were never written since clear.
+  std::uint64_t bytes_untouched() const;
+  bool vertices_full() const { return vertices_ == vertex_capacity_; }
+  bool expansions_full() const { return expansions_ == expansion_capacity_; }
+
+  // Begins an expansion, of no steps yet, from a state of the tree, or the root's with the branch {}. Not when full. It
+  // stays, and all before it, until it has ended and is needed by no vertex and no later expansion.
+  Index begin_expansion(Branch from, Vec2 target, float speed);
+  void end_expansion(Index expansion, std::uint32_t steps);
+
+  // The target as stored; `dt` is not.
+  Target target(Index expansion) const;
+  Branch origin(Index expansion) const;
+  std::uint32_t steps(Index expansion) const { return records_[expansion].steps_and_uses & kMostSteps; }
+
+  // Keeps a state; not when full.
+  Index add(Branch branch, const float* state);
+  // Keeps it in place of another.
+  void replace(Index vertex, Branch branch, const float* state);
+  void remove(Index vertex);
+
+  const float* state(Index vertex) const { return states_ + std::size_t{vertex} * state_size_; }
+  Branch branch(Index vertex) const { return unpacked(branches_[vertex]); }
+
+  // Turns the path that ends at `last` around: from then on next(root's expansion) is the expansion after it, and so
+  // on, and steps() is how many of its steps the path takes. Ends all other use of the tree. Gives the first expansion.
+  Index turn_path(Branch last);
+  Index next_of_path(Index expansion) const { return origin(expansion).expansion; }
 
  private:
-  static std::size_t offset(Index vertex, int size) { return std::size_t{vertex} * static_cast<std::size_t>(size); }
+  struct Expansion {
+    std::uint32_t origin;          // a packed branch
+    std::uint32_t steps_and_uses;  // 10 bits, 22 bits: the vertices and expansions that need it, and 1 while it grows
+    std::uint16_t x;               // target, in parts of the bounds
+    std::uint16_t y;
+    std::int16_t speed;  // in parts of 1 / 32767
+  };
 
-  Index* parents_ = nullptr;
-  Index* regions_ = nullptr;
+  static constexpr std::uint32_t kUse = kMostSteps + 1;
+  static constexpr std::uint32_t kNoBranch = 0xFFFFFFFF;
+
+  static std::uint32_t packed(Branch b) { return b.expansion == kNone ? kNoBranch : b.expansion << 10U | b.step; }
+  static Branch unpacked(std::uint32_t b) { return b == kNoBranch ? Branch{} : Branch{b >> 10U, b & kMostSteps}; }
+
+  void use(Branch branch) {
+    if (branch.expansion != kNone) records_[branch.expansion].steps_and_uses += kUse;
+  }
+  void release(Branch branch);
+  void write(Index vertex, Branch branch, const float* state);
+
+  Expansion* records_ = nullptr;
+  std::uint32_t* branches_ = nullptr;  // of vertices, packed
   float* states_ = nullptr;
-  float* controls_ = nullptr;
-  int state_size_ = 0;
-  int control_size_ = 0;
-  std::uint32_t capacity_ = 0;
-  std::uint32_t size_ = 0;
+  std::size_t state_size_ = 0;
+  std::uint32_t vertex_capacity_ = 0;
+  std::uint32_t expansion_capacity_ = 0;
+  std::uint32_t vertices_ = 0;
+  std::uint32_t expansions_ = 0;
+  std::uint32_t vertex_high_ = 0;  // slots in use at some time
+  std::uint32_t expansion_high_ = 0;
+  Index free_vertex_ = kNone;  // lists of unused slots, linked through branches_ and origins
+  Index free_expansion_ = kNone;
+  Vec2 low_;
+  Vec2 unit_;
 };
 
 }  // namespace krait

@@ -24,9 +24,6 @@ class NearestPoints {
 
   std::uint32_t size() const { return size_; }
 
-  // The memory of the lists, free once the search has ended: one entry a point.
-  Index* scratch() { return next_; }
-
  private:
   static constexpr int kMaxLevels = 10;  // below the root
 

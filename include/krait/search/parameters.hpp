@@ -22,12 +22,14 @@ struct RrtParameters {
 };
 
 struct Parameters {
+  // Eqns 5 and 6.
+  std::uint32_t group_sample = 12;  // 1 … 65535: states that a group keeps to grow from, a random sample of all
   // Eqn 7.
   float alpha = 8.0F;     // 1 … 64: strength of the heuristic
-  float beta = 0.85F;     // above 0, below 1: a group's weight shrinks by this with each selection
+  float beta = 0.9F;      // above 0, below 1: a group's weight shrinks by this with each selection
   float epsilon = 0.01F;  // above 0, up to 1: keeps every weight positive
   // Eqn 9.
-  float gamma = 50.0F;       // above 0, up to 1e6: how much a failure raises edge costs
+  float gamma = 50.0F;       // 0 … 1e6: how much a failure raises edge costs; 0: costs never change
   float cost_length = 1.0F;  // 0 … 10, in robot lengths: C += gamma l^2 / max(C, l), l this length; 0: gamma / C
   std::uint32_t kappa = 20;  // 1 … 10000: expansions between updates of the heuristic costs
   bool raise_goal = false;   // whether a failure right before the goal raises the goal's edges as well
@@ -44,6 +46,9 @@ struct Parameters {
   bool continuous = true;           // whether whole steps are proven free, or states only
   std::uint32_t max_substeps = 16;  // 1 … 64, a power of two: how finely a step is cut to prove it
   bool prune_portals = true;        // whether portals too narrow for the robot are removed before the search
+  // Whether everything is done the plain way: Dijkstra for all regions each time, Box2D for every body and every pair
+  // of bodies. What shortcuts are measured against.
+  bool plain = false;
   // The goal.
   float goal_margin = 0.03F;  // 0 … 10 m, at most a tenth of the goal's size: how deep inside the plan must end
   // Other planners.
@@ -57,10 +62,23 @@ struct Parameters {
   Argument first_bad() const;
 };
 
+// What a search does when the memory for vertices or expansions is full.
+enum class WhenFull : std::uint8_t {
+  recycle,  // gives up the vertices of the group that helps least, never the start, and goes on
+  stop      // ends as tree_full
+};
+
 // What a search may use.
 struct Limits {
-  std::uint32_t vertices = 0;            // capacity of the motion tree, at least 2
-  std::uint64_t iterations = 1'000'000;  // expansions, at least 1
+  std::uint32_t vertices = 0;            // states kept to grow from, at least 2
+  std::uint32_t expansions = 0;          // kept, 2 … MotionTree::kMostExpansions; 0: half as many as vertices
+  std::uint64_t iterations = 1'000'000;  // expansions made, at least 1
+  WhenFull when_full = WhenFull::recycle;
+
+  std::uint32_t kept_expansions() const { return expansions != 0 ? expansions : vertices / 2 + 1; }
+
+  // Argument::none, or the first limit that is out of its range.
+  Argument first_bad() const;
 };
 
 }  // namespace krait

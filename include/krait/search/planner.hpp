@@ -2,64 +2,46 @@
 // regions; failures raise edge costs, and the shortest paths are found again.
 #pragma once
 
-#include "krait/search/groups.hpp"
-#include "krait/search/search.hpp"
+#include "krait/search/grouped.hpp"
 
 namespace krait {
 
 template <Robot R>
-class Planner : public Search<R, Groups> {
-  using Base = Search<R, Groups>;
+class Planner : public GroupedSearch<Planner<R>, R> {
+  using Base = GroupedSearch<Planner<R>, R>;
   using Expansion = typename Base::Expansion;
+  using TargetPoint = typename Base::TargetPoint;
+  template <class, Robot, class>
+  friend class Search;
 
- public:
-  // Begins a search, ending any other. Gives searching; or solved, when the start lies in the goal; or no_route,
-  // goal_in_obstacle, start_outside, start_in_collision, bad_argument. Work: one Dijkstra.
-  Status start(const Query& query) {
-    if (!this->ready()) return this->status();
-    this->guide_.clear({this->parameters_.alpha, this->parameters_.beta, this->parameters_.epsilon});
+  void reset_guide() {
+    const Parameters& parameters = this->parameters_;
+    this->guide_.clear({parameters.alpha, parameters.beta, parameters.epsilon}, parameters.group_sample);
     raised_ = false;
-    if (this->begin(query) == Status::searching) add_to_group(0);
-    return this->status();
   }
 
-  // At most `iterations` expansions more (Algorithm 1, lines 4 to 13); returns at once when the search has ended.
-  // The result does not depend on how a search is cut into calls.
-  Status advance(std::uint64_t iterations) {
-    for (; iterations > 0 && this->status() == Status::searching; --iterations) iterate();
-    return this->status();
-  }
-
-  const Groups& groups() const { return this->guide_; }
-
- private:
-  void add_to_group(Index vertex) { this->guide_.insert(this->regions_, this->tree_.region(vertex), vertex); }
-
-  void iterate() {
-    if (!this->count_iteration()) return;
-    const Index group = this->guide_.select();
+  // Algorithm 1, lines 4 to 13.
+  template <class Watch>
+  void iterate(Watch watch) {
+    if (!this->room_for_expansion()) return;
+    const Index group = this->guide_.select(this->regions_);
     const Index vertex = this->guide_.random_vertex(group, this->random_);
-    const Target target = choose_target(group);
-    const auto expanded = this->expand(vertex, target, [this](Index added) { add_to_group(added); });
-    if (expanded.result == Expansion::goal_reached) {
-      this->finish_solved(expanded.last);
-    } else if (expanded.result == Expansion::tree_full) {
-      this->finish(Status::tree_full);
-    } else {
-      if (expanded.result == Expansion::collision) raise_costs(this->tree_.region(expanded.last));
-      if (this->statistics_.iterations % this->parameters_.kappa == 0) update_costs();
-    }
+    const TargetPoint target = choose_target(group);
+    const auto expanded = this->expand(vertex, group, target, watch);
+    if (this->status() != Status::searching) return;
+    if (expanded.result == Expansion::collision) raise_costs(expanded.region);
+    if (this->statistics_.iterations % this->parameters_.kappa == 0) update_costs();
   }
 
   // Algorithm 2, lines 2 and 3: a region among the first of the shortest path after the group's, a point in it; now and
   // then any point of the workspace, which ends long series of failures at one place.
-  Target choose_target(Index group) {
+  TargetPoint choose_target(Index group) {
     const float stray = this->parameters_.stray_share;
-    if (stray > 0.0F && this->random_.unit() < stray) return this->target_at(this->random_point_in_bounds());
+    if (stray > 0.0F && this->random_.unit() < stray) return this->at_random_speed(this->random_point_in_bounds());
     const Regions& regions = this->regions_;
     const Index region = regions.random_ahead(group, this->parameters_.path_regions, this->random_);
     const Vec2 point = regions.random_point(region, this->random_);
-    return this->target_at(point);
+    return this->at_random_speed(point);
   }
 
   // Algorithm 1, lines 9 to 11.
@@ -74,9 +56,13 @@ class Planner : public Search<R, Groups> {
   void update_costs() {
     if (!raised_) return;
     raised_ = false;
-    this->regions_.update();
+    if (this->parameters_.plain) {
+      this->regions_.update();
+      ++this->statistics_.dijkstra_runs;
+    } else {
+      this->statistics_.regions_repaired += this->regions_.repair();
+    }
     this->guide_.weigh(this->regions_);
-    ++this->statistics_.dijkstra_runs;
   }
 
   bool raised_ = false;

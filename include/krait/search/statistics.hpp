@@ -7,11 +7,12 @@ namespace krait {
 
 struct Statistics {
   std::uint64_t iterations = 0;        // expansions
-  std::uint64_t vertices = 0;          // of the motion tree
+  std::uint64_t vertices = 0;          // that the motion tree grew by
+  std::uint64_t recycled = 0;          // of those kept to grow from, given up for want of memory
   std::uint64_t collision_checks = 0;  // placements of the whole robot that were tested
   std::uint64_t dijkstra_runs = 0;
   std::uint64_t regions_repaired = 0;  // by a repair of the shortest paths in place of a run
-  std::uint64_t bytes_used = 0;        // of the block: tables and the pools' high-water marks
+  std::uint64_t bytes_used = 0;        // of the block: tables, and what vertices and expansions took at most
   std::uint64_t bytes_given = 0;
   std::uint32_t plan_steps = 0;
   float plan_length = 0.0F;    // metres

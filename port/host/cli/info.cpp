@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "host/cli/commands.hpp"
+#include "host/search/robots.hpp"
 #include "host/search/search.hpp"
 
 namespace krait::host {
@@ -29,9 +30,20 @@ float narrowest_portal(const krait::Scene& scene) {
   return width;
 }
 
-void print_info(const std::string& path) {
+// The most that one call of advance(1) does.
+void print_work(const std::string& robot, const Work& work) {
+  const auto number = [](std::uint64_t n) { return static_cast<unsigned long long>(n); };
+  std::printf("%-10sadvance(1) of %s: at most %llu placements, %llu Runge-Kutta steps, %llu polygon distances", "work",
+              robot.c_str(), number(work.placements), number(work.runge_kutta_steps), number(work.polygon_distances));
+  std::printf(" (%llu pieces near a body), %llu heap operations\n", number(work.pieces_near),
+              number(work.heap_operations));
+}
+
+void print_info(const std::string& path, const std::string& robot) {
   const SceneBytes bytes = SceneBytes::read(path);
   const krait::Scene scene = open_scene(path, bytes);
+  const Parameters parameters;
+  const Work work = work_bound(scene, extent_of(parse_robot(robot), parameters), parameters);
   const format::Header& h = scene.header();
   const auto number = [](float x) { return static_cast<double>(x); };
   std::printf("%-10s%s\n", "scene", scene.name());
@@ -49,6 +61,7 @@ void print_info(const std::string& path) {
   std::printf("%-10sbuckets of %.3g m (at most %u triangles, %u pieces in one), clearance cells of %.3g m\n", "look-up",
               number(h.bucket_size), h.most_bucket_triangles, h.most_bucket_pieces, number(h.clearance_cell));
   std::printf("%-10sversion %u, %u-byte indices\n", "format", h.version, h.index_width);
+  print_work(robot, work);
   print_sections(h);
 }
 
@@ -57,9 +70,11 @@ void print_info(const std::string& path) {
 void add_info(CLI::App& app) {
   const auto path = std::make_shared<std::string>();
   CLI::App* command =
-      app.add_subcommand("info", "report what a scene file holds: regions, pieces, bytes, narrowest portal");
+      app.add_subcommand("info", "report what a scene file holds: regions, pieces, bytes, narrowest portal, work");
   command->add_option("SCENE", *path, "a .krait file")->required();
-  command->callback([path] { print_info(*path); });
+  const auto robot = std::make_shared<std::string>("snake:15");
+  command->add_option("--robot", *robot, "whose work is bounded: as for plan")->capture_default_str();
+  command->callback([path, robot] { print_info(*path, *robot); });
 }
 
 }  // namespace krait::host

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "host/compiler/cells.hpp"
 
+#include <string>
+
 namespace krait::host::compiler {
 namespace {
+
+constexpr std::size_t kMostEdges = 2'000'000;  // about a gigabyte and a minute
 
 // side(k, along) is +1 where the line k has an occupied cell on its left only, -1 on its right only, at step `along`.
 // Calls run(k, first, last, side) for every longest stretch of one side.
@@ -27,6 +31,10 @@ Edges outline(const CellMap& map, const std::function<GridPoint(int column, int 
   };
   Edges edges;
   const auto add = [&](GridPoint a, GridPoint b, int value) {
+    if (edges.size() == kMostEdges) {
+      throw InputError("the map's cells have more than " + std::to_string(kMostEdges) +
+                       " edges between free and occupied, as noise has: smooth the map or scale it down");
+    }
     edges.push_back(value > 0 ? Edge{a, b, {1, 0}} : Edge{b, a, {1, 0}});
   };
   runs(

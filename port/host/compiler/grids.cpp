@@ -52,6 +52,26 @@ std::uint32_t cell_number(const GridShape& s, std::int32_t column, std::int32_t 
   return static_cast<std::uint32_t>(row) * static_cast<std::uint32_t>(s.columns) + static_cast<std::uint32_t>(column);
 }
 
+// Lowers bytes that are over a neighbour's by more than a cell: forth for the neighbours before, back for those behind.
+void limit_steps(const GridShape& shape, std::vector<std::uint8_t>& bytes) {
+  const auto limit = [&](std::int32_t column, std::int32_t row, int sign) {
+    std::uint8_t& here = bytes[cell_number(shape, column, row)];
+    const auto by = [&](std::int32_t x, std::int32_t y) {
+      if (x < 0 || y < 0 || x >= shape.columns || y >= shape.rows) return;
+      const int most = bytes[cell_number(shape, x, y)] + format::kClearanceUnits;
+      if (here > most) here = static_cast<std::uint8_t>(most);
+    };
+    by(column - sign, row);
+    for (std::int32_t x = column - 1; x <= column + 1; ++x) by(x, row - sign);
+  };
+  for (std::int32_t row = 0; row < shape.rows; ++row) {
+    for (std::int32_t column = 0; column < shape.columns; ++column) limit(column, row, 1);
+  }
+  for (std::int32_t row = shape.rows - 1; row >= 0; --row) {
+    for (std::int32_t column = shape.columns - 1; column >= 0; --column) limit(column, row, -1);
+  }
+}
+
 }  // namespace
 
 GridBox GridShape::cell(std::int32_t column, std::int32_t row) const {
@@ -110,6 +130,7 @@ std::vector<std::uint8_t> clearances(const GridShape& shape, double unit, const 
       bytes[number] = static_cast<std::uint8_t>(std::clamp(distance / unit, 0.0, double(format::kMaxClearance)));
     }
   }
+  limit_steps(shape, bytes);
   return bytes;
 }
 

@@ -7,6 +7,7 @@
 #include "host/compiler/cell_index.hpp"
 #include "host/compiler/distances.hpp"
 #include "host/compiler/geometry.hpp"
+#include "krait/scene/format.hpp"
 
 namespace krait::host::compiler {
 
@@ -22,20 +23,21 @@ struct GridShape {
   GridBox cell(std::int32_t column, std::int32_t row) const;
 };
 
-inline constexpr std::size_t kMostCells = 65536;
+inline constexpr std::size_t kMostCells = format::kMaxCells;
 
 // Cells no smaller than `size`, a multiple of `multiple`, and at most kMostCells of them.
 GridShape grid_shape(const GridBox& bounds, double size, std::int32_t multiple);
 
 // A reader may find a point's cell in float: up to this many grid steps past the cell's border still count as within.
-inline constexpr std::int32_t kCellMargin = 4;
+inline constexpr std::int32_t kCellMargin = format::kCellMargin;
 
 // By cell, the triangles and the pieces' boxes that meet its square, widened by kCellMargin; ascending.
 CellLists bucket_triangles(const GridShape& shape, const std::vector<GridRing>& triangles);
 CellLists bucket_pieces(const GridShape& shape, const std::vector<GridBox>& boxes);
 
 // By cell, row-major: floor of a lower bound of the distance from any point of its widened square to the
-// boundary, in units of `unit` grid steps, at most 255; 0 where that meets the boundary or a piece.
+// boundary, in units of `unit` grid steps, at most 255 and at most a cell more than at any of the eight neighbours;
+// 0 where that meets the boundary or a piece.
 std::vector<std::uint8_t> clearances(const GridShape& shape, double unit, const Distances& boundary,
                                      const std::vector<GridRing>& pieces);
 

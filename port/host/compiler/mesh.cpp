@@ -55,7 +55,7 @@ Mesh free_faces(const Triangulation& t) {
 
 MeshSize mesh_size(const GridBox& bounds, std::size_t edges) {
   const double extent = double(std::max(bounds.max.x - bounds.min.x, bounds.max.y - bounds.min.y));
-  return {extent / 10, extent / 500, 100'000 + 6 * edges};
+  return {extent / 10, extent / 500, 5'000 + 20 * edges};
 }
 
 }  // namespace

@@ -191,6 +191,20 @@ Triangulation labelled(Cdt& cdt, const Edges& edges, const std::vector<GridPoint
   return result;
 }
 
+// Refines until no triangle is bad; false when there are too many vertices before that.
+bool refine(Cdt& cdt, const Edges& edges, const std::vector<GridPoint>& points, const MeshSize& size) {
+  const Triangulation coarse = labelled(cdt, edges, points);
+  for (const auto face : cdt.all_face_handles()) {
+    face->set_in_domain(face->info() != kNone && coarse.faces[face->info()].winding[0] != 0);
+  }
+  CGAL::Delaunay_mesher_2<Cdt, Criteria> mesher(cdt, Criteria(size));
+  mesher.init(true);
+  while (cdt.number_of_vertices() < size.most_points) {
+    if (!mesher.step_by_step_refine_mesh()) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 Triangulation triangulate(const Edges& edges, const std::vector<GridPoint>& extra) {
@@ -198,16 +212,14 @@ Triangulation triangulate(const Edges& edges, const std::vector<GridPoint>& extr
   return labelled(cdt, edges, points_of(edges, extra));
 }
 
-std::vector<GridPoint> refinement(const Edges& edges, const MeshSize& size) {
+// Between edges that meet at very small angles refinement need not end: then it begins again, and leaves triangles of
+// twice the size as they are.
+std::vector<GridPoint> refinement(const Edges& edges, MeshSize size) {
   const std::vector<GridPoint> points = points_of(edges, {});
   Cdt cdt;
-  const Triangulation coarse = labelled(cdt, edges, points);
-  for (const auto face : cdt.all_face_handles()) {
-    face->set_in_domain(face->info() != kNone && coarse.faces[face->info()].winding[0] != 0);
-  }
-  CGAL::Delaunay_mesher_2<Cdt, Criteria> mesher(cdt, Criteria(size));
-  mesher.init(true);
-  while (cdt.number_of_vertices() < size.most_points && mesher.step_by_step_refine_mesh()) {
+  while (!refine(cdt, edges, points, size) && size.smallest < size.largest) {
+    cdt.clear();
+    size.smallest *= 2;
   }
   std::vector<GridPoint> added;
   for (const auto vertex : cdt.finite_vertex_handles()) {

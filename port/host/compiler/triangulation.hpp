@@ -26,13 +26,13 @@ struct Triangulation {
 Triangulation triangulate(const Edges& edges, const std::vector<GridPoint>& points = {});
 
 struct MeshSize {
-  double largest;   // grid steps: no edge gets longer
-  double smallest;  // grid steps: triangles with shorter edges only may stay slender
-  std::size_t most_points;
+  double largest;           // grid steps: no edge gets longer
+  double smallest;          // grid steps: triangles with shorter edges only may stay slender
+  std::size_t most_points;  // beyond: `smallest` is doubled
 };
 
 // Points that make the triangles with winding[0] != 0 well-shaped and of a size that grows with the distance between
 // the edges around them (Ruppert 1995, Shewchuk 1997), rounded to the grid: on the edges and off them.
-std::vector<GridPoint> refinement(const Edges& edges, const MeshSize& size);
+std::vector<GridPoint> refinement(const Edges& edges, MeshSize size);
 
 }  // namespace krait::host::compiler

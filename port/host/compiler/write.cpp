@@ -22,7 +22,6 @@ using Bytes = std::vector<std::uint8_t>;
 constexpr float kMetre = 1.0F / format::kGrid;  // grid steps
 constexpr double kClearanceCell = 0.25 * double(kMetre);
 constexpr double kLeastClearanceCells = 64;  // across a small scene
-constexpr std::int32_t kUnitsPerCell = 8;
 
 float metres(std::int32_t steps) { return static_cast<float>(steps) * format::kGrid; }
 
@@ -96,16 +95,16 @@ class Writer {
     buckets_ = grid_shape(b, std::sqrt(area / cells), 1);
     const double extent = double(std::max(b.max.x - b.min.x, b.max.y - b.min.y));
     const double cell = std::min(kClearanceCell, extent / kLeastClearanceCells);
-    clearance_ = grid_shape(b, std::max(cell, std::sqrt(area / double(kMostCells))), kUnitsPerCell);
+    clearance_ = grid_shape(b, std::max(cell, std::sqrt(area / double(kMostCells))), format::kClearanceUnits);
     header_.bucket_size = metres(buckets_.size);
     header_.bucket_columns = count(static_cast<std::size_t>(buckets_.columns));
     header_.bucket_rows = count(static_cast<std::size_t>(buckets_.rows));
     header_.clearance_cell = metres(clearance_.size);
     header_.clearance_columns = count(static_cast<std::size_t>(clearance_.columns));
     header_.clearance_rows = count(static_cast<std::size_t>(clearance_.rows));
-    header_.clearance_unit = metres(clearance_.size / kUnitsPerCell);
+    header_.clearance_unit = metres(clearance_.size / format::kClearanceUnits);
     section(format::Section::clearance) =
-        clearances(clearance_, double(clearance_.size) / kUnitsPerCell, distances_, parts_.pieces);
+        clearances(clearance_, double(clearance_.size) / format::kClearanceUnits, distances_, parts_.pieces);
   }
 
   void write_mesh() {

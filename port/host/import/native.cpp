@@ -35,7 +35,7 @@ Ring read_circle(const Field& circle, RoundRing round) {
 
 // The one of "polygon", "box" and "circle" that the object has.
 Ring read_shape(const Field& field, RoundRing round) {
-  const int shapes = int{field.has("polygon")} + int{field.has("box")} + int{field.has("circle")};
+  const int shapes = (field.has("polygon") ? 1 : 0) + (field.has("box") ? 1 : 0) + (field.has("circle") ? 1 : 0);
   if (shapes != 1) field.fail("must have one of polygon, box and circle, has " + std::to_string(shapes));
   if (field.has("polygon")) return field.at("polygon").ring();
   if (field.has("box")) return read_box(field.at("box"));

@@ -1,8 +1,10 @@
 // A compiled scene, read by the page FORMAT.md with code of its own: the verifier may not share the core's reader.
 // A checked file is expected (krait compile writes one); sizes are checked here again, so that no byte lies outside.
+#include <cmath>
 #include <cstring>
 
 #include "host/import/format.hpp"
+#include "host/input/json.hpp"
 #include "krait/scene/format.hpp"
 
 namespace krait::host {
@@ -10,6 +12,8 @@ namespace {
 
 using format::Header;
 using format::Section;
+
+constexpr std::uint32_t kMaxTrailers = 25;
 
 class Reader {
  public:
@@ -32,16 +36,25 @@ class Reader {
   }
 
   Point point(Section section, std::size_t index) const {
-    const float x = read<float>(section, 2 * index);
-    const float y = read<float>(section, 2 * index + 1);
-    return {header_.origin_x + static_cast<double>(x), header_.origin_y + static_cast<double>(y)};
+    return world(read<float>(section, 2 * index), read<float>(section, 2 * index + 1));
   }
 
-  // The points from offsets[index] to offsets[index + 1].
-  Ring ring(Section offsets, Section points, std::size_t index) const {
+  Point world(float x, float y) const {
+    const Point p{header_.origin_x + static_cast<double>(x), header_.origin_y + static_cast<double>(y)};
+    if (!(std::abs(p.x) <= kMaxCoordinate && std::abs(p.y) <= kMaxCoordinate)) refuse("has a point out of all bounds");
+    return p;
+  }
+
+  double angle(float radians) const {
+    if (!(std::abs(static_cast<double>(radians)) <= kMaxAngle)) refuse("has an angle out of all bounds");
+    return static_cast<double>(radians);
+  }
+
+  // The points from offsets[index] to offsets[index + 1]: 3 to `most`.
+  Ring ring(Section offsets, Section points, std::size_t index, std::uint32_t most) const {
     const auto first = read<std::uint32_t>(offsets, index);
     const auto end = read<std::uint32_t>(offsets, index + 1);
-    if (end < first || end - first > source_.content.size()) refuse("has offsets that do not ascend");
+    if (end < first || end - first < 3 || end - first > most) refuse("has a polygon of too few or too many vertices");
     Ring ring;
     for (std::uint32_t i = first; i < end; ++i) ring.push_back(point(points, i));
     return ring;
@@ -57,29 +70,27 @@ class Reader {
         name += c;
         continue;
       }
-      all.push_back(name);
+      all.push_back(cleaned_name(name));
       name.clear();
     }
     if (all.size() != 1 + std::size_t{header_.goals} + header_.starts) refuse("has the wrong number of names");
     return all;
   }
 
- private:
   [[noreturn]] void refuse(const char* what) const { throw InputError(source_.path + ": " + what); }
 
+ private:
   const Source& source_;
   Header header_{};
 };
 
 Start read_start(const Reader& reader, std::size_t index, const std::string& name) {
   const auto record = reader.read<format::StartRecord>(Section::starts, index);
-  const Header& h = reader.header();
-  Start start{name,
-              {h.origin_x + static_cast<double>(record.x), h.origin_y + static_cast<double>(record.y)},
-              static_cast<double>(record.heading),
-              {}};
+  Start start{name, reader.world(record.x, record.y), reader.angle(record.heading), {}};
+  if (record.angle_count > kMaxTrailers) reader.refuse("has a start with angles for too many trailers");
   for (std::uint32_t i = 0; i < record.angle_count; ++i) {
-    start.angles.push_back(static_cast<double>(reader.read<float>(Section::start_angles, record.first_angle + i)));
+    start.angles.push_back(
+        reader.angle(reader.read<float>(Section::start_angles, std::size_t{record.first_angle} + i)));
   }
   return start;
 }
@@ -92,14 +103,18 @@ Workspace read(const Source& source, const ImportOptions&) {
   const std::vector<std::string> names = reader.names();
   Workspace workspace;
   workspace.name = names[0];
-  workspace.min = {h.origin_x + static_cast<double>(h.bounds_min_x), h.origin_y + static_cast<double>(h.bounds_min_y)};
-  workspace.max = {h.origin_x + static_cast<double>(h.bounds_max_x), h.origin_y + static_cast<double>(h.bounds_max_y)};
+  workspace.min = reader.world(h.bounds_min_x, h.bounds_min_y);
+  workspace.max = reader.world(h.bounds_max_x, h.bounds_max_y);
+  if (!(workspace.min.x < workspace.max.x && workspace.min.y < workspace.max.y)) reader.refuse("has no bounds");
   for (std::uint32_t i = 0; i < h.pieces; ++i) {
     workspace.obstacles.push_back(
-        {"piece " + std::to_string(i), reader.ring(Section::piece_offsets, Section::piece_vertices, i), {}});
+        {"piece " + std::to_string(i),
+         reader.ring(Section::piece_offsets, Section::piece_vertices, i, format::kMaxPieceVertices),
+         {}});
   }
   for (std::uint32_t i = 0; i < h.goals; ++i) {
-    workspace.goals.push_back({names[1 + i], reader.ring(Section::goal_offsets, Section::goal_vertices, i)});
+    workspace.goals.push_back(
+        {names[1 + i], reader.ring(Section::goal_offsets, Section::goal_vertices, i, h.goal_vertices)});
   }
   for (std::uint32_t i = 0; i < h.starts; ++i) {
     workspace.starts.push_back(read_start(reader, i, names[1 + h.goals + i]));

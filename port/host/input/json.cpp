@@ -96,7 +96,7 @@ void Field::fail_expecting(const std::string& expected) const {
                                                     std::to_string(value_->size())
                                               : value_->dump(-1, ' ', true, Json::error_handler_t::replace);
   if (value_->is_number_float() && !std::isfinite(value_->get<double>())) found = shown(value_->get<double>());
-  if (found.size() > kMostShown) found = found.substr(0, kMostShown) + "...";
+  if (found.size() > kMostShown) found.replace(kMostShown, std::string::npos, "...");
   fail("must be " + expected + ", is " + found);
 }
 

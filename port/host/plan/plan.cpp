@@ -116,9 +116,11 @@ Json to_json(const PlanFile& plan) {
   return json;
 }
 
-PlanFile read_plan(const std::string& path) {
-  const Json document = parse_json(read_file(path, kMaxFileBytes), path);
-  const Field field(document, path);
+PlanFile read_plan(const std::string& path) { return parse_plan(read_file(path, kMaxFileBytes), path); }
+
+PlanFile parse_plan(const std::string& text, const std::string& file) {
+  const Json document = parse_json(text, file);
+  const Field field(document, file);
   read_header(field);
   PlanFile plan;
   plan.status = field.at("status").text();

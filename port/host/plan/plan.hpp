@@ -35,6 +35,9 @@ nlohmann::ordered_json to_json(const PlanFile& plan);
 // Reads and checks the form (types, sizes, finiteness); throws InputError with the field's name.
 PlanFile read_plan(const std::string& path);
 
+// The same from the file's text; `file` is what errors name.
+PlanFile parse_plan(const std::string& text, const std::string& file);
+
 // The components of a state, in their order: x, y, theta0, v, psi, theta1, … for snake, truck and car; x, y, theta for
 // the unicycle; x, y, theta, left, right (wheel speeds) for diff_drive.
 std::vector<std::string> state_names(const RobotSpec& robot);

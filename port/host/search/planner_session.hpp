@@ -34,9 +34,23 @@ class PlannerSession : public Session {
   void stop_for_time() override { planner_.stop_for_time(); }
   Status status() const override { return planner_.status(); }
   Statistics statistics() const override { return planner_.statistics(); }
-  const MotionTree& tree() const override { return planner_.tree(); }
   const Regions& regions() const override { return planner_.regions(); }
-  Plan plan() const override { return planner_.plan(); }
+  Status advance_watched(const Watch& watch) override {
+    return planner_.advance(1, [&](const float* from, const float* to) {
+      const int n = robot_.state_size();
+      watch({from, from + n}, {to, to + n});
+    });
+  }
+  void copy_plan(PlanFile& file) const override {
+    const Plan<R> plan = planner_.plan();
+    if (plan.empty()) return;
+    PlanCursor<R> at = plan.cursor();
+    for (; !at.done(); at.advance()) {
+      file.states.emplace_back(at.state(), at.state() + plan.state_size());
+      file.controls.emplace_back(at.control(), at.control() + plan.control_size());
+    }
+    file.states.emplace_back(at.state(), at.state() + plan.state_size());
+  }
   const ResolvedQuery& query() const override { return query_; }
 
  private:

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "host/robot/robot.hpp"
+#include "host/search/work.hpp"
 #include "krait/krait.hpp"
 
 namespace krait::host {
@@ -25,5 +26,8 @@ R with_bodies(R robot, const RobotSpec& spec) {
   }
   return robot;
 }
+
+// What work_bound needs to know of a robot.
+RobotExtent extent_of(const RobotSpec& spec, const Parameters& parameters);
 
 }  // namespace krait::host

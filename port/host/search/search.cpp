@@ -36,6 +36,7 @@ nlohmann::ordered_json statistics_json(const Statistics& s, double seconds) {
   return {{"time_s", seconds},
           {"iterations", s.iterations},
           {"vertices", s.vertices},
+          {"recycled", s.recycled},
           {"collision_checks", s.collision_checks},
           {"dijkstra_runs", s.dijkstra_runs},
           {"regions_repaired", s.regions_repaired},
@@ -47,25 +48,19 @@ nlohmann::ordered_json statistics_json(const Statistics& s, double seconds) {
           {"hash", hash}};
 }
 
-void take_plan_out(const Plan& plan, PlanFile& file) {
-  if (plan.empty()) return;
-  const auto floats = [](const float* values, int count) { return std::vector<float>(values, values + count); };
-  file.states.push_back(floats(plan.state(0), plan.state_size()));
-  for (std::uint32_t i = 0; i < plan.steps(); ++i) {
-    file.controls.push_back(floats(plan.control(i), plan.control_size()));
-    file.states.push_back(floats(plan.state(i + 1), plan.state_size()));
-  }
-}
-
 }  // namespace
 
 SceneBytes SceneBytes::read(const std::string& path) {
   const std::string content = read_file(path, UINT32_MAX);
-  SceneBytes bytes;
-  bytes.size_ = content.size();
-  bytes.words_.resize((content.size() + 7) / 8);
-  std::memcpy(bytes.words_.data(), content.data(), content.size());
-  return bytes;
+  return copy(content.data(), content.size());
+}
+
+SceneBytes SceneBytes::copy(const void* bytes, std::size_t size) {
+  SceneBytes copy;
+  copy.size_ = size;
+  copy.words_.resize((size + 7) / 8);
+  std::memcpy(copy.words_.data(), bytes, size);
+  return copy;
 }
 
 std::string section_name(std::uint8_t section) {
@@ -108,13 +103,18 @@ krait::Scene open_scene(const std::string& path, const SceneBytes& bytes) {
 SearchResult run_search(const std::string& scene_path, const SceneBytes& bytes, const SearchRequest& request,
                         const Progress& progress) {
   Block block = block_of(request);
+  return run_search(scene_path, bytes, request, block, progress);
+}
+
+SearchResult run_search(const std::string& scene_path, const SceneBytes& bytes, const SearchRequest& request,
+                        Block& block, const Progress& progress) {
   const Clock::time_point begin = Clock::now();
   const krait::Scene scene = open_scene(scene_path, bytes);
   const std::unique_ptr<Session> session = start_session(scene, request, block);
   search_to_end(*session, request, begin, progress);
   SearchResult result{session->query().form, session->query().asked, since(begin)};
   result.plan.status = name(session->status());
-  take_plan_out(session->plan(), result.plan);
+  session->copy_plan(result.plan);
   result.plan.statistics = statistics_json(session->statistics(), result.seconds);
   return result;
 }

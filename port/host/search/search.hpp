@@ -45,6 +45,7 @@ class SceneBytes {
  public:
   // Throws InputError.
   static SceneBytes read(const std::string& path);
+  static SceneBytes copy(const void* bytes, std::size_t size);
 
   const void* data() const { return words_.data(); }
   std::size_t size() const { return size_; }

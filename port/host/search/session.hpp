@@ -2,28 +2,32 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
 #include "host/search/query.hpp"
 #include "host/search/search.hpp"
 #include "krait/decomposition/regions.hpp"
-#include "krait/plan.hpp"
 #include "krait/search/statistics.hpp"
 
 namespace krait::host {
+
+using Watch = std::function<void(const std::vector<float>& from, const std::vector<float>& to)>;
 
 // As the core's planners; what it gives is the planner's own and lives as long.
 class Session {
  public:
   virtual ~Session() = default;
   virtual Status advance(std::uint64_t iterations) = 0;
+  // One iteration; `watch` is called with the states at both ends of every step that the tree grows by.
+  virtual Status advance_watched(const Watch& watch) = 0;
   virtual void stop_for_time() = 0;
   virtual Status status() const = 0;
   virtual Statistics statistics() const = 0;
-  virtual const MotionTree& tree() const = 0;
   virtual const Regions& regions() const = 0;
-  virtual Plan plan() const = 0;
+  // The states and controls of the plan, if there is one.
+  virtual void copy_plan(PlanFile& file) const = 0;
   virtual const ResolvedQuery& query() const = 0;
 };
 
@@ -34,5 +38,9 @@ inline Block block_of(const SearchRequest& request) { return Block((request.memo
 
 // Scene and block must outlive the session. Throws InputError for whatever cannot be used.
 std::unique_ptr<Session> start_session(const krait::Scene& scene, const SearchRequest& request, Block& block);
+
+// run_search in a block that is already there, of at least request.memory bytes.
+SearchResult run_search(const std::string& scene_path, const SceneBytes& bytes, const SearchRequest& request,
+                        Block& block, const Progress& progress);
 
 }  // namespace krait::host

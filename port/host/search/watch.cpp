@@ -1,4 +1,6 @@
 // Repeats a search with an eye on it. The core is deterministic, so what is seen is what happened.
+#include <map>
+
 #include "host/search/search.hpp"
 #include "host/search/session.hpp"
 
@@ -33,31 +35,51 @@ CostFrame costs_now(const Regions& regions, std::uint64_t iteration) {
   return frame;
 }
 
-// Thins a tree: every `stride`-th vertex stays, hung on its nearest ancestor that stays; the root is vertex 0.
-std::vector<TreeVertex> thinned(const MotionTree& tree, const std::vector<std::uint32_t>& iteration_of) {
-  const std::uint32_t stride = tree.size() / kTreeVertices + 1;
-  std::vector<TreeVertex> shown;
-  for (Index v = 0; v < tree.size(); v += stride) {
-    Index ancestor = v == 0 ? 0 : tree.parent(v);
-    while (ancestor % stride != 0) ancestor = tree.parent(ancestor);
-    shown.push_back({tree.state(v)[0], tree.state(v)[1], ancestor / stride, iteration_of[v]});
+// The motion tree as it grew, which the planner itself does not keep.
+class TreeRecorder {
+ public:
+  explicit TreeRecorder(const std::vector<float>& start) { add(start, 0, 0); }
+
+  void add_step(const std::vector<float>& from, const std::vector<float>& to, std::uint64_t iteration) {
+    add(to, vertex_of_.at(from), static_cast<std::uint32_t>(iteration));
   }
-  return shown;
-}
+
+  // Every `stride`-th vertex, hung on its nearest ancestor that stays; the root is vertex 0.
+  std::vector<TreeVertex> thinned() const {
+    const std::uint32_t stride = static_cast<std::uint32_t>(vertices_.size()) / kTreeVertices + 1;
+    std::vector<TreeVertex> shown;
+    for (std::size_t v = 0; v < vertices_.size(); v += stride) {
+      std::uint32_t ancestor = vertices_[v].parent;
+      while (ancestor % stride != 0) ancestor = vertices_[ancestor].parent;
+      TreeVertex vertex = vertices_[v];
+      vertex.parent = ancestor / stride;
+      shown.push_back(vertex);
+    }
+    return shown;
+  }
+
+ private:
+  void add(const std::vector<float>& state, std::uint32_t parent, std::uint32_t iteration) {
+    vertex_of_[state] = static_cast<std::uint32_t>(vertices_.size());
+    vertices_.push_back({state[0], state[1], parent, iteration});
+  }
+
+  std::vector<TreeVertex> vertices_;
+  std::map<std::vector<float>, std::uint32_t> vertex_of_;
+};
 
 void watch(Session& session, std::uint64_t iterations, Picture& picture) {
   const std::uint64_t slice = iterations / kFrames + 1;
-  std::vector<std::uint32_t> iteration_of(session.tree().size(), 0);
+  TreeRecorder recorder(session.query().start);
   picture.frames.push_back(costs_now(session.regions(), 0));
   for (std::uint64_t done = 0; done < iterations;) {
     for (std::uint64_t i = 0; i < slice && done < iterations; ++i) {
-      session.advance(1);
       ++done;
-      iteration_of.resize(session.tree().size(), static_cast<std::uint32_t>(done));
+      session.advance_watched([&](const auto& from, const auto& to) { recorder.add_step(from, to, done); });
     }
     picture.frames.push_back(costs_now(session.regions(), done));
   }
-  picture.tree = thinned(session.tree(), iteration_of);
+  picture.tree = recorder.thinned();
 }
 
 }  // namespace

@@ -35,6 +35,7 @@ TEST_F(CliBadInput, WrongUse) {
   expect_refused({"plan", "room.krait", "stray"}, "stray");
   expect_refused({"plan"}, "SCENE");
   expect_refused({"info"}, "SCENE");
+  expect_refused({"info", "room.krait", "--robot", "bogus"}, "bogus");
   expect_refused({"verify", "room.json"}, "PLAN");
   expect_refused({"compile"}, "INPUT");
   expect_refused({"compile", "room.json"}, "output");

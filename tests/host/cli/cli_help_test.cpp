@@ -63,7 +63,7 @@ TEST_F(CliHelp, ListsTheDefaultsOfEveryRobot) {
 }
 
 TEST_F(CliHelp, TeachesInfoVerifyAndScene) {
-  expect_all(help({"info"}), {"SCENE", ".krait"});
+  expect_all(help({"info"}), {"SCENE", ".krait", "--robot"});
   expect_all(help({"verify"}), {"INPUT", "PLAN", "--robot", "--start", "--goal", "--unknown"});
   expect_all(help({"scene"}), {"openings", "gates", "rooms", "comb", "corridors", "--scale", "-o"});
 }
@@ -78,7 +78,8 @@ TEST_F(CliHelp, InfoReportsRegionsPiecesBytesAndTheNarrowestPortal) {
   const Outcome outcome = krait({"info", "room.krait"});
   EXPECT_EQ(outcome.code, 0);
   expect_all(outcome.output, {"room", "triangles", "portals", "narrowest", "convex pieces", "east, south",
-                              "west, north", "clearance", "names"});
+                              "west, north", "clearance", "names", "advance(1) of snake:15: at most 1241 placements"});
+  expect_all(krait({"info", "room.krait", "--robot", "car"}).output, {"advance(1) of car: at most 1241 placements"});
   const auto size = std::filesystem::file_size(path("room.krait"));
   EXPECT_THAT(outcome.output, testing::ContainsRegex("total +" + std::to_string(size)));
 }

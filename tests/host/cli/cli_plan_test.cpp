@@ -128,11 +128,11 @@ TEST_F(CliPlan, HasOneStateMoreThanControlsAllInTheirLimits) {
 TEST_F(CliPlan, HasTheStatisticsOfTheFormat) {
   const ordered_json plan = this->plan({"--robot", "car", "--memory", "1M"});
   const ordered_json& s = plan.at("statistics");
-  EXPECT_THAT(keys(s),
-              ElementsAre("time_s", "iterations", "vertices", "collision_checks", "dijkstra_runs", "regions_repaired",
-                          "bytes_used", "bytes_given", "plan_steps", "plan_length_m", "plan_duration_s", "hash"));
-  for (const char* whole : {"iterations", "vertices", "collision_checks", "dijkstra_runs", "regions_repaired",
-                            "bytes_used", "bytes_given", "plan_steps"}) {
+  EXPECT_THAT(keys(s), ElementsAre("time_s", "iterations", "vertices", "recycled", "collision_checks", "dijkstra_runs",
+                                   "regions_repaired", "bytes_used", "bytes_given", "plan_steps", "plan_length_m",
+                                   "plan_duration_s", "hash"));
+  for (const char* whole : {"iterations", "vertices", "recycled", "collision_checks", "dijkstra_runs",
+                            "regions_repaired", "bytes_used", "bytes_given", "plan_steps"}) {
     EXPECT_TRUE(s.at(whole).is_number_unsigned()) << whole;
   }
   EXPECT_GT(s.at("time_s").get<double>(), 0);
@@ -249,9 +249,18 @@ TEST_F(CliPlan, EndsWithTheTime) {
 }
 
 TEST_F(CliPlan, EndsWithTheMemory) {
-  const ordered_json plan = this->plan({"--robot", "car", "--goal", kTinyGoal, "--memory", "64K"}, 1);
+  const ordered_json plan =
+      this->plan({"--robot", "car", "--goal", kTinyGoal, "--memory", "64K", "--planner", "rrt"}, 1);
   expect_no_plan(plan, "tree_full");
   EXPECT_LE(plan.at("statistics").at("bytes_used").get<std::uint64_t>(), 64U << 10U);
+}
+
+TEST_F(CliPlan, GoesOnInFullMemory) {
+  const ordered_json plan =
+      this->plan({"--robot", "car", "--goal", kTinyGoal, "--memory", "24K", "--iterations", "2000"}, 1);
+  expect_no_plan(plan, "budget_used");
+  EXPECT_GT(plan.at("statistics").at("recycled"), 0);
+  EXPECT_LE(plan.at("statistics").at("bytes_used").get<std::uint64_t>(), 24U << 10U);
 }
 
 TEST_F(CliPlan, TheMemoryThatItAsksForIsEnoughAndNoByteLess) {
@@ -259,7 +268,7 @@ TEST_F(CliPlan, TheMemoryThatItAsksForIsEnoughAndNoByteLess) {
   const std::size_t at = complaint.find("at least ");
   ASSERT_NE(at, std::string::npos) << complaint;
   const std::uint64_t needed = std::stoull(complaint.substr(at + 9));
-  expect_no_plan(plan({"--robot", "car", "--memory", std::to_string(needed)}, 1), "tree_full");
+  expect_no_plan(plan({"--robot", "car", "--memory", std::to_string(needed), "--iterations", "100"}, 1), "budget_used");
   std::filesystem::remove(path("plan.json"));
   expect_refused({"plan", "room.krait", "--robot", "car", "-o", "plan.json", "--memory", std::to_string(needed - 1)},
                  "at least " + std::to_string(needed));
@@ -325,7 +334,7 @@ TEST_F(CliPlan, VerifyTrustsNothingInThePlan) {
 }
 
 TEST_F(CliPlan, VerifyOfAnHonestNoSaysSo) {
-  plan({"--robot", "car", "--goal", kTinyGoal, "--memory", "64K"}, 1);
+  plan({"--robot", "car", "--goal", kTinyGoal, "--memory", "64K", "--planner", "rrt"}, 1);
   const Outcome outcome = krait({"verify", "room.json", "plan.json", "--robot", "car", "--goal", kTinyGoal});
   EXPECT_EQ(outcome.code, 1);
   EXPECT_THAT(outcome.output, HasSubstr("tree_full"));

@@ -160,6 +160,14 @@ TEST(Scenes, ThinSpikesStay) {
   checked(w);
 }
 
+// Their small angles must not be refined without end (found by fuzzing: 64,196 triangles).
+TEST(Scenes, OfLongEdgesThatCrossAtSmallAnglesStayCoarse) {
+  Workspace w = empty_room(12, 12);
+  w.obstacles.push_back({"o", {{6, -1.5}, {-1.5, 13.5}, {-1.5, -1.5}, {13.5, 13.5}, {-1.5, -1.5}}, {}});
+  w.goals.push_back({"goal", box(9, 9, 11, 11)});
+  EXPECT_LT(checked(w, 0.1).triangles.size(), 6000U);
+}
+
 TEST(Scenes, FarFromTheOrigin) {
   Workspace w;
   w.min = {1e6 + 0.25, -2e6};
@@ -304,6 +312,13 @@ TEST(Maps, CellsThatTouchInACornerBlock) {
     const auto above = [&](const Ring& t) { return t[0].y + t[1].y + t[2].y > 9 - (t[0].x + t[1].x + t[2].x); };
     EXPECT_EQ(above(v.triangles[k / 3]), above(v.triangles[v.neighbors[k]]));
   }
+}
+
+TEST(Maps, OfNoiseWithoutEndAreRefused) {
+  Workspace w = empty_room(1200, 1200);
+  w.cells = CellMap{1200, 1200, 1, {0, 0}, 0, std::vector<std::uint8_t>(1200 * 1200, 0)};
+  for (std::size_t i = 0; i < w.cells->occupied.size(); ++i) w.cells->occupied[i] = (i / 1200 + i) % 2;
+  EXPECT_THROW(compile(w, {}), InputError);
 }
 
 TEST(Maps, EmptyAndFull) {

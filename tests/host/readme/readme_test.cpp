@@ -58,9 +58,9 @@ TEST(Readme, OwnRobotPlans) {
   const float start[] = {at.x, at.y, 0.0F, 0.0F};
   planner->start({start, krait::Goal::named(0), 1});
   ASSERT_EQ(planner->advance(100000), krait::Status::solved);
-  const krait::Plan plan = planner->plan();
-  const float* end = plan.state(plan.steps());
-  EXPECT_TRUE(krait::Goal::named(0).contains(scene, {end[0], end[1]}, 0.0F));
+  krait::PlanCursor end = planner->plan().cursor();
+  while (!end.done()) end.advance();
+  EXPECT_TRUE(krait::Goal::named(0).contains(scene, {end.state()[0], end.state()[1]}, 0.0F));
 }
 
 }  // namespace

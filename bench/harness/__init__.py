@@ -1,0 +1,12 @@
+"""Runs the benchmark programs by the paper's protocol and turns their answers into tables, pictures and a page.
+
+cells       what is measured: a cell is problem x robot x planner x settings, a trial one seed or query of it
+experiments which cells belong to which of the paper's tables and figures
+journal     every answer, a line each, appended as it comes: what is there is never measured again
+protocol    time limits, giving up, resuming
+statistics  what the answers of a cell amount to
+worker      a benchmark program that answers trials
+problems    scenes, maps and queries as files
+machine     where the measurements were made
+page        RESULTS.md, tables; pictures: the figures; paper: the paper's own numbers
+"""

@@ -1,0 +1,89 @@
+"""bench/run's program."""
+
+import argparse
+import os
+import signal
+import sys
+from pathlib import Path
+
+from harness import experiments, readme
+from harness.journal import Journal, JournalError
+from harness.page import write_page
+from harness.problems import ROOT
+from harness.progress import Progress
+from harness.protocol import Protocol
+from harness.results import Results, to_json, write
+from harness.session import Session
+from harness.worker import BadInput
+
+DATA = ROOT / "build/bench"
+QUICK = Protocol(seeds=3, queries=3, limit=1.0, give_up=1)
+
+
+def parse(arguments):
+    parser = argparse.ArgumentParser(
+        prog="bench/run",
+        description="Measures what the tables claim, by the paper's protocol. What has been measured is not measured "
+        "again: break off at any time, and the same command goes on.",
+    )
+    parser.add_argument("what", choices=[*experiments.EXPERIMENTS, "all", "readme", "results"], metavar="WHAT",
+                        help="scenes: the five scenes, every planner of krait; links: figure 4; scale: table 1; "
+                        "parameters: table 2; peers: OMPL; foreign: dynobench and MovingAI; all of these; readme: "
+                        "the table in README.md; results: write bench/RESULTS.md of what has been measured")
+    parser.add_argument("--seeds", type=int, default=Protocol.seeds, help="runs a cell (default %(default)s)")
+    parser.add_argument("--limit", type=float,
+                        help="seconds a run (default: 5, or 1000 times the adaptive planner's median if that is more)")
+    parser.add_argument("--robot", default=experiments.ROBOT, help="of scenes (default %(default)s)")
+    parser.add_argument("--quick", action="store_true",
+                        help=f"{QUICK.seeds} seeds, {QUICK.limit:g} s a run, given up at once: shows that all of it "
+                        "works, measures nothing; with files of its own")
+    parser.add_argument("--any-build", action="store_true",
+                        help="accept what other builds of the programs or scenes have measured")
+    parser.add_argument("--json", type=Path, help="also write the measured cells here")
+    options = parser.parse_args(arguments)
+    if options.seeds < 1 or (options.limit is not None and not options.limit > 0):
+        parser.error("--seeds must be at least 1 and --limit above 0")
+    if options.quick and options.what in ("readme", "results"):
+        parser.error("--quick measures nothing that could stand in README.md or bench/RESULTS.md")
+    return options
+
+
+def measure(options, folder, cells):
+    protocol = QUICK if options.quick else Protocol(seeds=options.seeds, limit=options.limit)
+    with Journal(folder / "runs.jsonl") as journal:
+        Session(folder, journal, protocol, Progress(len(cells)), options.any_build).measure_all(cells)
+        return Results(journal)
+
+
+def run(options):
+    folder = DATA / ("quick" if options.quick else "full")
+    if options.what == "results":
+        write_page(Results(Journal(folder / "runs.jsonl", writable=False)), ROOT / "bench")
+        return
+    if options.what == "readme":
+        cells = readme.cells()
+        readme.write_table(measure(options, folder, cells), ROOT / "README.md")
+        return
+    cells = experiments.cells_of(options.what, options.robot)
+    results = measure(options, folder, cells)
+    write_page(results, folder)
+    if options.json:
+        write(options.json, to_json(results.rows(cells)))
+    print(f"tables and pictures: {os.path.relpath(folder / 'RESULTS.md')}")
+
+
+def main():
+    signal.signal(signal.SIGTERM, signal.getsignal(signal.SIGINT))
+    try:
+        run(parse(sys.argv[1:]))
+    except (JournalError, BadInput) as error:
+        print(f"bench/run: {error}", file=sys.stderr)
+        return 2
+    except KeyboardInterrupt:
+        print("\nbench/run: broken off; the same command goes on from here", file=sys.stderr)
+        return 130
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,255 @@
+"""RESULTS.md and its tables."""
+
+import subprocess
+
+from harness import experiments, paper, pictures
+from harness.cells import PEER, Cell
+from harness.claims import claims
+from harness.experiments import LINKS, PARAMETERS, ROBOT, SCALED_SCENE, SCALES, SCENES, scaled, with_setting
+from harness.problems import BIN
+from harness.results import to_csv, to_json, write
+from harness.statistics import rounded
+
+INTRODUCTION = """# What was measured
+Written by `bash bench/run results` from what `bash bench/run all` has measured; tables as [JSON](results/cells.json) and [CSV](results/cells.csv).
+
+**How.** The paper's protocol: every cell (scene, robot, planner, parameters) is run with {seeds} seeds; mean and standard deviation
+(in brackets) leave out a twelfth of the runs at each end, the paper's five best and five worst of 60. Median, 90th and 99th percentile (nearest rank) and success are over all runs.
+A run counts as solved only if the independent verifier accepts its plan; every other run counts with the time limit, and a figure that this
+touches is printed with "≥". The limit is {limit}. After {give_up} failures in a row a cell is given up; its figures are over the runs made.
+Time is seconds from opening the compiled scene to the plan: open, validate, set up, search; compiling a map stands beside it. Timed programs run
+one at a time, pinned to one core, in memory that is already mapped.
+"""
+
+DIFFERENCES = """## What differs from the paper
+- **Scenes.** The paper's are not published. Ours are drawn after its figures 1 and 3: same idea, other proportions. A passage of 1.4 m here may be easier or harder than theirs, so absolute times
+  say nothing about the paper; ratios between planners on one scene do.
+- **Machines** are ten years apart, and the paper's times count reading the input and decomposing it; ours do not (the compile time stands beside).
+- **Robot.** Eqn 1's sine is corrected ([lib/DESIGN.md](../lib/DESIGN.md)); lengths and limits of the paper's robot are not given, ours are `krait plan --help`'s.
+- **Collision.** Every planner here proves whole steps free, not states only; `paper` alone checks as the paper does, and its plans may fail the verifier.
+- **Portals too narrow for the robot are cut off before the search**, for all of krait's planners and for Syclop on our triangles alike. The paper's planners have to find out; `adaptive-unpruned` and `prior-unpruned` do here.
+- **Prior and RRT** are this project's implementations of the published methods, not the authors' programs.
+- **Figure 4** gives its numbers as bars only, so that ours stand alone there.
+- **Time limit.** The paper's is 100 s for all. A limit that follows the adaptive planner's median censors more of the rivals' runs: a "≥" is a bound, and success within 100 s may be higher.
+- **Peers** get our dynamics, collision proof, steering and triangles through OMPL's interfaces. Their parameters were chosen by short trials on these scenes; someone who knows them better may do better.
+"""
+
+
+PEERS_NOTE = """
+A control of theirs is a target point (the sampled state's, or uniform over the workspace and in 5 % of the draws the goal) and a speed, to which our PID
+controller steers for at most 40 steps, SyclopRRT for 10; with `-random`, an acceleration and a steering rate held for at most 20 steps and clipped to what the
+robot's limits allow. Sampled states are straight chains; the projection is the position. """
+
+
+def markdown(header, rows):
+    lines = [header, ["---"] * len(header), *rows]
+    return "".join("| " + " | ".join(line) + " |\n" for line in lines)
+
+
+def with_deviation(summary):
+    """As the paper prints it: mean (standard deviation)."""
+    shown = summary.mean.shown()
+    return shown if summary.deviation is None else f"{shown} ({rounded(summary.deviation, 2)})"
+
+
+def solved_of(summary):
+    text = f"{summary.solved} of {summary.runs}"
+    if summary.unverified:
+        text += f", {summary.unverified} not verified"
+    return text + (", given up" if summary.given_up else "")
+
+
+def _median(summary, name, digits=3):
+    value = summary.medians.get(name)
+    return "" if value is None else rounded(value, digits)
+
+
+FIGURES = ["solved", "mean", "median", "90th", "99th", "vertices", "plan s", "plan m", "limit s"]
+
+
+def figures(summary):
+    return [
+        solved_of(summary),
+        with_deviation(summary),
+        summary.median.shown(),
+        summary.p90.shown(),
+        summary.p99.shown(),
+        _median(summary, "vertices"),
+        _median(summary, "plan_duration_s"),
+        _median(summary, "plan_length_m"),
+        rounded(summary.limit),
+    ]
+
+
+def descriptions():
+    """A line for every planner, by the name that cells have."""
+    found = {}
+    for program, prefix in (("krait-bench-search", ""), ("krait-bench-peers", PEER)):
+        listed = subprocess.run([BIN / program, "planners"], check=True, capture_output=True, text=True).stdout
+        for line in listed.splitlines():
+            name, text = line.split("\t")
+            found[prefix + name] = text
+    return found
+
+
+def introduction(results):
+    protocol = results.sessions[-1]["protocol"]
+    limit = (
+        f"{protocol['limit']:g} s"
+        if protocol["limit"]
+        else f"{protocol['reference_limit']:g} s for the adaptive planner, for all others the larger of "
+        f"{protocol['least']:g} s and {protocol['factor']:g} times its median"
+    )
+    return INTRODUCTION.format(seeds=protocol["seeds"], limit=limit, give_up=protocol["give_up"])
+
+
+def machine_section(results):
+    last = results.sessions[-1]
+    builds = {session["commit"] for session in results.sessions}
+    text = (
+        f"**Where.** {last['processor']}, {last['cores']} cores, core {last['pinned_to_core']} for the timed program, "
+        f"load {last['load_before']} before the start; {last['system']}; {last['compiler']}, `{last['flags'].strip()}`; "
+        f"{last['date']}, commit {last['commit']}."
+    )
+    if len(builds) > 1:
+        text += f" Measured in {len(results.sessions)} sessions, of the commits {', '.join(sorted(builds))}."
+    return text + "\n"
+
+
+HOLDS = {True: "yes", False: "**no**", None: "open"}
+
+
+def claims_section(results):
+    found = claims(results)
+    if not found:
+        return ""
+    rows = [[claim.text, claim.found, HOLDS[claim.holds]] for claim in found]
+    note = "Where passages are too narrow, the named peer is the fastest of OMPL's on that scene.\n\n"
+    return "## What was promised\n" + note + markdown(["claim", "measured", "holds"], rows)
+
+
+def scenes_section(results):
+    rows = []
+    for cell in experiments.scenes():
+        if summary := results.summary(cell):
+            rows.append([cell.problem, cell.planner, *figures(summary)])
+    if not rows:
+        return ""
+    compiled = [f"{scene} {rounded(results.compile_s[scene], 2)} s" for scene in SCENES if scene in results.compile_s]
+    text = f"## Scenes, {ROBOT}\n" + markdown(["scene", "planner", *FIGURES], rows)
+    names = descriptions()
+    text += "\nCompiling: " + ", ".join(compiled) + ". Planners: "
+    planners = experiments.RIVALS + experiments.VARIANTS
+    return text + "; ".join(f"`{name}` {names[name]}" for name in planners) + ".\n\n![](results/success.svg)\n"
+
+
+def links_section(results):
+    rows = []
+    for scene in SCENES:
+        for links in LINKS:
+            cells = [Cell(scene, f"snake:{links}", planner) for planner in experiments.RIVALS]
+            summaries = [results.summary(cell) for cell in cells]
+            if any(summaries):
+                rows.append([scene, str(links), *(shown for s in summaries for shown in _short(s))])
+    if not rows:
+        return ""
+    header = ["scene", "links"]
+    for planner in experiments.RIVALS:
+        header += [planner, "median", "solved"]
+    text = "## Links (figure 4)\n" + markdown(header, rows)
+    return text + "\n![](results/links.svg)\n\n![](results/links-growth.svg)\n"
+
+
+def _short(summary):
+    return [with_deviation(summary), summary.median.shown(), solved_of(summary)] if summary else ["", "", ""]
+
+
+def _paper_scale(planner, scale):
+    figures_ = paper.SCALE[planner][scale]
+    return "X" if figures_ is None else f"{figures_[0]:.2f} ({figures_[1]:.2f})"
+
+
+def scale_section(results):
+    rows = []
+    for scale in SCALES:
+        row = [scale]
+        for planner in experiments.RIVALS:
+            summary = results.summary(Cell(scaled(SCALED_SCENE, scale), ROBOT, planner))
+            row += [*(_short(summary)), _paper_scale(planner, scale)]
+        compiled = results.compile_s.get(scaled(SCALED_SCENE, scale))
+        rows.append([*row, rounded(compiled, 2) if compiled else ""])
+    if not any(results.summary(Cell(scaled(SCALED_SCENE, s), ROBOT, "adaptive")) for s in SCALES):
+        return ""
+    header = ["scale"]
+    for planner in experiments.RIVALS:
+        header += [planner, "median", "solved", "paper"]
+    text = f"## Scale (table 1): {SCALED_SCENE}, {ROBOT}\n" + markdown([*header, "compiling s"], rows)
+    return text + "\n![](results/scale-growth.svg)\n"
+
+
+def parameters_section(results):
+    rows = []
+    for name, values in PARAMETERS.items():
+        for value, (mean, deviation) in zip(values, paper.PARAMETERS[name]):
+            if summary := results.summary(with_setting(name, value)):
+                bold = "**" if experiments.DEFAULTS[name] == value else ""
+                rows.append([name, f"{bold}{value}{bold}", *figures(summary)[:6], f"{mean:.2f} ({deviation:.2f})"])
+    if not rows:
+        return ""
+    title = f"## Parameters (table 2): {experiments.PARAMETERS_SCENE}, {ROBOT}\n"
+    return title + markdown(["parameter", "value", *FIGURES[:6], "paper"], rows)
+
+
+def peers_section(results):
+    rows = []
+    for scene in SCENES:
+        for planner in ("adaptive", *experiments.PEERS):
+            if summary := results.summary(Cell(scene, ROBOT, planner)):
+                shown = figures(summary)
+                rows.append([scene, planner.removeprefix(PEER), *shown[:5], *shown[6:]])
+    if not any(results.summary(Cell(scene, ROBOT, peer)) for scene in SCENES for peer in experiments.PEERS):
+        return ""
+    names = descriptions()
+    header = ["scene", "planner", *FIGURES[:5], *FIGURES[6:]]
+    text = f"## Peers (OMPL 1.5.2), {ROBOT}\n" + markdown(header, rows)
+    return text + PEERS_NOTE + "; ".join(f"`{peer.removeprefix(PEER)}`: {names[peer]}" for peer in experiments.PEERS) + ".\n"
+
+
+def foreign_section(results):
+    rows = []
+    for cell in experiments.foreign():
+        if summary := results.summary(cell):
+            blocked = summary.statuses.get("refused", 0)
+            rows.append([cell.problem, cell.robot, cell.planner, *figures(summary), str(blocked)])
+    if not rows:
+        return ""
+    text = "## Foreign problems\n" + markdown(["problem", "robot", "planner", *FIGURES, "start blocked"], rows)
+    return text + (
+        "\ndynobench's problems run over seeds, MovingAI's over the queries of their `.scen` files up to a shortest way of "
+        "100 m (cells are 1 m wide): from the middle of a cell, facing where most room is, into a disc of 0.5 m. A start is blocked "
+        "where the robot's body overlaps a wall there.\n"
+    )
+
+
+def page(results):
+    sections = [
+        introduction(results) + "\n" + machine_section(results),
+        claims_section(results),
+        scenes_section(results),
+        links_section(results),
+        scale_section(results),
+        parameters_section(results),
+        peers_section(results),
+        foreign_section(results),
+        DIFFERENCES,
+    ]
+    return "\n".join(section for section in sections if section)
+
+
+def write_page(results, folder):
+    """RESULTS.md in the folder, its tables and pictures in the folder's results."""
+    rows = results.rows(experiments.cells_of("all"))
+    write(folder / "results/cells.json", to_json(rows))
+    write(folder / "results/cells.csv", to_csv(rows))
+    pictures.draw_all(results, folder / "results")
+    write(folder / "RESULTS.md", page(results))

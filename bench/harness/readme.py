@@ -1,0 +1,53 @@
+"""The table of scenes in README.md."""
+
+from harness.cells import Cell
+from harness.experiments import ROBOT, SCENES
+from harness.results import write
+from harness.statistics import Figure, quantile, succeeded
+
+BEGIN, END = "<!-- scenes -->", "<!-- end of scenes -->"
+HEADER = (
+    "| scene | solved | verified | time ms, median | 90th | vertices, median | 90th | worst step error "
+    "| worst drift mm | least clearance mm | least goal depth mm |\n|---|---|---|---|---|---|---|---|---|---|---|\n"
+)
+
+
+def cells():
+    return [Cell(scene, ROBOT, "adaptive") for scene in SCENES]
+
+
+def _vertices(runs, share):
+    return quantile([Figure(count) for count in sorted(run["vertices"] for run in runs)], share).value
+
+
+def _row(cell, runs, limit, summary):
+    solved = [run for run in runs if run["status"] == "solved"]
+    verified = [run for run in solved if succeeded(run, limit)]
+    figures = [
+        cell.problem,
+        str(len(solved)),
+        str(len(verified)),
+        f"{1e3 * summary.median.value:.1f}",
+        f"{1e3 * summary.p90.value:.1f}",
+        str(_vertices(runs, 0.5)),
+        str(_vertices(runs, 0.9)),
+        f"{max(run['step_error'] for run in solved):.1e}",
+        f"{1e3 * max(run['drift_m'] for run in solved):.1f}",
+        f"{1e3 * min(run['clearance_m'] for run in solved):.1f}",
+        f"{1e3 * min(run['goal_depth_m'] for run in solved):.1f}",
+    ]
+    return "| " + " | ".join(figures) + " |\n"
+
+
+def table(results):
+    asked = results.summary(cells()[0]).asked
+    rows = [_row(cell, results.runs(cell), results.limit(cell), results.summary(cell)) for cell in cells()]
+    return f"{ROBOT}, adaptive, {asked} seeds\n\n" + HEADER + "".join(rows)
+
+
+def write_table(results, path):
+    """Puts the table between the two marks of the page."""
+    text = path.read_text()
+    head, rest = text.split(BEGIN + "\n")
+    _, tail = rest.split(END)
+    write(path, head + BEGIN + "\n" + table(results) + END + tail)

@@ -1,0 +1,74 @@
+// How many of many seeds a search solves in blocks of different sizes. Counts only: the same on every machine.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "host/search/search.hpp"
+#include "krait/krait.hpp"
+
+namespace krait::host {
+namespace {
+
+constexpr std::uint64_t kIterations = 20'000;
+constexpr std::uint64_t kKilobytes[] = {32, 48, 64, 96, 128, 192, 256, 384, 512};
+
+// Of `seeds` searches in a block of so many bytes, how many were solved.
+int solved(const krait::Scene& scene, const Snake& robot, std::uint64_t bytes, int seeds) {
+  std::vector<std::uint64_t> block(bytes / 8);
+  std::vector<float> start(static_cast<std::size_t>(robot.state_size()));
+  const ScenePose pose = scene.start(0);
+  robot.rest(pose.position, pose.heading, nullptr, start.data());
+  static Planner<Snake> planner;
+  Limits limits = Planner<Snake>::limits_for(bytes, scene, robot);
+  limits.iterations = kIterations;
+  if (!planner.init(block.data(), bytes, scene, robot, Parameters(), limits).ok()) return 0;
+  int count = 0;
+  for (int seed = 1; seed <= seeds; ++seed) {
+    planner.start({start.data(), krait::Goal::named(0), static_cast<std::uint64_t>(seed)});
+    count += planner.advance(kIterations) == Status::solved ? 1 : 0;
+  }
+  return count;
+}
+
+void print_head(const std::vector<std::string>& names) {
+  std::printf("| robot, block |");
+  for (const std::string& name : names) std::printf(" %s |", name.c_str());
+  std::printf("\n|---|");
+  for (std::size_t i = 0; i < names.size(); ++i) std::printf("---|");
+  std::printf("\n");
+}
+
+}  // namespace
+}  // namespace krait::host
+
+int main(int argc, char** argv) {
+  using namespace krait::host;
+  CLI::App app("Success by the size of the block");
+  std::vector<std::string> files;
+  int seeds = 100;
+  app.add_option("SCENE", files, "compiled scenes")->required();
+  app.add_option("--seeds", seeds, "seeds 1 to N")->capture_default_str()->check(CLI::Range(1, 100'000));
+  CLI11_PARSE(app, argc, argv);
+  std::vector<SceneBytes> bytes;
+  std::vector<krait::Scene> scenes;
+  std::vector<std::string> names;
+  for (const std::string& file : files) {
+    bytes.push_back(SceneBytes::read(file));
+    scenes.push_back(open_scene(file, bytes.back()));
+    names.emplace_back(scenes.back().name());
+  }
+  print_head(names);
+  for (const int links : {5, 15}) {
+    krait::ChainParameters parameters;
+    parameters.trailers = links;
+    const krait::Snake robot(parameters);
+    for (const std::uint64_t kilobytes : kKilobytes) {
+      std::printf("| snake:%d, %llu KB |", links, static_cast<unsigned long long>(kilobytes));
+      for (const krait::Scene& scene : scenes) std::printf(" %d |", solved(scene, robot, kilobytes * 1024, seeds));
+      std::printf("\n");
+      std::fflush(stdout);
+    }
+  }
+  return 0;
+}

@@ -1,0 +1,104 @@
+#include "peers/motion.hpp"
+
+#include <algorithm>
+
+namespace krait::bench {
+namespace {
+
+using ValueControl = ompl::control::RealVectorControlSpace::ControlType;
+
+constexpr float kLimitRounding = 1e-5F;  // relative: how far inside its limits a random control keeps the state
+
+// The rate nearest to `wanted` that keeps a value within its limits for a step.
+float saturated(float wanted, float value, float low, float high, float dt) {
+  const float slack = kLimitRounding * (high - low);
+  return clamp(wanted, (low + slack - value) / dt, (high - slack - value) / dt);
+}
+
+void random_control(const PeerProblem& problem, const float* state, const double* values, float* held) {
+  const ChainParameters& p = problem.robot.parameters();
+  const float dt = problem.parameters.dt;
+  const float acceleration = saturated(static_cast<float>(values[0]), state[3], p.min_speed, p.max_speed, dt);
+  const float rate = saturated(static_cast<float>(values[1]), state[4], -p.max_steering, p.max_steering, dt);
+  held[0] = clamp(acceleration, -p.max_acceleration, p.max_acceleration);
+  held[1] = clamp(rate, -p.max_steering_rate, p.max_steering_rate);
+}
+
+// The controller starts afresh in every step: OMPL's propagators are functions of state and control.
+void steered_control(const PeerProblem& problem, const float* state, const double* values, float* held) {
+  const Target target{{static_cast<float>(values[0]), static_cast<float>(values[1])},
+                      static_cast<float>(values[2]),
+                      problem.parameters.dt};
+  Steering steering;
+  problem.robot.steer(StateView(state, problem.robot.state_size()), target, steering,
+                      ControlRef(held, problem.robot.control_size()));
+}
+
+}  // namespace
+
+void robot_control(const PeerProblem& problem, const float* state, const ompl::control::Control* control, float* held) {
+  const double* values = control->as<ValueControl>()->values;
+  if (problem.controls == ControlKind::pid) {
+    steered_control(problem, state, values, held);
+  } else {
+    random_control(problem, state, values, held);
+  }
+}
+
+PeerMotion::PeerMotion(const PeerProblem& problem, Stop stop) : problem_(problem), stop_(stop) {
+  check_.assign(problem.robot, problem.scene, problem.parameters.clearance,
+                static_cast<int>(problem.parameters.max_substeps), true);
+}
+
+void PeerMotion::take_step(const PeerState& from, const ompl::control::Control* control, PeerState& to) {
+  std::copy(from.values, from.values + problem_.robot.state_size(), last_.from);
+  last_.from_origin = from.origin;
+  last_.target_distance = kInfinity;
+  if (problem_.controls == ControlKind::pid) {
+    const double* values = control->as<ValueControl>()->values;
+    const Vec2 target{static_cast<float>(values[0]), static_cast<float>(values[1])};
+    last_.target_distance = length(target - from.position());
+  }
+  robot_control(problem_, last_.from, control, last_.held);
+  propagate(problem_.robot, last_.from, last_.held, problem_.parameters.dt, to.values);
+  to.origin = ++last_.number;
+}
+
+bool PeerMotion::valid(const PeerState& state) {
+  if (state.origin == PeerState::kAssumed) return true;
+  return state.origin == last_.number && state.origin != PeerState::kSampled ? last_step_free(state)
+                                                                             : at_rest_valid(state);
+}
+
+bool PeerMotion::at_rest_valid(const PeerState& state) {
+  proven_ = PeerState::kSampled;
+  const StateView values(state.values, problem_.robot.state_size());
+  return problem_.scene.inside_bounds(state.position()) && problem_.robot.within_limits(values) &&
+         check_.free(state.values);
+}
+
+bool PeerMotion::ended_before_last_step() const {
+  if (stop_ == Stop::never) return false;
+  const float near = problem_.parameters.near_radius * robot_length(problem_.robot);
+  return (stop_ == Stop::at_target && last_.target_distance <= near) ||
+         in_goal(problem_, {last_.from[0], last_.from[1]});
+}
+
+bool PeerMotion::last_step_free(const PeerState& to) {
+  if (ended_before_last_step()) return false;
+  const StateView after(to.values, problem_.robot.state_size());
+  if (!problem_.robot.within_limits(after) || !problem_.scene.inside_bounds(to.position())) return false;
+  const float dt = problem_.parameters.dt;
+  const bool goes_on = last_.from_origin == proven_ && proven_ != PeerState::kSampled;
+  if (!goes_on) check_.begin(last_.from);
+  const bool free = check_.step_free(last_.from, last_.held, dt, to.values);
+  proven_ = free ? to.origin : PeerState::kSampled;
+  return free;
+}
+
+void PeerPropagator::propagate(const ompl::base::State* state, const ompl::control::Control* control, double,
+                               ompl::base::State* result) const {
+  motion_.take_step(peer(state), control, peer(result));
+}
+
+}  // namespace krait::bench

@@ -1,0 +1,38 @@
+// krait-bench-peers: trials of OMPL's planners.
+#include <ompl/util/Console.h>
+
+#include <cstdio>
+
+#include "peers/solve.hpp"
+#include "trials/trials.hpp"
+
+namespace krait::bench {
+namespace {
+
+void print_planners() {
+  for (const PeerPlanner& planner : peer_planners()) std::printf("%s\t%s\n", planner.name, planner.description);
+}
+
+void answer(const Setup& setup) {
+  const PeerPlanner& planner = peer_planner(setup.planner);
+  const host::SceneBytes scene = host::SceneBytes::read(setup.scene);
+  answer_trials(setup, [&](const host::SearchRequest& request) { return solve(planner, setup.scene, scene, request); });
+}
+
+int run(int argc, char** argv) {
+  ompl::msg::noOutputHandler();
+  Setup setup;
+  CLI::App app("Trials of OMPL's planners", "krait-bench-peers");
+  app.require_subcommand(1);
+  app.add_subcommand("build", "how this program was compiled")->callback(print_build);
+  app.add_subcommand("planners", "name and description of every planner")->callback(print_planners);
+  CLI::App* trials = app.add_subcommand("trials", "answer the trials on standard input");
+  add_options(*trials, setup);
+  trials->callback([&setup] { answer(setup); });
+  return run_program(app, argc, argv);
+}
+
+}  // namespace
+}  // namespace krait::bench
+
+int main(int argc, char** argv) { return krait::bench::run(argc, argv); }

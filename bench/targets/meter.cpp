@@ -1,0 +1,182 @@
+// What planning costs on a machine, in instructions: a step of Runge-Kutta, a vertex, a call of advance(1). Over all
+// scenes that lie on the board, two seeds each. Prints one line of JSON.
+#include <algorithm>
+
+#include "firmware/application.hpp"
+#include "firmware/line.hpp"
+#include "firmware/scene_pack.hpp"
+#include "quantile.hpp"
+
+namespace krait::bench {
+namespace {
+
+using firmware::Board;
+using firmware::Request;
+
+constexpr std::uint64_t kBlock = 448 * 1024;
+constexpr std::uint64_t kSeeds = 2;
+constexpr std::uint32_t kSteps = 256;
+
+// Instructions so far, under an emulator that counts them: exactly on RISC-V, else to within a tick of the clock.
+std::uint64_t instructions([[maybe_unused]] const Board& board) {
+#if defined(__riscv) && __riscv_xlen == 64
+  std::uint64_t count = 0;
+  __asm volatile("csrr %0, minstret" : "=r"(count));
+  return count;
+#elif defined(__riscv)
+  std::uint32_t low = 0;
+  std::uint32_t high = 0;
+  std::uint32_t again = 0;
+  do {
+    __asm volatile("csrr %0, minstreth\n csrr %1, minstret\n csrr %2, minstreth"
+                   : "=&r"(high), "=&r"(low), "=&r"(again));
+  } while (high != again);
+  return (std::uint64_t{high} << 32U) | low;
+#else
+  return board.port.clock(board.port.context);
+#endif
+}
+
+struct Costs {
+  std::uint64_t runge_kutta = 0;
+  Median vertex;
+  Median advance;          // the calls that leave the search going on
+  std::uint64_t last = 0;  // the dearest call that ended one: it replays the plan
+  std::uint64_t searches = 0;
+  std::uint64_t solved = 0;
+  std::uint64_t vertices = 0;
+  std::uint64_t search = 0;     // instructions of all calls of advance
+  std::uint64_t start = 0;      // the dearest start: it holds a Dijkstra
+  std::uint64_t placement = 0;  // the dearest of an expansion's placements on average, all in but a Dijkstra
+};
+
+template <Robot R>
+std::uint64_t runge_kutta(const Board& board, const R& robot) {
+  float states[2][R::kMaxState] = {};
+  const float control[R::kMaxControl] = {0.5F, 0.1F};
+  const std::uint64_t begin = instructions(board);
+  for (std::uint32_t i = 0; i < kSteps; ++i) propagate(robot, states[i % 2], control, 0.01F, states[1 - i % 2]);
+  return (instructions(board) - begin) / kSteps;
+}
+
+// One call of advance(1).
+template <Robot R>
+std::uint64_t expand(const Board& board, Planner<R>& planner, Costs& costs) {
+  const Statistics before = planner.statistics();
+  const std::uint64_t begin = instructions(board);
+  planner.advance(1);
+  const std::uint64_t cost = instructions(board) - begin;
+  const Statistics after = planner.statistics();
+  costs.search += cost;
+  if (planner.status() != Status::searching) {
+    costs.last = std::max(costs.last, cost);
+    return cost;
+  }
+  costs.advance.add(static_cast<std::uint32_t>(cost));
+  const std::uint64_t placements = after.collision_checks - before.collision_checks;
+  if (after.dijkstra_runs == before.dijkstra_runs && placements > 0) {
+    costs.placement = std::max(costs.placement, cost / placements);
+  }
+  return cost;
+}
+
+// One search. A vertex costs its share of its expansion and of those before it that made none.
+template <Robot R>
+void search(const Board& board, Planner<R>& planner, Costs& costs) {
+  std::uint64_t unshared = 0;
+  while (planner.status() == Status::searching) {
+    const std::uint64_t vertices = planner.statistics().vertices;
+    unshared += expand(board, planner, costs);
+    const auto made = static_cast<std::uint32_t>(planner.statistics().vertices - vertices);
+    costs.vertices += made;
+    if (made == 0) continue;
+    costs.vertex.add(static_cast<std::uint32_t>(unshared / made), made);
+    unshared = 0;
+  }
+}
+
+template <Robot R>
+void search_everywhere(const Board& board, const Request& request, const R& robot, Costs& costs) {
+  static Planner<R> planner;
+  firmware::for_each_scene(board, [&](const Scene& scene) {
+    float start[R::kMaxState];
+    firmware::rest_at_start(scene, robot, request, start);
+    const Limits limits = planner.limits_for(kBlock, scene, robot);
+    planner.init(board.arena, kBlock, scene, robot, Parameters(), limits);
+    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+      const std::uint64_t begin = instructions(board);
+      planner.start({start, Goal::named(0), seed});
+      costs.start = std::max(costs.start, instructions(board) - begin);
+      search(board, planner, costs);
+      ++costs.searches;
+      if (planner.status() == Status::solved) ++costs.solved;
+    }
+  });
+}
+
+// Bytes by pool for the first scene, when the block is `block` bytes.
+template <Robot R>
+void add_pools(firmware::JsonLine& line, const Board& board, const R& robot, std::uint64_t block) {
+  static Planner<R> planner;
+  bool first = true;
+  firmware::for_each_scene(board, [&](const Scene& scene) {
+    if (!first) return;
+    first = false;
+    planner.init(board.arena, block, scene, robot, Parameters(), planner.limits_for(block, scene, robot));
+    for (std::size_t pool = 0; pool < kPoolCount; ++pool) {
+      const std::uint64_t bytes = planner.arena().needed(static_cast<Pool>(pool));
+      if (bytes > 0) line.add(name(static_cast<Pool>(pool)), bytes);
+    }
+  });
+}
+
+int measure(const Board& board, const Request& request) {
+  ChainParameters parameters;
+  parameters.trailers = request.trailers;
+  static const Snake robot(parameters);
+  static Costs costs;
+  costs.runge_kutta = runge_kutta(board, robot);
+  search_everywhere(board, request, robot, costs);
+  costs.vertex.narrow();
+  costs.advance.narrow();
+  costs.searches = costs.solved = costs.vertices = costs.search = 0;
+  search_everywhere(board, request, robot, costs);
+
+  static firmware::JsonLine line;
+  line.add("machine", board.name)
+      .add("robot", request.robot)
+      .add("searches", costs.searches)
+      .add("solved", costs.solved)
+      .add("vertices", costs.vertices)
+      .add("search", costs.search)
+      .add("start_worst", costs.start)
+      .add("placement_worst", costs.placement)
+      .add("rk4", costs.runge_kutta)
+      .add("vertex_median", std::uint64_t{costs.vertex.median()})
+      .add("vertex_worst", std::uint64_t{costs.vertex.worst()})
+      .add("last_worst", costs.last)
+      .add("advance_median", std::uint64_t{costs.advance.median()})
+      .add("advance_worst", std::uint64_t{costs.advance.worst()});
+  board.port.log(board.port.context, line.end());
+  static firmware::JsonLine pools;
+  add_pools(pools, board, robot, request.memory > 0 ? request.memory : kBlock);
+  board.port.log(board.port.context, pools.end());
+  return firmware::kDone;
+}
+
+}  // namespace
+}  // namespace krait::bench
+
+namespace krait::firmware {
+
+int run(const Board& board, int count, const char* const* words) {
+  Request request;
+  const char* const complaint = parse(count, words, "snake", true, request);
+  if (complaint != nullptr) {
+    board.port.log(board.port.context, complaint);
+    return kBadInput;
+  }
+  return bench::measure(board, request);
+}
+
+}  // namespace krait::firmware

@@ -1,0 +1,247 @@
+/* krait in C: the adaptive planner and its five robots behind plain structs. Nothing allocates; all memory is the
+   caller's. The program needs no special compiler flags and no C++ run-time library: link krait::c (-lkrait_c -lkrait).
+   Metres, radians, seconds. What a function gives or refuses is that of the C++ member of the same name. */
+#ifndef KRAIT_KRAIT_H
+#define KRAIT_KRAIT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define KRAIT_NONE UINT32_MAX
+#define KRAIT_MAX_TRAILERS 25
+#define KRAIT_MAX_STATE (5 + KRAIT_MAX_TRAILERS) /* floats of a state, any robot's */
+#define KRAIT_CONTROL 2                          /* floats of a control, every robot's */
+
+/* ---- Answers: krait/status.hpp says what each means ---- */
+
+typedef uint8_t krait_status;
+enum {
+  KRAIT_SEARCHING, /* not ended: call krait_advance again */
+  KRAIT_SOLVED,
+  KRAIT_NO_ROUTE,
+  KRAIT_BUDGET_USED,
+  KRAIT_TREE_FULL,
+  KRAIT_TIME_USED,
+  KRAIT_BAD_SCENE,
+  KRAIT_BAD_ROBOT,
+  KRAIT_BAD_ARGUMENT,
+  KRAIT_START_OUTSIDE,
+  KRAIT_START_IN_COLLISION,
+  KRAIT_GOAL_IN_OBSTACLE,
+  KRAIT_ARENA_TOO_SMALL,
+  KRAIT_BAD_ARITHMETIC,
+  KRAIT_INTERNAL
+};
+
+/* What went wrong, where. KRAIT_SOLVED where nothing did. Fields that do not apply are zero. */
+typedef struct krait_failure {
+  krait_status status;
+  uint8_t section;       /* KRAIT_BAD_SCENE: of the file; 255 is its header */
+  uint32_t element;      /* KRAIT_BAD_SCENE: in the section; KRAIT_BAD_ARGUMENT, KRAIT_BAD_ROBOT: krait_argument_name */
+  uint64_t bytes_needed; /* KRAIT_ARENA_TOO_SMALL */
+} krait_failure;
+
+/* Lower-case names, in static storage. */
+const char* krait_status_name(krait_status status);
+const char* krait_argument_name(uint32_t element);
+
+/* ---- The scene ---- */
+
+/* A checked view of a scene file, which stays where it is (in flash). To be filled by krait_open only. */
+typedef union krait_scene {
+  uint64_t alignment;
+  unsigned char opaque[256 + 32 * sizeof(void*)];
+} krait_scene;
+
+/* Checks the whole file, then views it. `file` is aligned to 4 and must stay for as long as the scene is used.
+   KRAIT_SOLVED or KRAIT_BAD_SCENE. */
+krait_failure krait_open(krait_scene* scene, const void* file, size_t file_bytes);
+
+typedef struct krait_scene_facts {
+  const char* name;
+  double origin_x, origin_y; /* world = origin + local; all that follows is local */
+  float min_x, min_y, max_x, max_y;
+  uint32_t goals, starts;
+} krait_scene_facts;
+krait_scene_facts krait_facts(const krait_scene* scene);
+
+/* A robot's place; `angles` are the headings of its trailers, or NULL for `heading`. */
+typedef struct krait_pose {
+  float x, y, heading;
+  const float* angles;
+  uint32_t angle_count; /* 0 with NULL */
+} krait_pose;
+krait_pose krait_start_pose(const krait_scene* scene, uint32_t start); /* start < starts */
+
+const char* krait_goal_name(const krait_scene* scene, uint32_t goal); /* goal < goals */
+uint32_t krait_find_goal(const krait_scene* scene, const char* name); /* or KRAIT_NONE */
+
+/* ---- The robot ---- */
+
+/* Snake, truck and car: krait/robot/chain.hpp has the ranges. */
+typedef struct krait_chain_parameters {
+  int trailers;
+  float body_length, body_width, body_offset;
+  float wheelbase, hitch_length;
+  float max_speed, min_speed;
+  float max_steering, max_acceleration, max_steering_rate;
+  int self_collision_gap;
+  float max_hitch_angle;
+} krait_chain_parameters;
+
+/* krait/robot/unicycle.hpp has the ranges. */
+typedef struct krait_unicycle_parameters {
+  float body_length, body_width;
+  float max_speed, min_speed;
+  float max_turn_rate;
+} krait_unicycle_parameters;
+
+/* krait/robot/differential_drive.hpp has the ranges. */
+typedef struct krait_diff_drive_parameters {
+  float body_length, body_width;
+  float wheel_radius, track_width;
+  float max_wheel_speed, max_wheel_acceleration;
+} krait_diff_drive_parameters;
+
+typedef struct krait_point {
+  float x, y;
+} krait_point;
+
+/* A body's outline in its own frame: 3 to 8 corners, convex, counter-clockwise. */
+typedef struct krait_polygon {
+  const krait_point* corners;
+  int count;
+} krait_polygon;
+
+typedef struct krait_model krait_model;
+
+/* A robot is made by one of the functions below; change its parameters before krait_init. A program contains the models
+   whose functions it calls. */
+typedef struct krait_robot {
+  const krait_model* model;
+  union {
+    krait_chain_parameters chain;
+    krait_unicycle_parameters unicycle;
+    krait_diff_drive_parameters diff_drive;
+  } parameters;
+  const krait_polygon* bodies; /* one a body, that is 1 + trailers; NULL for boxes of body_length by body_width */
+} krait_robot;
+
+krait_robot krait_snake(
+    int trailers); /* chain; state x y theta0 v psi theta1 ..., control acceleration, steering rate */
+krait_robot krait_truck(int trailers); /* chain; likewise */
+krait_robot krait_car(void);           /* chain; likewise */
+krait_robot krait_unicycle(void);      /* unicycle; state x y theta, control speed, turn rate */
+krait_robot krait_diff_drive(void);    /* diff_drive; state x y theta left right, control wheel accelerations */
+
+/* Floats of a state, at most KRAIT_MAX_STATE. */
+uint32_t krait_state_size(const krait_robot* robot);
+
+/* Writes the state of the robot standing still there. False, and nothing written, where the pose has angles for another
+   number of trailers. */
+bool krait_rest(const krait_robot* robot, krait_pose pose, float* state);
+
+/* ---- Planning ---- */
+
+/* krait/search/parameters.hpp says what each is for, with its range. */
+typedef struct krait_parameters {
+  uint32_t group_sample;
+  float alpha, beta, epsilon;
+  float gamma, cost_length;
+  uint32_t kappa;
+  bool raise_goal;
+  float dt;
+  uint32_t max_steps, path_regions;
+  float near_radius, stray_share, slowest, reverse_share;
+  float clearance;
+  bool continuous;
+  uint32_t max_substeps;
+  bool prune_portals;
+  bool plain;
+  float goal_margin;
+} krait_parameters;
+krait_parameters krait_default_parameters(void);
+
+/* What a search does when its memory is full. */
+enum {
+  KRAIT_RECYCLE, /* gives up what helps least, and goes on */
+  KRAIT_STOP     /* ends as KRAIT_TREE_FULL */
+};
+
+/* What a search may use. */
+typedef struct krait_limits {
+  uint32_t vertices;   /* states kept to grow from, at least 2 */
+  uint32_t expansions; /* kept; 0: half as many as vertices */
+  uint64_t iterations; /* expansions made, at least 1 */
+  uint8_t when_full;   /* KRAIT_RECYCLE or KRAIT_STOP */
+} krait_limits;
+
+/* Lies at the front of the block. */
+typedef struct krait_planner krait_planner;
+
+/* Bytes of the block that krait_init needs. */
+uint64_t krait_bytes_required(const krait_scene* scene, const krait_robot* robot, const krait_limits* limits);
+
+/* The limits that spend a block of `bytes` best. */
+krait_limits krait_limits_for(uint64_t bytes, const krait_scene* scene, const krait_robot* robot);
+
+/* Makes a planner in the block, which is aligned to 8 and, like scene and file, must outlive it and stay where it is;
+   robot, parameters and limits are copied. `*planner` is NULL where it fails. */
+krait_failure krait_init(krait_planner** planner, void* block, uint64_t bytes, const krait_scene* scene,
+                         const krait_robot* robot, const krait_parameters* parameters, const krait_limits* limits);
+
+typedef struct krait_goal {
+  uint32_t index; /* of the scene's goals, or KRAIT_NONE for the disc */
+  float x, y, radius;
+} krait_goal;
+krait_goal krait_named_goal(uint32_t index);
+krait_goal krait_disc_goal(float x, float y, float radius);
+
+typedef struct krait_query {
+  const float* start; /* krait_state_size floats, copied */
+  krait_goal goal;
+  uint64_t seed;
+} krait_query;
+
+/* Begins a search, ending any other. KRAIT_SEARCHING, or how it has ended at once. */
+krait_status krait_start(krait_planner* planner, const krait_query* query);
+
+/* At most `iterations` expansions more. The plan does not depend on how a search is cut into calls. */
+krait_status krait_advance(krait_planner* planner, uint64_t iterations);
+
+/* Ends a search as KRAIT_TIME_USED, for a program whose clock says so. */
+void krait_stop_for_time(krait_planner* planner);
+
+/* The last answer, with its details. */
+krait_failure krait_last_failure(const krait_planner* planner);
+
+typedef struct krait_statistics {
+  uint64_t iterations, vertices, recycled, collision_checks, dijkstra_runs, regions_repaired;
+  uint64_t bytes_used, bytes_given; /* of the block behind the planner itself: `krait plan --memory bytes_given` on the
+                                       workstation finds the same plan */
+  uint32_t plan_steps;
+  float plan_length;   /* metres */
+  float plan_duration; /* seconds */
+  uint64_t hash;       /* of the plan */
+} krait_statistics;
+krait_statistics krait_statistics_of(const krait_planner* planner);
+
+/* ---- The plan ---- */
+
+/* Writes the next state of a solved plan, from the first on, and the KRAIT_CONTROL floats that are held for `dt` from
+   it on: zeros with the last state. False, and nothing written, behind it, or without a plan. */
+bool krait_next(krait_planner* planner, float* state, float* control);
+
+/* Lets krait_next begin again with the first state, as krait_start does. */
+void krait_rewind(krait_planner* planner);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,136 @@
+// The functions of krait.h, of any model.
+#include "krait/krait.h"
+
+#include <cstddef>
+
+#include "c/model.hpp"
+
+namespace {
+
+using krait::Status;
+using krait::c::convert;
+
+static_assert(sizeof(krait_scene) >= sizeof(krait::Scene) && alignof(krait_scene) >= alignof(krait::Scene));
+static_assert(KRAIT_MAX_TRAILERS == krait::kMaxTrailers && KRAIT_MAX_STATE == krait::Snake::kMaxState);
+static_assert(KRAIT_NONE == krait::kNone);
+
+// The C enumeration numbers as the C++ one does; first, last and one between them stand for all.
+static_assert(KRAIT_SOLVED == static_cast<int>(Status::solved));
+static_assert(KRAIT_BAD_SCENE == static_cast<int>(Status::bad_scene));
+static_assert(KRAIT_INTERNAL == static_cast<int>(Status::internal));
+
+// The fields of krait_parameters are the first of krait::Parameters; those of the other planners follow.
+static_assert(sizeof(krait_parameters) == offsetof(krait::Parameters, prior));
+
+krait::Parameters parameters_of(const krait_parameters& from) {
+  krait::Parameters to;
+  std::memcpy(static_cast<void*>(&to), &from, sizeof from);
+  return to;
+}
+
+krait_status status_of(Status status) { return static_cast<krait_status>(status); }
+
+krait_failure failure_of(const krait::Failure& failure) { return convert<krait_failure>(failure); }
+
+const krait::Scene& view(const krait_scene* scene) {
+  return *std::launder(reinterpret_cast<const krait::Scene*>(scene));
+}
+
+krait_goal goal(std::uint32_t index, float x, float y, float radius) { return {index, x, y, radius}; }
+
+}  // namespace
+
+const char* krait_status_name(krait_status status) {
+  return status <= KRAIT_INTERNAL ? krait::name(static_cast<Status>(status)) : "unknown";
+}
+
+const char* krait_argument_name(uint32_t element) {
+  constexpr auto kLast = static_cast<std::uint32_t>(krait::Argument::robot_sizes);
+  return element <= kLast ? krait::name(static_cast<krait::Argument>(element)) : "unknown";
+}
+
+krait_failure krait_open(krait_scene* scene, const void* file, size_t file_bytes) {
+  return failure_of(krait::Scene::open(file, file_bytes, *::new (scene) krait::Scene));
+}
+
+krait_scene_facts krait_facts(const krait_scene* scene) {
+  const krait::Scene& s = view(scene);
+  const krait::Box bounds = s.bounds();
+  return {s.name(),     s.header().origin_x, s.header().origin_y, bounds.min.x,   bounds.min.y,
+          bounds.max.x, bounds.max.y,        s.goal_count(),      s.start_count()};
+}
+
+krait_pose krait_start_pose(const krait_scene* scene, uint32_t start) {
+  const krait::ScenePose pose = view(scene).start(start);
+  return {pose.position.x, pose.position.y, pose.heading, pose.angles, pose.angle_count};
+}
+
+const char* krait_goal_name(const krait_scene* scene, uint32_t goal) { return view(scene).goal_name(goal); }
+
+uint32_t krait_find_goal(const krait_scene* scene, const char* name) { return view(scene).find_goal(name); }
+
+uint32_t krait_state_size(const krait_robot* robot) { return robot->model->state_size(*robot); }
+
+bool krait_rest(const krait_robot* robot, krait_pose pose, float* state) {
+  return robot->model->rest(*robot, pose, state);
+}
+
+krait_parameters krait_default_parameters() {
+  const krait::Parameters from;
+  krait_parameters to;
+  std::memcpy(&to, &from, sizeof to);
+  return to;
+}
+
+uint64_t krait_bytes_required(const krait_scene* scene, const krait_robot* robot, const krait_limits* limits) {
+  return robot->model->bytes_required(view(scene), *robot, convert<krait::Limits>(*limits));
+}
+
+krait_limits krait_limits_for(uint64_t bytes, const krait_scene* scene, const krait_robot* robot) {
+  return convert<krait_limits>(robot->model->limits_for(bytes, view(scene), *robot));
+}
+
+krait_failure krait_init(krait_planner** planner, void* block, uint64_t bytes, const krait_scene* scene,
+                         const krait_robot* robot, const krait_parameters* parameters, const krait_limits* limits) {
+  *planner = nullptr;
+  const krait_model& model = *robot->model;
+  if (bytes < model.front_bytes) {
+    return {KRAIT_ARENA_TOO_SMALL, 0, 0, krait_bytes_required(scene, robot, limits)};
+  }
+  if (block == nullptr || reinterpret_cast<std::uintptr_t>(block) % krait::Arena::kAlignment != 0) {
+    return {KRAIT_BAD_ARGUMENT, 0, static_cast<std::uint32_t>(krait::Argument::block), 0};
+  }
+  const krait::Failure failure =
+      model.init(block, bytes, view(scene), *robot, parameters_of(*parameters), convert<krait::Limits>(*limits));
+  if (failure.ok()) *planner = std::launder(static_cast<krait_planner*>(block));
+  return failure_of(failure);
+}
+
+krait_goal krait_named_goal(uint32_t index) { return goal(index, 0.0F, 0.0F, 0.0F); }
+
+krait_goal krait_disc_goal(float x, float y, float radius) { return goal(KRAIT_NONE, x, y, radius); }
+
+krait_status krait_start(krait_planner* planner, const krait_query* query) {
+  const krait_goal& g = query->goal;
+  const bool disc = g.index == KRAIT_NONE;
+  const krait::Goal goal = disc ? krait::Goal::disc({g.x, g.y}, g.radius) : krait::Goal::named(g.index);
+  return status_of(planner->model->start(planner, {query->start, goal, query->seed}));
+}
+
+krait_status krait_advance(krait_planner* planner, uint64_t iterations) {
+  return status_of(planner->model->advance(planner, iterations));
+}
+
+void krait_stop_for_time(krait_planner* planner) { planner->model->stop_for_time(planner); }
+
+krait_failure krait_last_failure(const krait_planner* planner) { return failure_of(planner->model->failure(planner)); }
+
+krait_statistics krait_statistics_of(const krait_planner* planner) {
+  return convert<krait_statistics>(planner->model->statistics(planner));
+}
+
+bool krait_next(krait_planner* planner, float* state, float* control) {
+  return planner->model->next(planner, state, control);
+}
+
+void krait_rewind(krait_planner* planner) { planner->model->rewind(planner); }

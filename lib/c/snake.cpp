@@ -1,0 +1,9 @@
+#include "c/model.hpp"
+
+krait_robot krait_snake(int trailers) {
+  krait::ChainParameters parameters;
+  parameters.trailers = trailers;
+  krait_robot robot{&krait::c::kModel<krait::Snake>, {}, nullptr};
+  robot.parameters.chain = krait::c::convert<krait_chain_parameters>(parameters);
+  return robot;
+}

@@ -1,0 +1,23 @@
+# What `cmake --install` puts down: headers, archives, the page on the scene format, the licence, and what find_package
+# and pkg-config read. Box2D's part is inside the archive; Eigen's headers are the user's.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/krait)
+
+install(TARGETS krait krait_c EXPORT krait-targets INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/krait DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+  FILES_MATCHING PATTERN *.h PATTERN *.hpp)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/include/krait/scene/FORMAT.md
+  DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+install(EXPORT krait-targets NAMESPACE krait:: DESTINATION ${package_folder})
+write_basic_package_version_file(krait-config-version.cmake
+  COMPATIBILITY SameMinorVersion)  # from 1.0 on SameMajorVersion
+install(FILES krait-config.cmake ${CMAKE_CURRENT_BINARY_DIR}/krait-config-version.cmake DESTINATION ${package_folder})
+
+file(RELATIVE_PATH prefix_of_pkgconfig /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+list(TRANSFORM definitions PREPEND -D OUTPUT_VARIABLE cflags)
+list(PREPEND cflags ${flags})
+list(JOIN cflags " " cflags)
+configure_file(krait.pc.in krait.pc @ONLY)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/krait.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

@@ -1,0 +1,83 @@
+#include "scene/cells.hpp"
+
+namespace krait {
+namespace {
+
+template <class Integer>
+Integer least(Integer a, Integer b) {
+  return b < a ? b : a;
+}
+template <class Integer>
+Integer most(Integer a, Integer b) {
+  return b > a ? b : a;
+}
+
+// Rounded down and up; b > 0.
+template <class Integer>
+Integer floor_divided(Integer a, Integer b) {
+  return a / b - (a % b < 0 ? 1 : 0);
+}
+template <class Integer>
+Integer ceil_divided(Integer a, Integer b) {
+  return a / b + (a % b > 0 ? 1 : 0);
+}
+
+// The part of a convex polygon within a strip of constant y: its extent in x, rounded inwards to the grid, which
+// misses no cell, since cells begin and end on the grid.
+struct Extent {
+  std::int32_t low = INT32_MAX;
+  std::int32_t high = INT32_MIN;
+
+  void add(std::int32_t floor, std::int32_t ceil) {
+    low = least(low, ceil);
+    high = most(high, floor);
+  }
+  // The point of the edge from `from` up to `to` at height y.
+  void add(GridPoint from, GridPoint to, std::int32_t y) {
+    if (y == from.y) return add(from.x, from.x);
+    if (y == to.y) return add(to.x, to.x);
+    const std::int64_t rise = to.y - from.y;
+    const std::int64_t along = std::int64_t{to.x - from.x} * (y - from.y);
+    add(from.x + static_cast<std::int32_t>(floor_divided(along, rise)),
+        from.x + static_cast<std::int32_t>(ceil_divided(along, rise)));
+  }
+};
+
+}  // namespace
+
+CellSpan CellSquares::span(std::int32_t low, std::int32_t high, std::int32_t cells) const {
+  return {most(std::int32_t{0}, ceil_divided(low - kMargin, size_) - 1),
+          least(cells - 1, floor_divided(high + kMargin, size_))};
+}
+
+CellSpan CellSquares::rows_of(Polygon polygon) const {
+  const Box box = bounding_box(polygon);
+  return rows_between(to_grid(box.min.y), to_grid(box.max.y));
+}
+
+CellSpan CellSquares::columns_of(Polygon polygon, std::int32_t row) const {
+  const GridBox strip = square(0, row);
+  Extent extent;
+  for (int i = 0; i < polygon.count; ++i) {
+    GridPoint from = to_grid(polygon[i]);
+    GridPoint to = to_grid(polygon[(i + 1) % polygon.count]);
+    if (from.y > to.y) {
+      const GridPoint upper = from;
+      from = to;
+      to = upper;
+    }
+    if (to.y < strip.min.y || from.y > strip.max.y) continue;
+    extent.add(from, to, most(from.y, strip.min.y));
+    extent.add(from, to, least(to.y, strip.max.y));
+  }
+  return extent.low == INT32_MAX ? CellSpan{} : columns_between(extent.low, extent.high);
+}
+
+std::int32_t CellSquares::to_bounds(std::int32_t column, std::int32_t row) const {
+  const GridBox s = square(column, row);
+  const std::int32_t across = least(s.min.x - bounds_.min.x, bounds_.max.x - s.max.x);
+  const std::int32_t up = least(s.min.y - bounds_.min.y, bounds_.max.y - s.max.y);
+  return most(std::int32_t{0}, least(across, up));
+}
+
+}  // namespace krait

@@ -1,0 +1,254 @@
+// The part of the checker that holds the bucket lists and the clearances to the geometry: what they leave out or call
+// free a planner would drive through.
+#include "scene/cells.hpp"
+#include "scene/checker.hpp"
+
+namespace krait {
+namespace {
+
+using format::Header;
+using format::Section;
+
+struct Triangle {
+  Vec2 corners[3];
+
+  Triangle(const Scene& scene, Index triangle)
+      : corners{scene.corner(triangle, 0), scene.corner(triangle, 1), scene.corner(triangle, 2)} {}
+  Polygon polygon() const { return {corners, 3}; }
+};
+
+CellSpan columns_of(const CellSquares& cells, const Box& box) {
+  return cells.columns_between(to_grid(box.min.x), to_grid(box.max.x));
+}
+CellSpan rows_of(const CellSquares& cells, const Box& box) {
+  return cells.rows_between(to_grid(box.min.y), to_grid(box.max.y));
+}
+
+std::int64_t gap(std::int32_t at, std::int32_t low, std::int32_t high) {
+  if (at < low) return std::int64_t{low} - at;
+  return at > high ? std::int64_t{at} - high : 0;
+}
+
+bool vertex_within(Polygon piece, const GridBox& square, std::int64_t reach) {
+  for (int i = 0; i < piece.count; ++i) {
+    const GridPoint p = to_grid(piece[i]);
+    const std::int64_t dx = gap(p.x, square.min.x, square.max.x);
+    const std::int64_t dy = gap(p.y, square.min.y, square.max.y);
+    if (dx * dx + dy * dy < reach * reach) return true;
+  }
+  return false;
+}
+
+// Whether p is beside the edge, not before or after it, and nearer than `reach`. In float, a millionth to the good of
+// the file.
+bool beside_within(GridPoint p, GridPoint from, GridPoint to, float reach) {
+  constexpr float kRounding = 1.0F + 1e-6F;
+  const std::int64_t dx = to.x - from.x;
+  const std::int64_t dy = to.y - from.y;
+  const std::int64_t square = dx * dx + dy * dy;
+  const std::int64_t along = dx * (p.x - from.x) + dy * (p.y - from.y);
+  if (along <= 0 || along >= square) return false;
+  const std::int64_t area = orientation(from, to, p);
+  const auto twice_area = static_cast<float>(area < 0 ? -area : area);
+  return twice_area * kRounding < reach * std::sqrt(static_cast<float>(square));
+}
+
+bool edge_within(Polygon piece, const GridBox& square, std::int32_t reach) {
+  const GridPoint corners[] = {square.min, {square.max.x, square.min.y}, square.max, {square.min.x, square.max.y}};
+  for (int i = 0; i < piece.count; ++i) {
+    const GridPoint from = to_grid(piece[i]);
+    const GridPoint to = to_grid(piece[(i + 1) % piece.count]);
+    for (const GridPoint corner : corners) {
+      if (beside_within(corner, from, to, static_cast<float>(reach))) return true;
+    }
+  }
+  return false;
+}
+
+// Whether a piece that does not meet the square comes nearer to it than `reach` grid steps.
+bool within(Polygon piece, const GridBox& square, std::int32_t reach) {
+  return vertex_within(piece, square, reach) || edge_within(piece, square, reach);
+}
+
+// The columns that a polygon meets in one row and in the rows beside it.
+struct Neighborhood {
+  CellSpan below;
+  CellSpan here;
+  CellSpan above;
+
+  // One column more on either side of all three.
+  CellSpan columns(std::int32_t columns) const {
+    CellSpan all{columns, -1};
+    include(below, all);
+    include(here, all);
+    include(above, all);
+    if (all.first < 0) all.first = 0;
+    if (all.last > columns - 1) all.last = columns - 1;
+    return all;
+  }
+
+ private:
+  static void include(const CellSpan& span, CellSpan& all) {
+    if (span.count() == 0) return;
+    if (span.first - 1 < all.first) all.first = span.first - 1;
+    if (span.last + 1 > all.last) all.last = span.last + 1;
+  }
+};
+
+}  // namespace
+
+// Entries ascend, so none is there twice; if each one belongs where it stands and there are as many as belong
+// anywhere, none is missing.
+template <class Meets, class Count>
+bool SceneChecker::complete(const Lists& lists, const CellSquares& cells, Meets meets, Count count) {
+  std::size_t bucket = 0;
+  for (std::int32_t row = 0; row < cells.rows(); ++row) {
+    for (std::int32_t column = 0; column < cells.columns(); ++column, ++bucket) {
+      for (std::uint32_t i = lists.offsets[bucket]; i < lists.offsets[bucket + 1]; ++i) {
+        if (!meets(lists.entries[i], column, row)) return fail(lists.section, i);
+      }
+    }
+  }
+  std::uint64_t expected = 0;
+  for (Index element = 0; element < lists.elements && expected <= lists.total; ++element) expected += count(element);
+  return expected == lists.total || fail(lists.section, lists.total);
+}
+
+bool SceneChecker::ascending(const Lists& lists, std::size_t buckets) {
+  for (std::size_t b = 0; b < buckets; ++b) {
+    for (std::uint32_t i = lists.offsets[b]; i < lists.offsets[b + 1]; ++i) {
+      const bool above = i == lists.offsets[b] || lists.entries[i] > lists.entries[i - 1];
+      if (lists.entries[i] >= lists.elements || !above) return fail(lists.section, i);
+    }
+  }
+  return true;
+}
+
+bool SceneChecker::longest(const std::uint32_t* offsets, std::size_t buckets, std::uint32_t most, std::uint32_t field) {
+  std::uint32_t longest = 0;
+  for (std::size_t b = 0; b < buckets; ++b) {
+    if (offsets[b + 1] - offsets[b] > longest) longest = offsets[b + 1] - offsets[b];
+  }
+  return longest == most || fail_header(field);
+}
+
+bool SceneChecker::buckets(const Scene& s) {
+  const Header& h = s.header_;
+  const std::uint32_t count = h.bucket_columns * h.bucket_rows;
+  const CellSquares cells(s.bounds(), h.bucket_size, h.bucket_columns, h.bucket_rows);
+  return offsets(Section::bucket_triangle_offsets, s.bucket_triangle_offsets_, count, h.bucket_triangles, 0,
+                 h.most_bucket_triangles) &&
+         longest(s.bucket_triangle_offsets_, count, h.most_bucket_triangles, offsetof(Header, most_bucket_triangles)) &&
+         bucket_triangles(s, cells) &&
+         offsets(Section::bucket_piece_offsets, s.bucket_piece_offsets_, count, h.bucket_pieces, 0,
+                 h.most_bucket_pieces) &&
+         longest(s.bucket_piece_offsets_, count, h.most_bucket_pieces, offsetof(Header, most_bucket_pieces)) &&
+         bucket_pieces(s, cells);
+}
+
+bool SceneChecker::bucket_triangles(const Scene& s, const CellSquares& cells) {
+  const Lists lists{Section::bucket_triangles, s.bucket_triangles_, s.bucket_triangle_offsets_,
+                    s.header_.bucket_triangles, s.header_.triangles};
+  const auto meets = [&](Index t, std::int32_t column, std::int32_t row) {
+    return cells.columns_of(Triangle(s, t).polygon(), row).holds(column);
+  };
+  const auto count = [&](Index t) {
+    const Triangle triangle(s, t);
+    const CellSpan rows = cells.rows_of(triangle.polygon());
+    std::uint64_t sum = 0;
+    for (std::int32_t row = rows.first; row <= rows.last; ++row) {
+      sum += cells.columns_of(triangle.polygon(), row).count();
+    }
+    return sum;
+  };
+  return ascending(lists, cells.number(0, cells.rows())) && complete(lists, cells, meets, count);
+}
+
+bool SceneChecker::bucket_pieces(const Scene& s, const CellSquares& cells) {
+  const Lists lists{Section::bucket_pieces, s.bucket_pieces_, s.bucket_piece_offsets_, s.header_.bucket_pieces,
+                    s.header_.pieces};
+  const auto meets = [&](Index p, std::int32_t column, std::int32_t row) {
+    return columns_of(cells, s.piece_box(p)).holds(column) && rows_of(cells, s.piece_box(p)).holds(row);
+  };
+  const auto count = [&](Index p) {
+    return columns_of(cells, s.piece_box(p)).count() * rows_of(cells, s.piece_box(p)).count();
+  };
+  return ascending(lists, cells.number(0, cells.rows())) && complete(lists, cells, meets, count);
+}
+
+// No cell claims more than there is, by induction over the distance. Where the nearest obstacle or bound of a cell
+// lies within it or one of its eight neighbours, the claim is compared with that. Else the way there, from the cell's
+// square through those of its neighbours, is a cell long or more when it leaves the last of them: that neighbour is
+// nearer by a cell at least, and the claim is at most its claim and a cell.
+bool SceneChecker::clearance(const Scene& s) {
+  const Header& h = s.header_;
+  const CellSquares cells(s.bounds(), h.clearance_cell, h.clearance_columns, h.clearance_rows);
+  return clearance_steps(s, cells) && clearance_to_bounds(s, cells) && clearance_to_pieces(s, cells);
+}
+
+// Neighbours, by side or corner, differ by a cell at most.
+bool SceneChecker::clearance_steps(const Scene& s, const CellSquares& cells) {
+  const auto differ = [&](std::size_t a, std::size_t b) {
+    const int difference = s.clearance_[a] - s.clearance_[b];
+    return difference > format::kClearanceUnits || difference < -format::kClearanceUnits;
+  };
+  for (std::int32_t row = 0; row < cells.rows(); ++row) {
+    const bool below = row > 0;
+    for (std::int32_t column = 0; column < cells.columns(); ++column) {
+      const std::size_t here = cells.number(column, row);
+      const std::size_t under = below ? cells.number(column, row - 1) : here;
+      const bool left = column > 0;
+      const bool right = below && column + 1 < cells.columns();
+      if (differ(here, under) || (left && (differ(here, here - 1) || differ(here, under - 1))) ||
+          (right && differ(here, under + 1))) {
+        return fail(Section::clearance, static_cast<std::uint32_t>(here));
+      }
+    }
+  }
+  return true;
+}
+
+bool SceneChecker::clearance_to_bounds(const Scene& s, const CellSquares& cells) {
+  const std::int32_t unit = cells.size() / format::kClearanceUnits;
+  for (std::int32_t row = 0; row < cells.rows(); ++row) {
+    for (std::int32_t column = 0; column < cells.columns(); ++column) {
+      const std::size_t here = cells.number(column, row);
+      if (s.clearance_[here] > 0 && s.clearance_[here] * unit > cells.to_bounds(column, row)) {
+        return fail(Section::clearance, static_cast<std::uint32_t>(here));
+      }
+    }
+  }
+  return true;
+}
+
+bool SceneChecker::clearance_to_pieces(const Scene& s, const CellSquares& cells) {
+  for (Index p = 0; p < s.header_.pieces; ++p) {
+    const Polygon piece = s.piece(p);
+    const CellSpan rows = cells.rows_of(piece);
+    Neighborhood near{{}, {}, cells.columns_of(piece, rows.first)};
+    for (std::int32_t row = rows.first - 1; row <= rows.last + 1; ++row) {
+      if (row >= 0 && row < cells.rows() &&
+          !row_clear_of(s, cells, piece, row, near.here, near.columns(cells.columns()))) {
+        return false;
+      }
+      const bool more = row + 2 <= rows.last;
+      near = {near.here, near.above, more ? cells.columns_of(piece, row + 2) : CellSpan{}};
+    }
+  }
+  return true;
+}
+
+bool SceneChecker::row_clear_of(const Scene& s, const CellSquares& cells, Polygon piece, std::int32_t row,
+                                const CellSpan& met, const CellSpan& columns) {
+  const std::int32_t unit = cells.size() / format::kClearanceUnits;
+  for (std::int32_t column = columns.first; column <= columns.last; ++column) {
+    const std::size_t here = cells.number(column, row);
+    if (s.clearance_[here] == 0) continue;
+    if (met.holds(column) || within(piece, cells.square(column, row), s.clearance_[here] * unit)) {
+      return fail(Section::clearance, static_cast<std::uint32_t>(here));
+    }
+  }
+  return true;
+}
+
+}  // namespace krait

@@ -1,0 +1,327 @@
+"""The benchmarks' driver itself: known timings in, right statistics out; giving up, censoring, resuming."""
+
+import json
+import math
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench"))
+
+from harness import experiments, readme  # noqa: E402
+from harness.cells import Cell  # noqa: E402
+from harness.claims import claims  # noqa: E402
+from harness.journal import Journal, JournalError  # noqa: E402
+from harness.problems import Problem, movingai_queries, roomiest_heading  # noqa: E402
+from harness.protocol import Protocol, measure  # noqa: E402
+from harness.results import Results, to_csv  # noqa: E402
+from harness.statistics import Figure, deviation, mean, quantile, rounded, summarise, times, trimmed  # noqa: E402
+from harness.worker import BadInput, Worker  # noqa: E402
+
+LIMIT = 10.0
+
+
+def solved(seconds, trial=1, **more):
+    return {"trial": trial, "status": "solved", "verified": True, "time_s": seconds, "limit_s": LIMIT, **more}
+
+
+def timed_out(trial=1, limit=LIMIT):
+    return {"trial": trial, "status": "time_used", "time_s": limit, "limit_s": limit}
+
+
+def trials(count):
+    return [{"trial": i, "seed": i} for i in range(1, count + 1)]
+
+
+class Statistics(unittest.TestCase):
+    def test_sixty_runs_lose_five_at_each_end(self):
+        figures = times([solved(float(i)) for i in range(60, 0, -1)], 100.0)
+        kept = trimmed(figures)
+        self.assertEqual([f.value for f in kept], [float(i) for i in range(6, 56)])
+        self.assertEqual(mean(kept), Figure(30.5))
+        self.assertAlmostEqual(deviation(kept), math.sqrt((50 * 50 - 1) / 12 * 50 / 49))
+
+    def test_few_runs_lose_none(self):
+        self.assertEqual(len(trimmed(times([solved(1.0)] * 11, LIMIT))), 11)
+        self.assertEqual(len(trimmed(times([solved(1.0)] * 12, LIMIT))), 10)
+
+    def test_quantiles_are_nearest_ranks_of_all_runs(self):
+        figures = times([solved(float(i)) for i in range(1, 61)], 100.0)
+        self.assertEqual([quantile(figures, q).value for q in (0.5, 0.9, 0.99, 1.0)], [30, 54, 60, 60])
+        self.assertEqual(quantile([Figure(7.0)], 0.01).value, 7)
+
+    def test_a_time_out_is_a_bound(self):
+        summary = summarise([solved(1.0), solved(2.0), timed_out()], 3, LIMIT, False)
+        self.assertEqual(summary.mean, Figure(13 / 3, True))
+        self.assertIsNone(summary.deviation)
+        self.assertEqual(summary.median, Figure(2.0))
+        self.assertEqual(summary.p90, Figure(LIMIT, True))
+        self.assertEqual(summary.p90.shown(), "≥ 10.0")
+        self.assertAlmostEqual(summary.success, 2 / 3)
+
+    def test_trimmed_time_outs_leave_the_mean_exact(self):
+        runs = [solved(1.0)] * 55 + [timed_out()] * 5
+        self.assertEqual(summarise(runs, 60, LIMIT, False).mean, Figure(1.0))
+        runs = [solved(1.0)] * 54 + [timed_out()] * 6
+        self.assertTrue(summarise(runs, 60, LIMIT, False).mean.at_least)
+
+    def test_a_plan_that_is_late_or_not_verified_is_none(self):
+        late, wrong = solved(LIMIT + 0.1), solved(1.0) | {"verified": False}
+        summary = summarise([late, wrong, solved(LIMIT)], 3, LIMIT, False)
+        self.assertEqual((summary.solved, summary.unverified), (1, 1))
+        self.assertEqual(times([wrong], LIMIT), [Figure(LIMIT, True)])
+
+    def test_medians_are_of_solved_runs_that_tell(self):
+        runs = [solved(1.0, vertices=10), solved(1.0, vertices=30), solved(1.0), timed_out() | {"vertices": 999}]
+        self.assertEqual(summarise(runs, 4, LIMIT, False).medians, {"vertices": 10})
+
+    def test_numbers_keep_their_digits(self):
+        self.assertEqual([rounded(x) for x in (0.012345, 1.0, 12345.0, 0)], ["0.0123", "1.00", "12300", "0"])
+
+
+class GivingUp(unittest.TestCase):
+    def made(self, outcomes, give_up, known=None):
+        asked = []
+
+        def run(trial):
+            asked.append(trial["trial"])
+            return outcomes[trial["trial"] - 1]
+
+        runs = list(measure(trials(len(outcomes)), LIMIT, give_up, known or {}, run))
+        return runs, asked
+
+    def test_after_failures_in_a_row(self):
+        runs, _ = self.made([timed_out()] * 60, 10)
+        self.assertEqual(len(runs), 10)
+
+    def test_not_after_failures_with_a_success_between(self):
+        runs, _ = self.made(([timed_out()] * 9 + [solved(1.0)]) * 6, 10)
+        self.assertEqual(len(runs), 60)
+
+    def test_never_where_every_trial_is_another_problem(self):
+        runs, _ = self.made([timed_out()] * 60, None)
+        self.assertEqual(len(runs), 60)
+
+    def test_runs_of_an_earlier_session_count(self):
+        known = {i: timed_out(i) for i in range(1, 9)}
+        runs, asked = self.made([timed_out()] * 60, 10, known)
+        self.assertEqual((len(runs), asked), (10, [9, 10]))
+
+
+class Resuming(unittest.TestCase):
+    def run_with(self, known, limit):
+        asked = []
+
+        def run(trial):
+            asked.append(trial["trial"])
+            return solved(1.0, trial["trial"])
+
+        list(measure(trials(3), limit, 10, known, run))
+        return asked
+
+    def test_finished_trials_are_not_run_again(self):
+        self.assertEqual(self.run_with({1: solved(1.0), 3: timed_out()}, LIMIT), [2])
+
+    def test_a_time_out_under_a_shorter_limit_says_nothing(self):
+        self.assertEqual(self.run_with({1: timed_out(limit=5.0), 2: timed_out(limit=20.0)}, LIMIT), [1, 3])
+
+    def test_a_run_that_took_longer_than_the_new_limit_is_a_time_out(self):
+        self.assertEqual(self.run_with({1: solved(8.0)}, 5.0), [2, 3])
+        self.assertEqual(times([solved(8.0)], 5.0), [Figure(5.0, True)])
+
+
+class Limits(unittest.TestCase):
+    def test_follow_the_adaptive_median(self):
+        rival = Cell("rooms", "snake:15", "prior")
+        self.assertEqual(Protocol().limit_of(rival, [solved(0.001)] * 3), 5.0)
+        self.assertEqual(Protocol().limit_of(rival, [solved(0.02)] * 3), 20.0)
+        self.assertEqual(Protocol(limit=3.0).limit_of(rival, []), 3.0)
+
+    def test_the_adaptive_planner_has_the_papers(self):
+        self.assertEqual(Protocol().limit_of(Cell("rooms", "snake:15", "adaptive"), []), 100.0)
+        changed = Cell("rooms", "snake:15", "adaptive", ("alpha=4",))
+        self.assertEqual(Protocol().limit_of(changed, [solved(0.02)]), 20.0)
+
+
+class JournalFile(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.path = Path(self.folder.name) / "runs.jsonl"
+
+    def record(self, trial, build="b", **more):
+        return {"kind": "run", "cell": "c", "build": build, **solved(1.0, trial), **more}
+
+    def test_keeps_what_was_appended(self):
+        journal = Journal(self.path)
+        journal.append(self.record(1))
+        journal.close()
+        self.assertEqual(Journal(self.path, writable=False).runs("c", "b"), {1: self.record(1)})
+
+    def test_cuts_off_a_torn_line_and_goes_on(self):
+        self.path.write_text(json.dumps(self.record(1)) + "\n" + '{"kind": "run", "cel')
+        journal = Journal(self.path)
+        journal.append(self.record(2))
+        journal.close()
+        self.assertEqual(sorted(Journal(self.path, writable=False).runs("c", "b")), [1, 2])
+
+    def test_refuses_a_second_writer(self):
+        first = Journal(self.path)
+        with self.assertRaisesRegex(JournalError, "another"):
+            Journal(self.path)
+        first.close()
+
+    def test_names_a_broken_line(self):
+        self.path.write_text("{}\nnonsense\n")
+        with self.assertRaisesRegex(JournalError, "line 2"):
+            Journal(self.path, writable=False)
+
+    def test_tells_builds_apart_and_takes_the_last_run_of_a_trial(self):
+        journal = Journal(self.path)
+        journal.append(self.record(1, build="old"))
+        journal.append(self.record(1, time_s=2.0))
+        journal.append(self.record(1, time_s=3.0))
+        self.assertEqual(journal.runs("c", "b")[1]["time_s"], 3.0)
+        self.assertEqual(journal.runs("c", "old")[1]["time_s"], 1.0)
+        self.assertEqual(list(journal.runs("c", None)), [1])
+        journal.close()
+
+    def test_results_take_the_cell_as_it_was_last_finished(self):
+        cell = Cell("rooms", "snake:15", "adaptive")
+        journal = Journal(self.path)
+        for trial in (1, 2, 3):
+            journal.append(self.record(trial) | {"cell": cell.key})
+        finished = {"kind": "cell", "cell": cell.key, "build": "b", "limit_s": LIMIT, "asked": 60}
+        journal.append(finished | {"given_up": False, "trials": [1]})
+        journal.append(finished | {"given_up": True, "trials": [1, 2]})
+        summary = Results(journal).summary(cell)
+        self.assertEqual((summary.runs, summary.given_up), (2, True))
+        self.assertIsNone(Results(journal).summary(Cell("comb", "snake:15", "adaptive")))
+        self.assertIn("rooms,snake:15,adaptive", to_csv(Results(journal).rows([cell])))
+        journal.close()
+
+
+PROGRAM = """
+import json, sys, time
+for line in sys.stdin:
+    trial = json.loads(line)["trial"]
+    if trial == 2: sys.exit(7)
+    if trial == 3: time.sleep(60)
+    if trial == 4: print("bad scene", file=sys.stderr); sys.exit(2)
+    print(json.dumps({"trial": trial, "status": "solved"}), flush=True)
+"""
+
+
+class Programs(unittest.TestCase):
+    def worker(self, fresh=False):
+        worker = Worker(["/usr/bin/python3", "-c", PROGRAM], 1, fresh)
+        self.addCleanup(worker.stop)
+        return worker
+
+    def test_answer_in_turn(self):
+        for fresh in (False, True):
+            worker = self.worker(fresh)
+            self.assertEqual([worker.run({"trial": i})["trial"] for i in (1, 5, 6)], [1, 5, 6])
+
+    def test_that_crash_or_hang_cost_one_trial(self):
+        worker = self.worker()
+        self.assertEqual(worker.run({"trial": 2})["status"], "crashed")
+        worker.patience = 0.5
+        self.assertEqual(worker.run({"trial": 3})["status"], "hung")
+        worker.patience = 60
+        self.assertEqual(worker.run({"trial": 1})["status"], "solved")
+
+    def test_that_refuse_their_input_end_the_session(self):
+        with self.assertRaisesRegex(BadInput, "bad scene"):
+            self.worker().run({"trial": 4})
+
+
+class Queries(unittest.TestCase):
+    MAP = "type octile\nheight 4\nwidth 6\nmap\nTTTTTT\nT....T\nT..TTT\nTTTTTT\n"
+
+    def test_are_in_the_maps_world(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "a.map"
+            path.write_text(self.MAP)
+            lines = ["version 1", "0\ta.map\t6\t4\t1\t2\t4\t1\t3.41421", "0\ta.map\t6\t4\t1\t1\t1\t1\t0",
+                     "200\ta.map\t6\t4\t1\t1\t4\t1\t101", ""]
+            path.with_suffix(".map.scen").write_text("\n".join(lines) + "\n")
+            [query] = movingai_queries(path)
+        self.assertEqual(query["trial"], 1)
+        self.assertEqual(query["start"][:2], [1.5, 1.5])
+        self.assertEqual(query["goal"], [4.5, 2.5, 0.5])
+
+    def test_are_all_asked_or_evenly_spread(self):
+        problem = Problem("m", Path(), Path(), 0.0, list(range(10)))
+        self.assertEqual(problem.trials(60, 0), list(range(10)))
+        self.assertEqual(problem.trials(60, 3), [0, 3, 6])
+        self.assertEqual(problem.trials(60, 99), list(range(10)))
+        seeds = Problem("s", Path(), Path(), 0.0).trials(2, 0)
+        self.assertEqual(seeds, [{"trial": 1, "seed": 1}, {"trial": 2, "seed": 2}])
+
+    def test_face_where_most_room_is(self):
+        free = [[c == "." for c in row] for row in self.MAP.splitlines()[4:]]
+        self.assertEqual(roomiest_heading(free, 1, 1), 0)
+        self.assertAlmostEqual(roomiest_heading(free, 4, 1), math.pi)
+        self.assertEqual(roomiest_heading(free, 1, 2), 0)
+
+
+class Written(unittest.TestCase):
+    """Claims and the README's table, from a journal with known runs."""
+
+    def results(self, seconds_of):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        figures = {"vertices": 5, "step_error": 1e-4, "drift_m": 1e-3, "clearance_m": 0.01, "goal_depth_m": 0.03}
+        with Journal(Path(folder.name) / "runs.jsonl") as journal:
+            for cell, seconds in seconds_of.items():
+                run = solved(seconds) | figures if seconds else timed_out()
+                journal.append({"kind": "run", "cell": cell.key, "build": "b", **run})
+                finished = {"limit_s": LIMIT, "asked": 1, "given_up": False, "trials": [1]}
+                journal.append({"kind": "cell", "cell": cell.key, "build": "b", **finished})
+            return Results(journal)
+
+    def test_claims_say_by_how_much_and_whether(self):
+        ours, prior, rrt = (Cell("gates", "snake:15", planner) for planner in ("adaptive", "prior", "rrt"))
+        slow, fast = (Cell("gates", "snake:15", peer) for peer in ("ompl:RRT", "ompl:SyclopEST"))
+        found = claims(self.results({ours: 0.01, prior: 0.1, rrt: None, slow: None, fast: 0.3}))
+        self.assertEqual(
+            [(claim.found, claim.holds) for claim in found],
+            [("10.0 ×", False), ("≥ 1000 ×", True), ("30.0 ×", True), ("1 of 1", True)],
+        )
+        self.assertIn("SyclopEST", found[2].text)
+        [undecided, _] = claims(self.results({ours: 1.0, prior: None}))
+        self.assertEqual((undecided.found, undecided.holds), ("≥ 10.0 ×", None))
+
+    def test_the_readmes_table_is_replaced_and_nothing_else(self):
+        results = self.results({cell: 0.5 for cell in readme.cells()})
+        with tempfile.TemporaryDirectory() as folder:
+            page = Path(folder) / "README.md"
+            page.write_text(f"before\n{readme.BEGIN}\nold\n{readme.END}\nafter\n")
+            readme.write_table(results, page)
+            text = page.read_text()
+        self.assertTrue(text.startswith(f"before\n{readme.BEGIN}\nsnake:15, adaptive, 1 seeds\n"))
+        self.assertTrue(text.endswith(f"|\n{readme.END}\nafter\n"))
+        self.assertIn("| rooms | 1 | 1 | 500.0 | 500.0 | 5 | 5 | 1.0e-04 | 1.0 | 10.0 | 30.0 |\n", text)
+        self.assertNotIn("old", text)
+
+
+class Experiments(unittest.TestCase):
+    def test_measure_what_sets_limits_first(self):
+        cells = experiments.cells_of("all")
+        references = [cell == cell.reference for cell in cells]
+        self.assertEqual(references, sorted(references, reverse=True))
+        self.assertEqual(len(cells), len(set(cells)))
+        self.assertTrue(all(cell.reference in cells for cell in cells))
+
+    def test_have_the_papers_cells(self):
+        self.assertEqual(len(experiments.links()), 5 * 5 * 3)
+        self.assertEqual(len(experiments.scale()), 5 * 3)
+        self.assertEqual(len(experiments.parameters()), 21)  # and our own beta
+        self.assertEqual(len(set(experiments.parameters())), 18)
+
+
+if __name__ == "__main__":
+    unittest.main()

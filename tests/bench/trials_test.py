@@ -1,0 +1,116 @@
+"""The benchmark programs: trials_test.py BIN. The verifier accepts every planner's plan; bad input is refused."""
+
+import json
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+BIN = Path(sys.argv.pop(1))
+SEARCH, PEERS = BIN / "krait-bench-search", BIN / "krait-bench-peers"
+SCENE = {
+    "name": "hall",
+    "bounds": {"min": [0, 0], "max": [12, 8]},
+    "obstacles": [{"box": {"center": [6, 2], "size": [1, 4], "angle": 0}}],
+    "goals": [{"name": "goal", "box": {"center": [10, 4], "size": [3, 3], "angle": 0}}],
+    "starts": [{"name": "start", "position": [3, 4], "heading": 0}],
+}
+
+
+class Trials(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = Path(folder.name)
+        cls.input = cls.folder / "hall.json"
+        cls.input.write_text(json.dumps(SCENE))
+        cls.scene = cls.compiled(cls.input)
+
+    @staticmethod
+    def compiled(path):
+        scene = path.with_suffix(".krait")
+        subprocess.run([BIN / "krait", "compile", path, "-o", scene], check=True, capture_output=True)
+        return scene
+
+    def ask(self, program, planner, trials, *options):
+        given = {"--scene": self.scene, "--input": self.input, "--robot": "snake:1", "--time-limit": "300"}
+        if program == SEARCH:
+            given["--memory"] = "64"
+        given |= dict(zip(options[::2], options[1::2]))
+        command = [program, "trials", "--planner", planner, *(text for option in given.items() for text in option)]
+        lines = "".join(json.dumps(trial) + "\n" for trial in trials)
+        return subprocess.run(command, input=lines, capture_output=True, text=True)
+
+    def answers(self, *arguments):
+        result = self.ask(*arguments)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return [json.loads(line) for line in result.stdout.splitlines()]
+
+    def planners(self, program):
+        listed = subprocess.run([program, "planners"], check=True, capture_output=True, text=True).stdout
+        names = [line.split("\t")[0] for line in listed.splitlines()]
+        self.assertGreater(len(names), 3)
+        return names
+
+    def solves_with_every_planner(self, program):
+        for planner in self.planners(program):
+            with self.subTest(planner):
+                [answer] = self.answers(program, planner, [{"trial": 3, "seed": 5}])
+                self.assertEqual((answer["trial"], answer["status"]), (3, "solved"))
+                if planner != "paper":  # which checks states, not the steps between
+                    self.assertTrue(answer["verified"], answer.get("complaint"))
+                self.assertGreater(answer["time_s"], 0)
+                self.assertGreater(answer["plan_length_m"], 5)
+
+    def test_every_planner_of_the_core(self):
+        self.solves_with_every_planner(SEARCH)
+
+    @unittest.skipUnless(PEERS.exists(), "built without OMPL (bench/packages)")
+    def test_every_peer(self):
+        self.solves_with_every_planner(PEERS)
+
+    def test_one_process_answers_many_trials_each_by_its_seed(self):
+        trials = [{"trial": i, "seed": seed} for i, seed in enumerate((7, 8, 7))]
+        hashes = [answer["hash"] for answer in self.answers(SEARCH, "adaptive", trials)]
+        self.assertEqual(hashes[0], hashes[2])
+        self.assertNotEqual(hashes[0], hashes[1])
+
+    def test_a_setting_changes_the_search(self):
+        gates = self.folder / "gates.json"
+        subprocess.run([BIN / "krait", "scene", "gates", "-o", gates], check=True)
+        files = ("--input", gates, "--scene", self.compiled(gates))
+        trial = [{"trial": 1, "seed": 7}]
+        usual, same, other = (
+            self.answers(SEARCH, "adaptive", trial, *files, *setting)[0]["hash"]
+            for setting in ((), ("--set", "beta=0.9"), ("--set", "beta=0.1"))
+        )
+        self.assertEqual(usual, same)
+        self.assertNotEqual(usual, other)
+
+    def test_a_query_has_its_own_start_and_goal(self):
+        queries = [
+            {"trial": 1, "seed": 1, "start": [3, 6, 0], "goal": [4, 6, 0.5]},
+            {"trial": 2, "seed": 1, "start": [6, 2, 0], "goal": [4, 6, 0.5]},
+        ]
+        near, blocked = self.answers(SEARCH, "adaptive", queries)
+        self.assertLess(near["plan_length_m"], 2)
+        self.assertEqual(blocked["status"], "refused")
+        self.assertIn("start_in_collision", blocked["complaint"])
+
+    def test_bad_input_ends_the_program_with_a_line(self):
+        trial = [{"trial": 1, "seed": 1}]
+        for result in (
+            self.ask(SEARCH, "none", trial),
+            self.ask(SEARCH, "adaptive", trial, "--set", "delta=1"),
+            self.ask(SEARCH, "adaptive", [{"trial": 1}]),
+            self.ask(SEARCH, "adaptive", [{"trial": 1, "seed": 1, "speed": 1}]),
+            self.ask(SEARCH, "adaptive", trial, "--scene", "/nowhere"),
+        ):
+            self.assertEqual(result.returncode, 2)
+            self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

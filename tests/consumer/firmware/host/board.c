@@ -1,0 +1,5 @@
+#include "../board.h"
+
+#include <stdio.h>
+
+void write_text(const char* text) { fputs(text, stdout); }

@@ -1,0 +1,10 @@
+/* The scene, compiled in: SCENE names the file. */
+__asm(
+    "  .section .rodata\n"
+    "  .balign 4\n"
+    "  .global scene_begin\n"
+    "  .global scene_end\n"
+    "scene_begin:\n"
+    "  .incbin \"" SCENE
+    "\"\n"
+    "scene_end:\n");

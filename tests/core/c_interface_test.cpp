@@ -1,0 +1,335 @@
+// The C interface gives what the C++ one gives: the same plans to the bit, the same refusals, every number in its
+// place.
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "c_program.h"
+#include "planner_fixture.hpp"
+
+namespace krait::test {
+namespace {
+
+constexpr krait_pose kPose = {2, 6, 0, nullptr, 0};
+constexpr krait_limits kLimits = {5000, 0, 20'000, KRAIT_RECYCLE};
+
+c_answer plan(const krait_robot& robot, std::uint64_t expansions = 1000, krait_pose pose = kPose) {
+  const SceneBytes bytes = data_of(two_rooms()).bytes();
+  return plan_in_c(&robot, bytes.data(), bytes.size(), pose, &kLimits, expansions);
+}
+
+template <class R>
+Statistics plan_in_cpp(const R& robot) {
+  Bench<R> bench(two_rooms(), robot);
+  bench.limits = {kLimits.vertices, 0, kLimits.iterations, WhenFull::recycle};
+  EXPECT_TRUE(bench.init().ok());
+  float start[R::kMaxState];
+  if constexpr (std::is_base_of_v<Chain, R>) {
+    robot.rest({kPose.x, kPose.y}, kPose.heading, nullptr, start);
+  } else {
+    robot.rest({kPose.x, kPose.y}, kPose.heading, start);
+  }
+  EXPECT_EQ(bench.solve({start}), Status::solved);
+  return bench.planner.statistics();
+}
+
+void expect_same_plan(const krait_robot& robot, const Statistics& expected) {
+  for (const std::uint64_t expansions : {1, 7, 20'000}) {
+    const c_answer answer = plan(robot, expansions);
+    ASSERT_EQ(answer.failure.status, KRAIT_SOLVED);
+    EXPECT_EQ(answer.statistics.hash, expected.hash);
+    EXPECT_EQ(answer.statistics.vertices, expected.vertices);
+    EXPECT_EQ(answer.statistics.iterations, expected.iterations);
+    EXPECT_EQ(answer.statistics.bytes_used, expected.bytes_used);
+    EXPECT_EQ(answer.statistics.plan_steps, expected.plan_steps);
+    EXPECT_EQ(answer.statistics.plan_length, expected.plan_length);
+    EXPECT_EQ(answer.states, expected.plan_steps + 1);
+    EXPECT_TRUE(answer.starts_at_start);
+    EXPECT_TRUE(answer.ends_at_rest);
+    EXPECT_TRUE(answer.begins_again);
+  }
+}
+
+template <class P>
+P small(P parameters) {
+  parameters.body_length = 0.4F;
+  parameters.body_width = 0.3F;
+  parameters.wheelbase = 0.4F;
+  parameters.hitch_length = 0.45F;
+  return parameters;
+}
+
+ChainParameters chain(int trailers) {
+  ChainParameters parameters;
+  parameters.trailers = trailers;
+  return small(parameters);
+}
+
+TEST(CInterface, SnakePlansAsInCpp) {
+  krait_robot robot = krait_snake(3);
+  robot.parameters.chain = small(robot.parameters.chain);
+  expect_same_plan(robot, plan_in_cpp(Snake(chain(3))));
+}
+
+TEST(CInterface, TruckPlansAsInCpp) {
+  krait_robot robot = krait_truck(1);
+  robot.parameters.chain = small(robot.parameters.chain);
+  expect_same_plan(robot, plan_in_cpp(Truck(chain(1))));
+}
+
+TEST(CInterface, CarPlansAsInCpp) { expect_same_plan(krait_car(), plan_in_cpp(Car(Car::defaults()))); }
+
+TEST(CInterface, UnicyclePlansAsInCpp) {
+  expect_same_plan(krait_unicycle(), plan_in_cpp(Unicycle(UnicycleParameters())));
+}
+
+TEST(CInterface, DifferentialDrivePlansAsInCpp) {
+  expect_same_plan(krait_diff_drive(), plan_in_cpp(DifferentialDrive(DifferentialDriveParameters())));
+}
+
+TEST(CInterface, OwnBodiesAreUsed) {
+  const krait_point corners[] = {{-0.2F, -0.2F}, {0.5F, 0}, {-0.2F, 0.2F}};
+  const krait_polygon triangle = {corners, 3};
+  krait_robot robot = krait_unicycle();
+  robot.bodies = &triangle;
+  Unicycle expected{UnicycleParameters()};
+  const Vec2 same[] = {{-0.2F, -0.2F}, {0.5F, 0}, {-0.2F, 0.2F}};
+  expected.set_body(0, {same, 3});
+  expect_same_plan(robot, plan_in_cpp(expected));
+  EXPECT_NE(plan(robot).statistics.hash, plan(krait_unicycle()).statistics.hash);
+}
+
+TEST(CInterface, BodiesThatAreNoneAreRefused) {
+  krait_point corners[9] = {};
+  for (const int count : {-1, 0, 2, 9, 1'000'000}) {
+    const krait_polygon body = {corners, count};
+    krait_robot robot = krait_unicycle();
+    robot.bodies = &body;
+    const krait_failure failure = plan(robot).failure;
+    EXPECT_EQ(failure.status, KRAIT_BAD_ROBOT) << count;
+    EXPECT_STREQ(krait_argument_name(failure.element), "robot_polygon");
+  }
+}
+
+TEST(CInterface, TrailersThatAreNoneAreRefused) {
+  for (const int trailers : {-1, 26, 1'000'000}) {
+    const krait_robot robot = krait_snake(trailers);
+    float state[KRAIT_MAX_STATE];
+    EXPECT_EQ(krait_state_size(&robot), 0U);
+    EXPECT_FALSE(krait_rest(&robot, kPose, state));
+    EXPECT_EQ(plan(robot).failure.status, KRAIT_BAD_ROBOT) << trailers;
+  }
+}
+
+TEST(CInterface, RestTakesAnglesOfEveryTrailerOrOfNone) {
+  const krait_robot robot = krait_snake(2);
+  const float angles[] = {0.5F, 0.25F, 0.125F};
+  float state[KRAIT_MAX_STATE];
+  EXPECT_FALSE(krait_rest(&robot, {1, 2, 3, angles, 3}, state));
+  ASSERT_TRUE(krait_rest(&robot, {1, 2, 3, angles, 2}, state));
+  const float bent[] = {1, 2, 3, 0, 0, 0.5F, 0.25F};
+  EXPECT_EQ(std::memcmp(state, bent, sizeof bent), 0);
+  ASSERT_TRUE(krait_rest(&robot, {1, 2, 3, nullptr, 0}, state));
+  const float straight[] = {1, 2, 3, 0, 0, 3, 3};
+  EXPECT_EQ(std::memcmp(state, straight, sizeof straight), 0);
+}
+
+TEST(CInterface, BadScenesAreRefused) {
+  SceneBytes bytes = data_of(two_rooms()).bytes();
+  krait_scene scene;
+  EXPECT_EQ(krait_open(&scene, bytes.data(), bytes.size()).status, KRAIT_SOLVED);
+  const krait_failure failure = krait_open(&scene, bytes.data(), bytes.size() - 4);
+  EXPECT_EQ(failure.status, KRAIT_BAD_SCENE);
+  EXPECT_EQ(failure.section, Scene::kHeaderSection);
+}
+
+// A scene, a robot and a block of exactly the bytes that its limits need.
+struct Given {
+  SceneBytes bytes = data_of(two_rooms()).bytes();
+  krait_scene scene;
+  krait_robot robot = krait_unicycle();
+  krait_parameters parameters = krait_default_parameters();
+  krait_limits limits = {100, 0, 10, KRAIT_STOP};
+  std::uint64_t needed = 0;
+  std::vector<std::uint64_t> block;
+  krait_planner* planner = nullptr;
+
+  Given() {
+    EXPECT_EQ(krait_open(&scene, bytes.data(), bytes.size()).status, KRAIT_SOLVED);
+    needed = krait_bytes_required(&scene, &robot, &limits);
+    block.resize(needed / 8 + 2, 0xA5A5A5A5A5A5A5A5ULL);
+  }
+  krait_failure init(std::uint64_t size) {
+    return krait_init(&planner, block.data(), size, &scene, &robot, &parameters, &limits);
+  }
+};
+
+TEST(CInterface, TheBlockIsAsLargeAsAsked) {
+  Given given;
+  for (const std::uint64_t too_few : {std::uint64_t{0}, std::uint64_t{8}, given.needed / 2, given.needed - 1}) {
+    const krait_failure failure = given.init(too_few);
+    EXPECT_EQ(failure.status, KRAIT_ARENA_TOO_SMALL);
+    EXPECT_EQ(failure.bytes_needed, given.needed);
+    EXPECT_EQ(given.planner, nullptr);
+  }
+  EXPECT_EQ(given.init(given.needed).status, KRAIT_SOLVED);
+  EXPECT_NE(given.planner, nullptr);
+  const float start[] = {2, 6, 0};
+  const krait_query query = {start, krait_named_goal(0), 1};
+  krait_start(given.planner, &query);
+  krait_advance(given.planner, 1000);
+  for (std::size_t i = given.needed / 8; i < given.block.size(); ++i) EXPECT_EQ(given.block[i], 0xA5A5A5A5A5A5A5A5ULL);
+}
+
+TEST(CInterface, BlocksThatAreNoneAreRefused) {
+  Given given;
+  const auto init = [&](void* block) {
+    return krait_init(&given.planner, block, given.needed, &given.scene, &given.robot, &given.parameters,
+                      &given.limits);
+  };
+  for (void* block :
+       {static_cast<void*>(nullptr), static_cast<void*>(reinterpret_cast<char*>(given.block.data()) + 4)}) {
+    const krait_failure failure = init(block);
+    EXPECT_EQ(failure.status, KRAIT_BAD_ARGUMENT);
+    EXPECT_STREQ(krait_argument_name(failure.element), "block");
+  }
+}
+
+TEST(CInterface, LimitsSpendTheBlock) {
+  Given given;
+  for (const std::uint64_t bytes :
+       {std::uint64_t{0}, std::uint64_t{100}, std::uint64_t{20'000}, std::uint64_t{200'000}}) {
+    given.limits = krait_limits_for(bytes, &given.scene, &given.robot);
+    EXPECT_GE(given.limits.vertices, 2U);
+    const std::uint64_t needed = krait_bytes_required(&given.scene, &given.robot, &given.limits);
+    EXPECT_TRUE(needed <= bytes || given.limits.vertices == 2) << bytes;
+    ++given.limits.vertices;
+    EXPECT_GT(krait_bytes_required(&given.scene, &given.robot, &given.limits), bytes);
+  }
+}
+
+TEST(CInterface, TheSceneTellsWhatIsInIt) {
+  const Given given;
+  const OpenScene expected(two_rooms());
+  const krait_scene_facts facts = krait_facts(&given.scene);
+  EXPECT_STREQ(facts.name, expected.scene.name());
+  EXPECT_EQ(facts.goals, 3U);
+  EXPECT_EQ(facts.starts, expected.scene.start_count());
+  EXPECT_EQ(facts.max_x, 12.0F);
+  EXPECT_EQ(facts.max_y, 8.0F);
+  EXPECT_STREQ(krait_goal_name(&given.scene, 1), expected.scene.goal_name(1));
+  EXPECT_EQ(krait_find_goal(&given.scene, krait_goal_name(&given.scene, 2)), 2U);
+  EXPECT_EQ(krait_find_goal(&given.scene, "nowhere"), KRAIT_NONE);
+}
+
+TEST(CInterface, DiscsAndQueriesAreTheCpps) {
+  Given given;
+  ASSERT_EQ(given.init(given.needed).status, KRAIT_SOLVED);
+  const float start[] = {2, 6, 0};
+  const auto ask = [&](const float* from, krait_goal goal) {
+    const krait_query query = {from, goal, 1};
+    const krait_status status = krait_start(given.planner, &query);
+    EXPECT_EQ(krait_last_failure(given.planner).status, status);
+    return status;
+  };
+  EXPECT_EQ(ask(start, krait_disc_goal(2, 6, 0.5F)), KRAIT_SOLVED);
+  EXPECT_EQ(ask(start, krait_disc_goal(6.125F, 1, 0.1F)), KRAIT_GOAL_IN_OBSTACLE);
+  EXPECT_EQ(ask(start, krait_named_goal(7)), KRAIT_BAD_ARGUMENT);
+  EXPECT_EQ(ask(nullptr, krait_named_goal(0)), KRAIT_BAD_ARGUMENT);
+  EXPECT_EQ(ask(start, krait_named_goal(0)), KRAIT_SEARCHING);
+  krait_stop_for_time(given.planner);
+  EXPECT_EQ(krait_advance(given.planner, 1), KRAIT_TIME_USED);
+  float state[KRAIT_MAX_STATE], control[KRAIT_CONTROL];
+  EXPECT_FALSE(krait_next(given.planner, state, control));
+}
+
+TEST(CInterface, NamesAreTheCpps) {
+  for (std::uint32_t i = 0; i <= KRAIT_INTERNAL; ++i) {
+    EXPECT_STREQ(krait_status_name(static_cast<krait_status>(i)), name(static_cast<Status>(i)));
+  }
+  EXPECT_STREQ(krait_status_name(KRAIT_START_IN_COLLISION), "start_in_collision");
+  EXPECT_STREQ(krait_status_name(KRAIT_ARENA_TOO_SMALL), "arena_too_small");
+  EXPECT_STREQ(krait_status_name(255), "unknown");
+  EXPECT_STREQ(krait_argument_name(0xFFFFFFFF), "unknown");
+}
+
+#define EXPECT_SAME_PLACE(C, Cpp, field) EXPECT_EQ(offsetof(C, field), offsetof(Cpp, field)) << #field
+
+TEST(CInterface, EveryParameterIsInItsPlace) {
+  EXPECT_SAME_PLACE(krait_parameters, Parameters, group_sample);
+  EXPECT_SAME_PLACE(krait_parameters, Parameters, alpha);
+  EXPECT_SAME_PLACE(krait_parameters, Parameters, beta);
+  EXPECT_SAME_PLACE(krait_parameters, Parameters, epsilon);
+  EXPECT_SAME_PLACE(krait_parameters, Parameters, gamma);
+  EXPECT_SAME_PLACE(krait_parameters, Parameters, cost_length);
+  EXPECT_SAME_PLACE(krait_parameters, Parameters, kappa);
+  EXPECT_SAME_PLACE(krait_parameters, Parameters, raise_goal);
+  EXPECT_SAME_PLACE(krait_parameters, Parameters, dt);
+  EXPECT_SAME_PLACE(krait_parameters, Parameters, max_steps);
+  EXPECT_SAME_PLACE(krait_parameters, Parameters, path_regions);
+  EXPECT_SAME_PLACE(krait_parameters, Parameters, near_radius);
+  EXPECT_SAME_PLACE(krait_parameters, Parameters, stray_share);
+  EXPECT_SAME_PLACE(krait_parameters, Parameters, slowest);
+  EXPECT_SAME_PLACE(krait_parameters, Parameters, reverse_share);
+  EXPECT_SAME_PLACE(krait_parameters, Parameters, clearance);
+  EXPECT_SAME_PLACE(krait_parameters, Parameters, continuous);
+  EXPECT_SAME_PLACE(krait_parameters, Parameters, max_substeps);
+  EXPECT_SAME_PLACE(krait_parameters, Parameters, prune_portals);
+  EXPECT_SAME_PLACE(krait_parameters, Parameters, plain);
+  EXPECT_SAME_PLACE(krait_parameters, Parameters, goal_margin);
+  EXPECT_SAME_PLACE(krait_limits, Limits, vertices);
+  EXPECT_SAME_PLACE(krait_limits, Limits, expansions);
+  EXPECT_SAME_PLACE(krait_limits, Limits, iterations);
+  EXPECT_SAME_PLACE(krait_limits, Limits, when_full);
+  EXPECT_EQ(static_cast<WhenFull>(KRAIT_RECYCLE), WhenFull::recycle);
+  EXPECT_EQ(static_cast<WhenFull>(KRAIT_STOP), WhenFull::stop);
+}
+
+TEST(CInterface, EveryParameterOfARobotIsInItsPlace) {
+  EXPECT_SAME_PLACE(krait_chain_parameters, ChainParameters, trailers);
+  EXPECT_SAME_PLACE(krait_chain_parameters, ChainParameters, body_length);
+  EXPECT_SAME_PLACE(krait_chain_parameters, ChainParameters, body_width);
+  EXPECT_SAME_PLACE(krait_chain_parameters, ChainParameters, body_offset);
+  EXPECT_SAME_PLACE(krait_chain_parameters, ChainParameters, wheelbase);
+  EXPECT_SAME_PLACE(krait_chain_parameters, ChainParameters, hitch_length);
+  EXPECT_SAME_PLACE(krait_chain_parameters, ChainParameters, max_speed);
+  EXPECT_SAME_PLACE(krait_chain_parameters, ChainParameters, min_speed);
+  EXPECT_SAME_PLACE(krait_chain_parameters, ChainParameters, max_steering);
+  EXPECT_SAME_PLACE(krait_chain_parameters, ChainParameters, max_acceleration);
+  EXPECT_SAME_PLACE(krait_chain_parameters, ChainParameters, max_steering_rate);
+  EXPECT_SAME_PLACE(krait_chain_parameters, ChainParameters, self_collision_gap);
+  EXPECT_SAME_PLACE(krait_chain_parameters, ChainParameters, max_hitch_angle);
+  EXPECT_SAME_PLACE(krait_unicycle_parameters, UnicycleParameters, body_length);
+  EXPECT_SAME_PLACE(krait_unicycle_parameters, UnicycleParameters, body_width);
+  EXPECT_SAME_PLACE(krait_unicycle_parameters, UnicycleParameters, max_speed);
+  EXPECT_SAME_PLACE(krait_unicycle_parameters, UnicycleParameters, min_speed);
+  EXPECT_SAME_PLACE(krait_unicycle_parameters, UnicycleParameters, max_turn_rate);
+  EXPECT_SAME_PLACE(krait_diff_drive_parameters, DifferentialDriveParameters, body_length);
+  EXPECT_SAME_PLACE(krait_diff_drive_parameters, DifferentialDriveParameters, body_width);
+  EXPECT_SAME_PLACE(krait_diff_drive_parameters, DifferentialDriveParameters, wheel_radius);
+  EXPECT_SAME_PLACE(krait_diff_drive_parameters, DifferentialDriveParameters, track_width);
+  EXPECT_SAME_PLACE(krait_diff_drive_parameters, DifferentialDriveParameters, max_wheel_speed);
+  EXPECT_SAME_PLACE(krait_diff_drive_parameters, DifferentialDriveParameters, max_wheel_acceleration);
+}
+
+TEST(CInterface, EveryAnswerIsInItsPlace) {
+  EXPECT_SAME_PLACE(krait_failure, Failure, status);
+  EXPECT_SAME_PLACE(krait_failure, Failure, section);
+  EXPECT_SAME_PLACE(krait_failure, Failure, element);
+  EXPECT_SAME_PLACE(krait_failure, Failure, bytes_needed);
+  EXPECT_SAME_PLACE(krait_statistics, Statistics, iterations);
+  EXPECT_SAME_PLACE(krait_statistics, Statistics, vertices);
+  EXPECT_SAME_PLACE(krait_statistics, Statistics, recycled);
+  EXPECT_SAME_PLACE(krait_statistics, Statistics, collision_checks);
+  EXPECT_SAME_PLACE(krait_statistics, Statistics, dijkstra_runs);
+  EXPECT_SAME_PLACE(krait_statistics, Statistics, regions_repaired);
+  EXPECT_SAME_PLACE(krait_statistics, Statistics, bytes_used);
+  EXPECT_SAME_PLACE(krait_statistics, Statistics, bytes_given);
+  EXPECT_SAME_PLACE(krait_statistics, Statistics, plan_steps);
+  EXPECT_SAME_PLACE(krait_statistics, Statistics, plan_length);
+  EXPECT_SAME_PLACE(krait_statistics, Statistics, plan_duration);
+  EXPECT_SAME_PLACE(krait_statistics, Statistics, hash);
+}
+
+}  // namespace
+}  // namespace krait::test

@@ -1,0 +1,36 @@
+// The texts of the command line's options: the first byte chooses which.
+#include <cmath>
+#include <string>
+
+#include "harness.hpp"
+#include "host/cli/options.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace krait::host;
+  using krait::fuzz::require;
+  if (size == 0) return 0;
+  const std::string text(reinterpret_cast<const char*>(data) + 1, size - 1);
+  SearchRequest request;
+  try {
+    switch (data[0] % 5) {
+      case 0:
+        require(parse_memory(text) <= std::uint64_t{64} << 30U, "more memory than can be asked for");
+        break;
+      case 1:
+        parse_start(text, request);
+        require(!request.start || std::abs(request.start->position.x) <= 1e7, "a start out of all bounds");
+        break;
+      case 2:
+        parse_goal(text, request);
+        require(!request.goal || request.goal->radius > 0, "a goal without a radius");
+        break;
+      case 3:
+        require(parse_robot(text).bodies.size() >= 1, "a robot without a body");
+        break;
+      default:
+        (void)whole_number(data[0])(const_cast<std::string&>(text));
+    }
+  } catch (const InputError&) {
+  }
+  return 0;
+}

@@ -1,0 +1,61 @@
+// Any scene that opens can be planned in, and the verifier, which reads the file with code of its own, agrees with
+// every plan. The check sum's four bytes, which are repaired, choose robot, planner and seed.
+#include <cstring>
+#include <string>
+
+#include "host/import/format.hpp"
+#include "host/search/search.hpp"
+#include "host/verify/verify.hpp"
+#include "scene_input.hpp"
+
+namespace krait::fuzz {
+namespace {
+
+using namespace krait::host;
+
+struct Choice {
+  std::uint8_t robot, planner, seed, paper;
+};
+
+SearchRequest request_of(const Choice& choice) {
+  static const char* const kRobots[] = {"unicycle", "car", "diff_drive", "snake:2", "truck:1", "snake:6"};
+  static const char* const kPlanners[] = {"adaptive", "adaptive", "prior", "rrt"};
+  SearchRequest request;
+  request.robot = parse_robot(kRobots[choice.robot % std::size(kRobots)]);
+  request.planner = kPlanners[choice.planner % std::size(kPlanners)];
+  request.seed = choice.seed;
+  request.memory = 4U << 20U;
+  request.iterations = 300;
+  return request;
+}
+
+Workspace workspace_of(SceneInput& input) {
+  const Source source{"scene", std::string(reinterpret_cast<const char*>(input.data()), input.size())};
+  return kSceneFile.read(source, {});
+}
+
+void plan(SceneInput& input, const Choice& choice) {
+  const SearchResult result = run_search("scene", SceneBytes::copy(input.data(), input.size()), request_of(choice), {});
+  require(result.plan.status != "internal", "a plan was not replayed");
+  if (result.plan.status != "solved") return;
+  const Verdict verdict = verify(workspace_of(input), result.plan, result.asked);
+  for (const std::string& complaint : verdict.complaints) std::fprintf(stderr, "fuzz: %s\n", complaint.c_str());
+  require(verdict.holds, "a plan does not hold");
+}
+
+}  // namespace
+}  // namespace krait::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace krait::fuzz;
+  Choice choice{};
+  constexpr std::size_t kSum = offsetof(krait::format::Header, crc32);
+  if (size < sizeof(krait::format::Header)) return 0;
+  std::memcpy(&choice, data + kSum, sizeof choice);
+  SceneInput input(data, size);
+  try {
+    plan(input, choice);
+  } catch (const krait::host::InputError&) {
+  }
+  return 0;
+}

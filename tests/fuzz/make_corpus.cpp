@@ -1,0 +1,227 @@
+// Writes the corpora that fuzzing begins with: make_corpus FOLDER gives FOLDER/HARNESS/NAME, each NAME telling what the
+// file is. Sound ones, and one for every way of being wrong that is known.
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "../core/planner_fixture.hpp"
+#include "../core/scene_evils.hpp"
+#include "../host/import/png_writer.hpp"
+
+namespace krait::fuzz {
+namespace {
+
+using Named = std::vector<std::pair<std::string, std::string>>;
+
+std::string text(const test::SceneBytes& bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
+
+Named sound_scenes() {
+  Named all;
+  for (const std::uint8_t width : {std::uint8_t{2}, std::uint8_t{4}}) {
+    test::Room room = test::two_rooms();
+    room.starts = {{2.0F, 6.0F, 0.0F, 0, 0}};
+    room.goals.erase(room.goals.begin() + 1);
+    room.index_width = width;
+    all.emplace_back("two_rooms_" + std::to_string(width), text(test::data_of(room).bytes()));
+  }
+  for (unsigned seed = 1; seed <= 6; ++seed) {
+    test::Room room = test::random_room(seed, 8, 5);
+    room.spacing = 4;
+    room.starts = {{1.0F, 1.0F, 0.5F, 0, 0}, {7.0F, 7.0F, 0.0F, 0, 0}};
+    all.emplace_back("random_" + std::to_string(seed), text(test::data_of(room).bytes()));
+  }
+  return all;
+}
+
+Named evil_scenes() {
+  Named all = sound_scenes();
+  for (const test::evil::Evil& evil : test::evil::all_evils()) {
+    test::SceneBytes bytes = test::evil::sound().bytes();
+    evil.spoil(bytes);
+    bytes.repair_crc();
+    all.emplace_back("evil_" + evil.name, text(bytes));
+  }
+  return all;
+}
+
+std::string repeated(const std::string& one, int times) {
+  std::string all;
+  for (int i = 0; i < times; ++i) all += one;
+  return all;
+}
+
+std::string native(const std::string& obstacles) {
+  return R"({"name": "n", "bounds": {"min": [0, 0], "max": [20, 10]}, "obstacles": [)" + obstacles +
+         R"(], "goals": [{"name": "g", "box": {"center": [18, 2], "size": [2, 2], "angle": 0}}],)"
+         R"( "starts": [{"name": "s", "position": [3, 3], "heading": 0, "angles": [0.1, 0.2]}]})";
+}
+
+Named natives() {
+  return {{"sound", native(R"({"box": {"center": [10, 3], "size": [1, 6], "angle": 0.3}},
+             {"circle": {"center": [14, 8], "radius": 1}},
+             {"polygon": [[4, 7], [6, 7], [5, 9]], "holes": [[[4.8, 7.5], [5.2, 7.5], [5, 8]]]})")},
+          {"empty_polygon", native(R"({"polygon": []})")},
+          {"self_crossing", native(R"({"polygon": [[1, 1], [5, 5], [5, 1], [1, 5]]})")},
+          {"all_on_a_line", native(R"({"polygon": [[1, 1], [2, 2], [3, 3]]})")},
+          {"at_5e9", native(R"({"box": {"center": [5e9, 5e9], "size": [1, 1]}})")},
+          {"nan", native(R"({"circle": {"center": [NaN, 0], "radius": 1}})")},
+          {"infinite", native(R"({"circle": {"center": [1e999, 0], "radius": 1}})")},
+          {"many", native(repeated(R"({"box": {"center": [10, 3], "size": [1, 6]}},)", 500) +
+                          R"({"box": {"center": [10, 3], "size": [1, 6]}})")},
+          {"deep", repeated("[", 1000)},
+          {"deep_objects", repeated("{\"bounds\":", 1000)},
+          {"twice", R"({"bounds": 1, "bounds": 2})"},
+          {"half", native("").substr(0, 60)},
+          {"not_utf8", native("\"\xFF\xFE\"")}};
+}
+
+Named dynobenches() {
+  const std::string world = "environment:\n  min: [0, 0]\n  max: [10, 6]\n  obstacles:\n";
+  return {{"sound", "name: d\n" + world +
+                        "    - {type: box, center: [5, 2], size: [0.5, 4], angle: 0.2}\nrobots:\n"
+                        "  - {type: car_v0, start: [1, 3, 0, 0.5], goal: [9, 3, 0]}\n"},
+          {"no_size", world + "    - {type: box, center: [5, 2]}\n"},
+          {"sphere", world + "    - {type: sphere, center: [5, 2], size: [1, 1]}\n"},
+          {"nan", world + "    - {type: box, center: [.nan, 2], size: [.inf, -1]}\n"},
+          {"at_5e9", world + "    - {type: box, center: [5e9, 2], size: [5e9, 1]}\n"},
+          {"deep", "environment: " + repeated("[", 1000)},
+          {"aliases",
+           "a: &a [x, x, x, x, x, x, x]\nb: &b [*a, *a, *a, *a, *a, *a]\nc: &c [*b, *b, *b, *b, *b]\n"
+           "environment: [*c, *c, *c, *c, *c]\n"},
+          {"itself", "environment: &a [*a]\n"},
+          {"tabs", "environment:\n\tmin: 1\n"}};
+}
+
+Named map_servers() {
+  const std::string rest =
+      "resolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
+  return {{"no_image", "image: gone.pgm\n" + rest},
+          {"itself", "image: ../../map\n" + rest},
+          {"a_device", "image: /dev/zero\n" + rest},
+          {"thresholds", "image: a\nresolution: 1e9\norigin: [1, 2]\noccupied_thresh: .nan\nfree_thresh: 2\n"},
+          {"modes",
+           "image: a\nmode: raw\nnegate: true\nresolution: 0.05\norigin: [5e9, -.inf, 1]\n"
+           "occupied_thresh: 0.65\nfree_thresh: 0.9\n"}};
+}
+
+Named movingais() {
+  return {{"sound", "type octile\nheight 3\nwidth 4\nmap\n..@@\nTT..\n.S.W\n"},
+          {"windows", "type octile\r\nheight 1\r\nwidth 2\r\nmap\r\n..\r\n"},
+          {"size_lies", "type octile\nheight 100000\nwidth 100000\nmap\n....\n"},
+          {"size_is_huge", "type octile\nheight 2147483647\nwidth 2147483647\nmap\n"},
+          {"size_wraps", "type octile\nheight 65536\nwidth 65537\nmap\n"},
+          {"negative", "type octile\nheight -1\nwidth 4\nmap\n"},
+          {"unknown_cell", "type octile\nheight 1\nwidth 2\nmap\n.x\n"},
+          {"row_too_long", "type octile\nheight 1\nwidth 2\nmap\n...\n"},
+          {"row_too_many", "type octile\nheight 1\nwidth 2\nmap\n..\n..\n"}};
+}
+
+Named pgms() {
+  return {{"binary", std::string("P5 # comment\n3 2\n255\n\0\x40\x80\xC0\xFE\xFF", 26)},
+          {"wide", std::string("P5 1 1 65535\n\1\2", 15)},
+          {"text", "P2\n3 1\n100\n0 50 100\n"},
+          {"size_lies", "P5 100000 100000 255\n...."},
+          {"size_wraps", "P5 65536 65536 255\n...."},
+          {"size_overflows", "P5 99999999999999999999 1 255\n"},
+          {"maximum_zero", "P2 1 1 0 0"},
+          {"pixel_over_maximum", "P2 1 1 7 8"},
+          {"ends_in_a_comment", "P5 1 1 #"}};
+}
+
+Named pngs() {
+  using host::encode;
+  std::string size_lies = encode({PNG_COLOR_TYPE_GRAY, 8}, 3, {"abc", "def"});
+  size_lies[16] = 0x7F;
+  const std::string grey = encode({PNG_COLOR_TYPE_GRAY, 8}, 3, {"abc", "def"});
+  return {{"grey", grey},
+          {"grey_wide", encode({PNG_COLOR_TYPE_GRAY, 16}, 1, {"ab"})},
+          {"grey_bits", encode({PNG_COLOR_TYPE_GRAY, 1, true}, 5, {"a", "b", "c"})},
+          {"grey_key", encode({PNG_COLOR_TYPE_GRAY, 2, false, true}, 3, {"a"})},
+          {"grey_alpha", encode({PNG_COLOR_TYPE_GRAY_ALPHA, 8}, 2, {"abcd"})},
+          {"palette", encode({PNG_COLOR_TYPE_PALETTE, 2, false, true}, 4, {"\x1B"})},
+          {"rgb", encode({PNG_COLOR_TYPE_RGB, 8, true}, 2, {"abcdef", "ghijkl"})},
+          {"rgba_wide", encode({PNG_COLOR_TYPE_RGB_ALPHA, 16}, 1, {"abcdefgh"})},
+          {"half", grey.substr(0, grey.size() / 2)},
+          {"size_lies", size_lies}};
+}
+
+Named robots() {
+  return {{"car", R"({"model": "car", "parameters": {"body_length": 2.5, "max_steering": 0.6}})"},
+          {"snake", R"({"model": "snake", "links": 3, "parameters": {"self_collision_gap": 4, "min_speed": -1}})"},
+          {"bodies", R"({"model": "unicycle", "bodies": [{"polygon": [[0, 0], [1, 0], [1, 1], [0, 1]]}]})"},
+          {"clockwise", R"({"model": "unicycle", "bodies": [{"polygon": [[0, 0], [0, 1], [1, 1], [1, 0]]}]})"},
+          {"flat", R"({"model": "unicycle", "bodies": [{"polygon": [[0, 0], [1, 0], [2, 0]]}]})"},
+          {"star", R"({"model": "unicycle", "bodies": [{"polygon": [[0, 3], [2, -3], [-3, 1], [3, 1], [-2, -3]]}]})"},
+          {"many_links", R"({"model": "truck", "links": 26})"},
+          {"nothing", "{}"}};
+}
+
+Named plan_files() {
+  const std::string robot = R"("robot": {"model": "unicycle", "links": 0})";
+  const std::string head =
+      R"({"format": "krait-plan", "version": 1, "scene": "s", "seed": 1, "planner": "adaptive", )" + robot +
+      R"(, "dt": 0.1, "goal": {"name": "g", "polygon": [[8, 8], [9, 8], [9, 9]]}, )"
+      R"("state_names": ["x", "y", "theta"], "origin": [0, 0], "statistics": {}, )";
+  return {
+      {"solved", head + R"("status": "solved", "states": [[1, 1, 0], [1.1, 1, 0]], "controls": [[1, 0]]})"},
+      {"unsolved", head + R"("status": "no_route", "states": [], "controls": []})"},
+      {"far", head + R"("status": "solved", "states": [[1, 1, 0], [3e38, -3e38, 1e30]], "controls": [[3e38, 3e38]]})"},
+      {"one_state_too_many", head + R"("status": "solved", "states": [[1, 1, 0]], "controls": [[1, 0]]})"},
+      {"half", head}};
+}
+
+Named options() {
+  Named all;
+  const std::vector<std::vector<std::string>> texts = {
+      {"128K", "64G", "18446744073709551615", "65G", "K", ""},
+      {"1,2,3", "nan,0,0", "1e7,1e7,1000", "1,2", ",,", "home", "1e999,0,0"},
+      {"1,2,3", "1,2,-1", "1,2,0", "dock", "inf,0,1"},
+      {"snake:15", "snake:26", "truck:", "car:1", "none.json", "snake:99999999999999999999"},
+      {"12", "-1", "1.5", "99999999999999999999"}};
+  for (std::size_t kind = 0; kind < texts.size(); ++kind) {
+    for (std::size_t i = 0; i < texts[kind].size(); ++i) {
+      all.emplace_back(std::to_string(kind) + "_" + std::to_string(i), static_cast<char>(kind) + texts[kind][i]);
+    }
+  }
+  return all;
+}
+
+// For fuzz_compile: each byte a coordinate on a coarse grid.
+Named drawings() {
+  return {{"square", std::string("\0\1\10\10\20\10\20\20\10\20\1", 11)},
+          {"crossing", std::string("\1\1\5\5\25\25\25\5\5\25\1\2\1\1\37\37\1\37\37\1\1\5\3\2", 24)},
+          {"spike", std::string("\0\0\4\4\36\4\4\4\1\0\10\12\13\14\15\16", 16)}};
+}
+
+void write(const std::filesystem::path& folder, const Named& files) {
+  std::filesystem::create_directories(folder);
+  for (const auto& [name, bytes] : files) std::ofstream(folder / name, std::ios::binary) << bytes;
+}
+
+}  // namespace
+}  // namespace krait::fuzz
+
+int main(int argc, char** argv) {
+  using namespace krait::fuzz;
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: make_corpus FOLDER\n");
+    return 2;
+  }
+  const std::filesystem::path folder = argv[1];
+  write(folder / "fuzz_open", evil_scenes());
+  write(folder / "fuzz_plan", sound_scenes());
+  write(folder / "fuzz_scene_file", evil_scenes());
+  write(folder / "fuzz_native", natives());
+  write(folder / "fuzz_dynobench", dynobenches());
+  write(folder / "fuzz_map_server", map_servers());
+  write(folder / "fuzz_movingai", movingais());
+  write(folder / "fuzz_pgm", pgms());
+  write(folder / "fuzz_png", pngs());
+  write(folder / "fuzz_robot", robots());
+  write(folder / "fuzz_plan_file", plan_files());
+  write(folder / "fuzz_options", options());
+  write(folder / "fuzz_compile", drawings());
+  return 0;
+}

@@ -1,0 +1,107 @@
+// krait verify on a plan of krait's own that was broken on purpose, field by field: exit code 1 and the reason.
+#include <functional>
+
+#include "host/cli/program.hpp"
+
+namespace krait::host {
+namespace {
+
+using nlohmann::ordered_json;
+using testing::HasSubstr;
+
+struct Broken {
+  std::string name;
+  std::function<void(ordered_json&)> how;
+  std::string mention;
+};
+
+void add(ordered_json& number, double difference) { number = number.get<double>() + difference; }
+
+std::vector<Broken> all_broken() {
+  return {{"state_moved", [](auto& p) { add(p["states"][5][0], 0.02); }, "from the integrated state"},
+          {"last_state_moved", [](auto& p) { add(p["states"].back()[1], 0.02); }, "from the integrated state"},
+          {"control_changed", [](auto& p) { add(p["controls"][4][0], 1.0); }, "step 4"},
+          {"speed_over_its_limit", [](auto& p) { p["states"][6][3] = 2.6; }, "beyond its limit"},
+          {"control_over_its_limit", [](auto& p) { p["controls"][2][1] = 4.1; }, "beyond its limit"},
+          {"first_state_left_out",
+           [](auto& p) {
+             p["states"].erase(0);
+             p["controls"].erase(0);
+           },
+           "start"},
+          {"last_steps_left_out",
+           [](auto& p) {
+             for (int i = 0; i < 20; ++i) {
+               p["states"].erase(p["states"].size() - 1);
+               p["controls"].erase(p["controls"].size() - 1);
+             }
+           },
+           "goal"},
+          {"a_step_left_out",
+           [](auto& p) {
+             p["states"].erase(20);
+             p["controls"].erase(20);
+           },
+           "from the integrated state"},
+          {"a_step_twice",
+           [](auto& p) {
+             p["states"].insert(p["states"].begin() + 20, p["states"][20]);
+             p["controls"].insert(p["controls"].begin() + 20, p["controls"][20]);
+           },
+           "from the integrated state"},
+          {"controls_in_another_order", [](auto& p) { std::swap(p["controls"][3], p["controls"][30]); }, "step"},
+          {"time_step_longer", [](auto& p) { p["dt"] = 0.11; }, "from the integrated state"},
+          {"origin_moved", [](auto& p) { p["origin"][0] = 0.1; }, "start"},
+          {"goal_moved", [](auto& p) { add(p["goal"]["polygon"][0][0], -0.5); }, "goal"},
+          {"robot_faster", [](auto& p) { p["robot"]["parameters"]["max_speed"] = 3.0; }, "max_speed"},
+          {"robot_thinner", [](auto& p) { add(p["robot"]["bodies"][0]["polygon"][0][1], 0.1); }, "body 0"},
+          {"straight_through_the_wall",
+           [](auto& p) {
+             for (auto& state : p["states"]) state[1] = 2.0;
+           },
+           "clearance 0 m"},
+          {"out_of_bounds",
+           [](auto& p) {
+             for (auto& state : p["states"]) add(state[1], 6.0);
+           },
+           "bounds"},
+          {"nothing_solved",
+           [](auto& p) {
+             p["status"] = "no_route";
+             p["states"] = p["controls"] = ordered_json::array();
+           },
+           "no_route"}};
+}
+
+class CliBrokenPlan : public CliTest {};
+
+TEST_F(CliBrokenPlan, IsCaughtWhateverIsBroken) {
+  expect_done({"plan", "room.krait", "--robot", "car", "-o", "plan.json"});
+  expect_done({"verify", "room.json", "plan.json", "--robot", "car"});
+  const ordered_json sound = json("plan.json");
+  ASSERT_GT(sound.at("controls").size(), 40U);
+  for (const Broken& broken : all_broken()) {
+    SCOPED_TRACE(broken.name);
+    ordered_json plan = sound;
+    broken.how(plan);
+    write("broken.json", plan.dump());
+    const Outcome outcome = krait({"verify", "room.json", "broken.json", "--robot", "car"});
+    EXPECT_EQ(outcome.code, 1) << outcome.errors;
+    EXPECT_THAT(outcome.output, HasSubstr(broken.mention));
+    EXPECT_THAT(outcome.output, HasSubstr("the plan does not hold"));
+  }
+}
+
+// The map changed after the plan was made.
+TEST_F(CliBrokenPlan, IsCaughtWhenTheMapHasOneWallMore) {
+  expect_done({"plan", "room.krait", "--robot", "car", "-o", "plan.json"});
+  ordered_json room = json("room.json");
+  room["obstacles"].push_back({{"box", {{"center", {10, 5}}, {"size", {0.01, 2}}, {"angle", 0}}}});
+  write("walled.json", room.dump());
+  const Outcome outcome = krait({"verify", "walled.json", "plan.json", "--robot", "car"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.output, HasSubstr("obstacles[2]"));
+}
+
+}  // namespace
+}  // namespace krait::host

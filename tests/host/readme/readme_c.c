@@ -1,0 +1,15 @@
+/* Compiles the README's lines of C. */
+#include "krait/krait.h"
+
+void drive(const float* control);
+int plan_and_drive(krait_scene scene, krait_robot robot, krait_parameters parameters, krait_query query);
+
+static uint64_t block[1024];
+
+int plan_and_drive(krait_scene scene, krait_robot robot, krait_parameters parameters, krait_query query) {
+  krait_planner* planner;
+  float state[KRAIT_MAX_STATE];
+  float control[KRAIT_CONTROL];
+#include "readme_c.inc"
+  return status == KRAIT_SOLVED ? 0 : 1;
+}

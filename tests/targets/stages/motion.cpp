@@ -1,0 +1,111 @@
+// Every robot: Runge-Kutta under random controls, and steering toward random targets with the bodies placed.
+#include "stages.hpp"
+
+namespace krait::stages {
+namespace {
+
+constexpr int kSteps = 1500;
+constexpr int kExpansion = 40;  // steps before a new beginning
+constexpr float kStep = 0.1F;   // seconds
+
+template <Robot R>
+struct Vehicle {
+  const R& robot;
+  float state[R::kMaxState] = {};
+  float control[R::kMaxControl] = {};
+
+  StateView view() const { return StateView(state, robot.state_size()); }
+
+  void step() {
+    float next[R::kMaxState];
+    propagate(robot, state, control, kStep, next);
+    for (int i = 0; i < robot.state_size(); ++i) state[i] = next[i];
+  }
+
+  void stand() {
+    for (float& x : state) x = 0.0F;
+  }
+};
+
+template <Robot R>
+void runge_kutta(const firmware::Board& board, const char* name, const R& robot) {
+  Hash hash;
+  Random random(11);
+  Vehicle<R> vehicle{robot};
+  for (int step = 0; step < kSteps; ++step) {
+    if (step % kExpansion == 0) vehicle.stand();
+    for (int i = 0; i < robot.control_size(); ++i) vehicle.control[i] = spread(random, 2.0F);
+    vehicle.step();
+    hash.add(vehicle.state, robot.state_size());
+  }
+  report(board, {"rk4", name}, hash);
+}
+
+template <Robot R>
+void add_bodies(const Vehicle<R>& vehicle, Hash& hash) {
+  const R& robot = vehicle.robot;
+  Pose poses[R::kMaxBodies];
+  robot.place(vehicle.view(), poses);
+  const ControlView control(vehicle.control, robot.control_size());
+  Travel travel[R::kMaxBodies];
+  robot.travel(vehicle.view(), control, kStep, vehicle.view(), travel);
+  for (int k = 0; k < robot.body_count(); ++k) {
+    hash.add(poses[k].position);
+    hash.add(poses[k].heading.sin);
+    hash.add(poses[k].heading.cos);
+    hash.add(travel[k].path);
+    hash.add(travel[k].turn);
+    hash.add(travel[k].bend);
+    hash.add(travel[k].twist);
+  }
+}
+
+template <Robot R>
+void steering(const firmware::Board& board, const char* name, const R& robot) {
+  Hash controls;
+  Hash bodies;
+  Random random(12);
+  Vehicle<R> vehicle{robot};
+  Target target{};
+  Steering memory;
+  for (int step = 0; step < kSteps; ++step) {
+    if (step % kExpansion == 0) {
+      const float x = spread(random, 20.0F);
+      const float y = spread(random, 20.0F);
+      target = {{x, y}, 0.75F + 0.25F * random.unit(), kStep};
+      memory = {};
+      if (!robot.within_limits(vehicle.view())) vehicle.stand();
+    }
+    robot.steer(vehicle.view(), target, memory, ControlRef(vehicle.control, robot.control_size()));
+    controls.add(vehicle.control, robot.control_size());
+    vehicle.step();
+    add_bodies(vehicle, bodies);
+  }
+  report(board, {"steer", name}, controls);
+  report(board, {"bodies", name}, bodies);
+}
+
+template <Robot R>
+void both(const firmware::Board& board, const char* name, const R& robot) {
+  runge_kutta(board, name, robot);
+  steering(board, name, robot);
+}
+
+}  // namespace
+
+void motion(const firmware::Board& board) {
+  static const Snake long_snake = snake(15);
+  static const Snake short_snake = snake(5);
+  static const Truck towing = truck(2);
+  static const Car car(Car::defaults());
+  static const Unicycle unicycle{UnicycleParameters{}};
+  static const DifferentialDrive drive{DifferentialDriveParameters{}};
+  both(board, "unicycle", unicycle);
+  both(board, "diff_drive", drive);
+  both(board, "car", car);
+  both(board, "truck:2", towing);
+  both(board, "snake:5", short_snake);
+  both(board, "snake:15", long_snake);
+}
+
+}  // namespace krait::stages

@@ -1,0 +1,87 @@
+// Whole searches: every state that was ever placed, in order, then the counts and the plan.
+#include "firmware/application.hpp"
+#include "stages.hpp"
+
+namespace krait::stages {
+namespace {
+
+constexpr std::uint64_t kBlock = 256 * 1024;
+constexpr std::uint64_t kIterations = 250;
+
+// A robot that hashes each state whose bodies are placed: the tree's and those between them.
+template <Robot R>
+class Witness : public R {
+ public:
+  explicit Witness(const R& robot) : R(robot) {}
+
+  void place(StateView s, Pose* poses) const {
+    seen_.add(s.data(), this->state_size());
+    R::place(s, poses);
+  }
+
+  void forget() const { seen_ = {}; }
+  const Hash& seen() const { return seen_; }
+
+ private:
+  mutable Hash seen_;
+};
+
+void add_counts(const Statistics& statistics, Hash& hash) {
+  hash.add(statistics.iterations);
+  hash.add(statistics.vertices);
+  hash.add(statistics.collision_checks);
+  hash.add(statistics.recycled);
+  hash.add(statistics.dijkstra_runs);
+  hash.add(statistics.regions_repaired);
+  hash.add(statistics.bytes_used);
+}
+
+template <Robot R>
+void add_plan(const Plan<R>& plan, Hash& hash) {
+  hash.add(plan.hash());
+  hash.add(plan.steps());
+  hash.add(plan.length());
+}
+
+template <Robot R>
+void search(const firmware::Board& board, const Scene& scene, const char* name, const Witness<R>& robot, int trailers) {
+  static Planner<Witness<R>> planner;
+  Hash tree;
+  Hash plan;
+  firmware::Request request;
+  request.trailers = trailers;
+  float start[R::kMaxState];
+  firmware::rest_at_start(scene, robot, request, start);
+  Limits limits = planner.limits_for(kBlock, scene, robot);
+  limits.iterations = kIterations;
+  robot.forget();
+  tree.add(static_cast<std::uint32_t>(planner.init(board.arena, kBlock, scene, robot, Parameters(), limits).status));
+  for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+    planner.start({start, Goal::named(0), seed});
+    while (planner.advance(1) == Status::searching) add_counts(planner.statistics(), tree);
+    plan.add(static_cast<std::uint32_t>(planner.status()));
+    add_plan(planner.plan(), plan);
+  }
+  tree.add(robot.seen().value());
+  report(board, {scene.name(), name, "tree"}, tree);
+  report(board, {scene.name(), name, "plan"}, plan);
+}
+
+}  // namespace
+
+void searches(const firmware::Board& board, const Scene& scene) {
+  static const Witness long_snake{snake(15)};
+  static const Witness short_snake{snake(5)};
+  static const Witness towing{truck(2)};
+  static const Witness car{Car(Car::defaults())};
+  static const Witness unicycle{Unicycle(UnicycleParameters{})};
+  static const Witness drive{DifferentialDrive(DifferentialDriveParameters{})};
+  search(board, scene, "unicycle", unicycle, 0);
+  search(board, scene, "diff_drive", drive, 0);
+  search(board, scene, "car", car, 0);
+  search(board, scene, "truck:2", towing, 2);
+  search(board, scene, "snake:5", short_snake, 5);
+  search(board, scene, "snake:15", long_snake, 15);
+}
+
+}  // namespace krait::stages

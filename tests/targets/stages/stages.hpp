@@ -1,0 +1,71 @@
+// What must come out the same to the bit on every machine, stage by stage: each prints one line `name hash`. Stages
+// stand in the order in which they build on each other, so the first line that differs names the culprit.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <initializer_list>
+
+#include "firmware/board.hpp"
+#include "krait/krait.hpp"
+
+namespace krait::stages {
+
+// FNV-1a 64 over 4-byte words, low byte first. Every NaN counts as one: its bits are the machine's own.
+class Hash {
+ public:
+  void add(std::uint32_t word) {
+    for (unsigned shift = 0; shift < 32; shift += 8) {
+      value_ = (value_ ^ ((word >> shift) & 0xFFU)) * 0x100000001B3ULL;
+    }
+  }
+  void add(std::uint64_t number) {
+    add(static_cast<std::uint32_t>(number));
+    add(static_cast<std::uint32_t>(number >> 32U));
+  }
+  void add(float x) { add(x == x ? std::bit_cast<std::uint32_t>(x) : 0x7FC00000U); }
+  void add(Vec2 p) {
+    add(p.x);
+    add(p.y);
+  }
+  void add(const float* numbers, int count) {
+    for (int i = 0; i < count; ++i) add(numbers[i]);
+  }
+
+  std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 0xCBF29CE484222325ULL;
+};
+
+// Writes a stage's line, its name's parts joined by slashes.
+void report(const firmware::Board& board, std::initializer_list<const char*> name, const Hash& hash);
+
+void arithmetic(const firmware::Board& board);
+void motion(const firmware::Board& board);
+void distances(const firmware::Board& board);
+void decomposition(const firmware::Board& board, const Scene& scene);
+void searches(const firmware::Board& board, const Scene& scene);
+
+// Uniform in [-most, most).
+inline float spread(Random& random, float most) { return most * (2.0F * random.unit() - 1.0F); }
+
+inline Vec2 random_in(const Box& box, Random& random) {
+  const float u = random.unit();
+  const float v = random.unit();
+  return {box.min.x + u * (box.max.x - box.min.x), box.min.y + v * (box.max.y - box.min.y)};
+}
+
+inline Snake snake(int trailers) {
+  ChainParameters parameters;
+  parameters.trailers = trailers;
+  return Snake(parameters);
+}
+
+inline Truck truck(int trailers) {
+  ChainParameters parameters;
+  parameters.trailers = trailers;
+  return Truck(parameters);
+}
+
+}  // namespace krait::stages
