@@ -26,13 +26,11 @@ struct SinCosLanes {
 
 // The scalar sin_cos, operation by operation.
 SinCosLanes sin_cos(Lanes x) {
-  const IntLanes inside = (x >= all_lanes(-kMaxAngle)) & (x <= all_lanes(kMaxAngle));
-  const Lanes zero = all_lanes(0.0F);
-  x = inside ? x : zero;
-  const Lanes turns = x * all_lanes(0.636619772367581F);
-  const Lanes half = turns >= zero ? all_lanes(0.5F) : all_lanes(-0.5F);
-  const auto quadrant = __builtin_convertvector(turns + half, IntLanes);
-  const auto n = __builtin_convertvector(quadrant, Lanes);
+  constexpr float kShift = 8192.0F;
+  const IntLanes inside = x * x <= all_lanes(kMaxAngle * kMaxAngle);
+  x = inside ? x : all_lanes(0.0F);
+  const auto quadrant = __builtin_convertvector(x * 0.636619772367581F + all_lanes(kShift + 0.5F), IntLanes);
+  const Lanes n = __builtin_convertvector(quadrant, Lanes) - all_lanes(kShift);
   const Lanes r = ((x - n * 1.5703125F) - n * 4.837512969970703125e-4F) - n * 7.54978995489188216e-8F;
   const Lanes z = r * r;
   const Lanes s = ((-1.9515295891e-4F * z + 8.3321608736e-3F) * z - 1.6666654611e-1F) * z * r + r;
@@ -50,20 +48,15 @@ SinCosLanes sin_cos(Lanes x) {
 
 }  // namespace
 
-void sin_cos(const float* angles, int count, float* sines, float* cosines) {
+void turn_to(const float* angles, int count, Pose* frames) {
   int i = 0;
 #ifdef KRAIT_LANES
   for (; i + kLanes <= count; i += kLanes) {
     const SinCosLanes result = sin_cos(load_lanes(angles + i));
-    store(result.sin, sines + i);
-    store(result.cos, cosines + i);
+    for (int lane = 0; lane < kLanes; ++lane) frames[i + lane].heading = {result.sin[lane], result.cos[lane]};
   }
 #endif
-  for (; i < count; ++i) {
-    const SinCos result = sin_cos(angles[i]);
-    sines[i] = result.sin;
-    cosines[i] = result.cos;
-  }
+  for (; i < count; ++i) frames[i].heading = sin_cos(angles[i]);
 }
 
 float atan2(float y, float x) {

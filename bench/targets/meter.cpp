@@ -137,10 +137,6 @@ int measure(const Board& board, const Request& request) {
   static Costs costs;
   costs.runge_kutta = runge_kutta(board, robot);
   search_everywhere(board, request, robot, costs);
-  costs.vertex.narrow();
-  costs.advance.narrow();
-  costs.searches = costs.solved = costs.vertices = costs.search = 0;
-  search_everywhere(board, request, robot, costs);
 
   static firmware::JsonLine line;
   line.add("machine", board.name)

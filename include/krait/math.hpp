@@ -13,8 +13,8 @@ inline constexpr float kPi = 3.14159265358979F;
 inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 struct Vec2 {
-  float x = 0;
-  float y = 0;
+  float x;
+  float y;
 };
 
 inline Vec2 operator+(Vec2 a, Vec2 b) { return {a.x + b.x, a.y + b.y}; }
@@ -27,6 +27,8 @@ inline float length(Vec2 a) { return std::sqrt(dot(a, a)); }
 // False for NaN.
 inline bool finite(float x) { return x - x == 0.0F; }
 inline bool finite(Vec2 a) { return finite(a.x) && finite(a.y); }
+
+inline float absolute(float x) { return std::fabs(x); }
 
 // NaN passes neither comparison and becomes `low`.
 inline float clamp(float x, float low, float high) {
@@ -49,13 +51,13 @@ inline constexpr float kMaxAngle = 8192.0F;  // radians
 // Sine and cosine, error below 8e-8 for |x| <= kMaxAngle; NaN beyond and for NaN.
 // Cody-Waite reduction by pi/2 in three parts, then minimax polynomials on [-pi/4, pi/4].
 inline SinCos sin_cos(float x) {
-  if (!(x >= -kMaxAngle && x <= kMaxAngle)) {
+  if (!(x * x <= kMaxAngle * kMaxAngle)) [[unlikely]] {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     return {nan, nan};
   }
-  const float turns = x * 0.636619772367581F;
-  const auto quadrant = static_cast<std::int32_t>(turns + (turns >= 0.0F ? 0.5F : -0.5F));
-  const auto n = static_cast<float>(quadrant);
+  constexpr float kShift = 8192.0F;  // a multiple of 4 above the most quarter turns
+  const auto quadrant = static_cast<std::int32_t>(x * 0.636619772367581F + (kShift + 0.5F));
+  const float n = static_cast<float>(quadrant) - kShift;
   const float r = ((x - n * 1.5703125F) - n * 4.837512969970703125e-4F) - n * 7.54978995489188216e-8F;
   const float z = r * r;
   const float s = ((-1.9515295891e-4F * z + 8.3321608736e-3F) * z - 1.6666654611e-1F) * z * r + r;
@@ -67,20 +69,27 @@ inline SinCos sin_cos(float x) {
   return {(quadrant & 2) != 0 ? -sine : sine, ((quadrant + 1) & 2) != 0 ? -cosine : cosine};
 }
 
-inline constexpr float kSmallAngle = 0.5F;
+inline constexpr float kSmallAngle = 0.7F;
 
-// Sine and cosine of a small angle, error below 1.1e-7 for |x| <= kSmallAngle: the first terms of their series.
+// Sine and cosine of a small angle, error below 1.1e-7 for |x| <= kSmallAngle: the first terms of their series, the
+// last two adjusted to the range.
 inline SinCos small_sin_cos(float x) {
   const float z = x * x;
-  const float sine = x + x * (z * (-1.0F / 6.0F + z * (1.0F / 120.0F - z * (1.0F / 5040.0F))));
-  return {sine, 1.0F + z * (-0.5F + z * (1.0F / 24.0F - z * (1.0F / 720.0F)))};
+  const float sine = x + x * (z * (-1.0F / 6.0F + z * (8.332922294e-3F - z * 1.962487165e-4F)));
+  return {sine, 1.0F + z * (-0.5F + z * (4.166325879e-2F - z * 1.370074570e-3F))};
 }
 
 // Sine and cosine of the sum of two angles.
 inline SinCos operator+(SinCos a, SinCos b) { return {a.sin * b.cos + a.cos * b.sin, a.cos * b.cos - a.sin * b.sin}; }
 
-// Sine and cosine of `count` angles: sin_cos of each, bit for bit, several at a time where the processor can.
-void sin_cos(const float* angles, int count, float* sines, float* cosines);
+// A frame in the plane: where its origin lies, and the direction of its x axis.
+struct Pose {
+  Vec2 position;
+  SinCos heading;
+};
+
+// Turns `count` frames to as many angles: sin_cos of each, bit for bit, several at a time where the processor can.
+void turn_to(const float* angles, int count, Pose* frames);
 
 // Angle of the vector (x, y) in [-pi, pi], error below 4e-7; 0 for the zero vector.
 float atan2(float y, float x);

@@ -79,14 +79,15 @@ struct PlanMeasures {
   std::uint64_t hash = 0;  // FNV-1a 64 over s0, u0, s1, u1, …, sL
 };
 
-// Of the rest of a plan; the cursor goes to its end.
-template <Robot R>
-PlanMeasures measure(PlanCursor<R>& at) {
+// Of the rest of a plan; the cursor goes to its end. Calls watch(control) at every step.
+template <Robot R, class Watch>
+PlanMeasures measure(PlanCursor<R>& at, Watch watch) {
   PlanMeasures measures;
   Fnv hash;
   for (; !at.done(); ++measures.steps) {
     hash.add(at.state(), at.state_size());
     hash.add(at.control(), at.control_size());
+    watch(at.control());
     const Vec2 before{at.state()[0], at.state()[1]};
     at.advance();
     measures.length += length(Vec2{at.state()[0], at.state()[1]} - before);
@@ -138,7 +139,7 @@ class Plan {
  private:
   PlanMeasures measures() const {
     PlanCursor<R> at = cursor();
-    return measure(at);
+    return measure(at, [](const float*) {});
   }
 
   const R* robot_ = nullptr;

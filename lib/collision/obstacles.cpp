@@ -5,8 +5,6 @@ namespace {
 
 float least(float a, float b) { return b < a ? b : a; }
 float most(float a, float b) { return b > a ? b : a; }
-float absolute(float x) { return x < 0.0F ? -x : x; }
-
 // Gap between two intervals.
 float gap(float low_a, float high_a, float low_b, float high_b) {
   return most(most(low_a - high_b, low_b - high_a), 0.0F);

@@ -16,6 +16,25 @@ bool crosses_ray(Vec2 p, Vec2 a, Vec2 b) {
   return b.y > a.y ? side > 0.0F : side < 0.0F;
 }
 
+bool inside(Polygon polygon, Vec2 p) {
+  bool odd = false;
+  Vec2 before = polygon[polygon.count - 1];
+  for (int i = 0; i < polygon.count; ++i) {
+    if (crosses_ray(p, before, polygon[i])) odd = !odd;
+    before = polygon[i];
+  }
+  return odd;
+}
+
+float distance_to_border(Polygon polygon, Vec2 p) {
+  float least = kInfinity;
+  for (int i = 0; i < polygon.count; ++i) {
+    const float distance = distance_to_segment(p, polygon[i], polygon[(i + 1) % polygon.count]);
+    if (distance < least) least = distance;
+  }
+  return least;
+}
+
 bool triangle_meets_disc(const Scene& scene, Index triangle, Vec2 center, float radius) {
   bool inside = true;
   for (int i = 0; i < 3; ++i) {
@@ -37,14 +56,7 @@ bool Goal::valid(const Scene& scene) const {
 bool Goal::contains(const Scene& scene, Vec2 p, float depth) const {
   if (is_disc()) return length(p - center_) <= radius_ - depth;
   const Polygon polygon = scene.goal_polygon(index_);
-  bool inside = false;
-  for (int i = 0; i < polygon.count; ++i) {
-    const Vec2 a = polygon[i];
-    const Vec2 b = polygon[(i + 1) % polygon.count];
-    if (crosses_ray(p, a, b)) inside = !inside;
-    if (distance_to_segment(p, a, b) < depth) return false;
-  }
-  return inside;
+  return inside(polygon, p) && !(distance_to_border(polygon, p) < depth);
 }
 
 bool Goal::covers(const Scene& scene, Index triangle) const {

@@ -12,9 +12,8 @@ constexpr float kTurnReserve = 1.1F;                   // truck: how much wider 
 constexpr float kUnfoldRate = 2.0F;                    // truck, 1/s: how fast a hitch may close in on its bound
 constexpr float kFoldBound = 1.2F;                     // truck, radians: the hitch angle that steering keeps clear of
 
-constexpr float kHitchError = 3e-4F;  // radians: what RK4 may be off by in a step
-
-float absolute(float x) { return x < 0.0F ? -x : x; }
+constexpr float kHitchError = 3e-4F;              // radians: what RK4 may be off by in a step
+constexpr float kNormError = 5.0F * kHitchError;  // of as many angles as there may be trailers, in the Euclidean norm
 
 // Largest |x| on the way from x at `rate` for dt.
 float largest(float x, float rate, float dt) {
@@ -29,8 +28,6 @@ float least_cosine(float x) {
   const float cosine = 1.0F - z * (0.5F - z * (1.0F / 24.0F - z * (1.0F / 720.0F)));
   return x < 1.57F && cosine > 0.0F ? cosine : 0.0F;
 }
-
-SinCos sin_cos_of(float change) { return absolute(change) <= kSmallAngle ? small_sin_cos(change) : sin_cos(change); }
 
 bool positive(float x) { return x > 0.0F && finite(x); }
 
@@ -109,10 +106,11 @@ void Chain::steer(StateView s, const Target& target, Steering& steering, Control
 
 bool Chain::within_limits(StateView s) const {
   const ChainParameters& p = parameters_;
+  const int size = state_size();
   if (!(s[3] >= p.min_speed && s[3] <= p.max_speed)) return false;
   if (!(s[4] >= -p.max_steering && s[4] <= p.max_steering)) return false;
   float ahead = s[2];
-  for (int i = 5; i < state_size(); ++i) {
+  for (int i = 5; i < size; ++i) {
     if (!(absolute(ahead - s[i]) <= p.max_hitch_angle)) return false;
     ahead = s[i];
   }
@@ -121,24 +119,21 @@ bool Chain::within_limits(StateView s) const {
 }
 
 void Chain::place(StateView s, Pose* poses) const {
-  float angles[kMaxBodies];
-  float sines[kMaxBodies];
-  float cosines[kMaxBodies];
   const int bodies = body_count();
-  angles[0] = s[2];
-  for (int i = 1; i < bodies; ++i) angles[i] = s[4 + i];
-  sin_cos(angles, bodies, sines, cosines);
-  poses[0] = {position(s), {sines[0], cosines[0]}};
+  const float d = parameters_.hitch_length;
+  poses[0] = {position(s), sin_cos(s[2])};
+  turn_to(s.data() + 5, bodies - 1, poses + 1);
+  Vec2 hitch = poses[0].position;
   for (int i = 1; i < bodies; ++i) {
-    const Vec2 hitch = poses[i - 1].position;
-    const float d = parameters_.hitch_length;
-    poses[i] = {{hitch.x - d * cosines[i], hitch.y - d * sines[i]}, {sines[i], cosines[i]}};
+    const SinCos heading = poses[i].heading;
+    hitch = {hitch.x - d * heading.cos, hitch.y - d * heading.sin};
+    poses[i].position = hitch;
   }
 }
 
-// The state's rates, given the sines and cosines of the hitch angles: that before trailer i at i.
-void Chain::rates(StateView s, ControlView u, SinCos heading, SinCos steering, const float* sines, const float* cosines,
-                  StateRef ds) const {
+// The state's rates; hitch(i) gives the hitch angle before trailer i, once each in order.
+template <class Hitch>
+void Chain::rates(const float* s, const float* u, SinCos heading, SinCos steering, Hitch hitch, float* ds) const {
   const float v = s[3];
   const float axle_speed = v * steering.cos;
   ds[0] = axle_speed * heading.cos;
@@ -147,61 +142,70 @@ void Chain::rates(StateView s, ControlView u, SinCos heading, SinCos steering, c
   ds[3] = u[0];
   ds[4] = u[1];
   float pull = (slip_ ? v : axle_speed) / parameters_.hitch_length;
-  for (int i = 1; i < body_count(); ++i) {
-    ds[4 + i] = pull * sines[i];
-    pull = pull * cosines[i];
+  const int bodies = body_count();
+  for (int i = 1; i < bodies; ++i) {
+    const SinCos angle = hitch(i);
+    ds[4 + i] = pull * angle.sin;
+    pull = pull * angle.cos;
   }
 }
 
 void Chain::derivative(StateView s, ControlView u, StateRef ds) const {
-  float sines[kMaxBodies];
-  float cosines[kMaxBodies];
-  for (int i = 1; i < body_count(); ++i) {
-    const SinCos hitch = sin_cos((i == 1 ? s[2] : s[3 + i]) - s[4 + i]);
-    sines[i] = hitch.sin;
-    cosines[i] = hitch.cos;
-  }
-  rates(s, u, sin_cos(s[2]), sin_cos(s[4]), sines, cosines, ds);
+  const auto hitch = [s](int i) { return sin_cos((i == 1 ? s[2] : s[3 + i]) - s[4 + i]); };
+  rates(s.data(), u.data(), sin_cos(s[2]), sin_cos(s[4]), hitch, ds.data());
 }
 
-Chain::Near::Near(const Chain& chain, StateView s, const Pose* poses)
-    : chain_(&chain), state_(s.data()), heading_(poses[0].heading), steering_(sin_cos(s[4])) {
-  for (int i = 1; i < chain.body_count(); ++i) {
+// Whether no angle of the dynamics changes by more than kSmallAngle. A hitch angle does at most at
+// (s / d) |sin a - cos a sin b| <= sqrt(2) s / d, a and b two in a row; the first, ahead of which the car turns, at
+// most as fast as that turns and s / d.
+bool Chain::changes_little(StateView s, ControlView u, float dt) const {
+  const float way = dt * largest(s[3], u[0], dt);
+  const float steering = largest(s[4], u[1], dt);
+  const float turn = way * (steering < 1.0F ? steering : 1.0F) / parameters_.wheelbase;
+  const float reach = way / parameters_.hitch_length;
+  return 1.42F * reach <= kSmallAngle && turn + reach <= kSmallAngle && dt * absolute(u[1]) <= kSmallAngle;
+}
+
+Chain::Near::Near(const Chain& chain, StateView s, const Pose* poses, ControlView u, float dt)
+    : chain_(&chain),
+      state_(s.data()),
+      control_(u.data()),
+      small_(chain.changes_little(s, u, dt)),
+      heading_(poses[0].heading),
+      steering_(sin_cos(s[4])) {
+  const int bodies = chain.body_count();
+  for (int i = 1; i < bodies; ++i) {
     const SinCos ahead = poses[i - 1].heading;
     const SinCos own = poses[i].heading;
-    sin_[i] = ahead.sin * own.cos - ahead.cos * own.sin;
-    cos_[i] = ahead.cos * own.cos + ahead.sin * own.sin;
+    hitch_[i] = {ahead.sin * own.cos - ahead.cos * own.sin, ahead.cos * own.cos + ahead.sin * own.sin};
   }
 }
 
-void Chain::Near::derivative(ControlView u, StateRef ds) const {
-  chain_->rates(StateView(state_, chain_->state_size()), u, heading_, steering_, sin_, cos_, ds);
+void Chain::Near::derivative(StateRef ds) const {
+  const auto hitch = [this](int i) { return hitch_[i]; };
+  chain_->rates(state_, control_, heading_, steering_, hitch, ds.data());
 }
 
-void Chain::Near::derivative(StateView s, ControlView u, StateRef ds) const {
-  const int bodies = chain_->body_count();
-  float change[kMaxBodies];  // of the headings, then of the hitch angles
-  change[0] = s[2] - state_[2];
-  for (int i = 1; i < bodies; ++i) change[i] = s[4 + i] - state_[4 + i];
-  const SinCos heading = heading_ + sin_cos_of(change[0]);
-  const SinCos steering = steering_ + sin_cos_of(s[4] - state_[4]);
-  float most = 0.0F;
-  for (int i = bodies - 1; i > 0; --i) {
-    change[i] = change[i - 1] - change[i];  // NOLINT(clang-analyzer-core.UndefinedBinaryOperatorResult): set above
-    most = absolute(change[i]) > most ? absolute(change[i]) : most;
-  }
-  float sines[kMaxBodies];
-  float cosines[kMaxBodies];
-  const auto turn = [&](int i, SinCos by) {
-    sines[i] = sin_[i] * by.cos + cos_[i] * by.sin;
-    cosines[i] = cos_[i] * by.cos - sin_[i] * by.sin;
+void Chain::Near::derivative(StateView s, StateRef ds) const {
+  small_ ? derivative(
+               s, [](float x) { return small_sin_cos(x); }, ds)
+         : derivative(
+               s, [](float x) { return sin_cos(x); }, ds);
+}
+
+template <class Turn>
+void Chain::Near::derivative(StateView state, Turn turn, StateRef ds) const {
+  const float* const s = state.data();
+  const SinCos heading = heading_ + turn(s[2] - state_[2]);
+  const SinCos steering = steering_ + turn(s[4] - state_[4]);
+  float ahead = s[2] - state_[2];
+  const auto hitch = [&](int i) {
+    const float own = s[4 + i] - state_[4 + i];
+    const float change = ahead - own;
+    ahead = own;
+    return hitch_[i] + turn(change);
   };
-  if (most <= kSmallAngle) {
-    for (int i = 1; i < bodies; ++i) turn(i, small_sin_cos(change[i]));
-  } else {
-    for (int i = 1; i < bodies; ++i) turn(i, sin_cos(change[i]));
-  }
-  chain_->rates(s, u, heading, steering, sines, cosines, ds);
+  chain_->rates(s, control_, heading, steering, hitch, ds.data());
 }
 
 // v and psi are linear in time, at most v^ and psi^. The car goes v^ dt and turns v^ psi^ dt / L. A truck's axles go
@@ -243,43 +247,52 @@ bool Chain::travel(StateView s, ControlView u, float dt, StateView next, Travel*
   return limited;
 }
 
-float Chain::longest_path(StateView s, ControlView u, float dt) const {
-  const float way = dt * largest(s[3], u[0], dt);
-  const float steering = largest(s[4], u[1], dt);
-  return slip_ ? way + way * 0.5F * steering * steering : way;
-}
-
-// The bounds of travel and least_separation from the largest hitch angle H at either end. M is at most H / (1 - r), r
-// how far a trailer turns that is pulled sideways; for the first hitch, with the car's turn t, (2 H + t) / (2 - r).
+// The bounds of travel for all bodies alike, from the hitch angles' sums a at both ends. With r how
+// far a trailer turns that is pulled sideways and t how far the car turns, M_1 is at most (a_1 + t) / (2 - r), the
+// others (a_i + r M_(i-1)) / (2 - r): at most max a / (2 - 2 r), and in the Euclidean norm (|a| + t) / (2 - 2 r). The
+// sum that bounds dP is at most 2 r |M|^2 + t |M|.
 QuickBound Chain::quick_bound(StateView s, ControlView u, float dt, StateView next) const {
   const ChainParameters& p = parameters_;
   const float way = dt * largest(s[3], u[0], dt);
   const float steering = largest(s[4], u[1], dt);
   const float car_turn = way * steering / p.wheelbase;
   const float reach = way / p.hitch_length;
+  if (!(reach < 0.9F)) return {};
   float most = 0.0F;
+  float squares = 0.0F;
   float high = s[2] + next[2];
   float low = high;
   float before = s[2];
   float after = next[2];
-  for (int i = 5; i < state_size(); ++i) {
-    const float hitch_before = absolute(before - s[i]);
-    const float hitch_after = absolute(after - next[i]);
+  const int size = state_size();
+  for (int i = 5; i < size; ++i) {
+    const float ends = absolute(before - s[i]) + absolute(after - next[i]);
     before = s[i];
     after = next[i];
-    if (hitch_before > most) most = hitch_before;
-    if (hitch_after > most) most = hitch_after;
     const float sum = before + after;
-    if (sum > high) high = sum;
-    if (sum < low) low = sum;
+    most = ends > most ? ends : most;
+    squares = squares + ends * ends;
+    high = sum > high ? sum : high;
+    low = sum < low ? sum : low;
   }
-  if (!(reach < 0.9F)) return {};
-  const float first = (2.0F * most + car_turn) / (2.0F - reach);
-  const float rest = most / (1.0F - reach);
+  const float first = (most + car_turn) / (2.0F - reach);
+  const float rest = most / (2.0F - 2.0F * reach);
   const float hitch = (first > rest ? first : rest) + kHitchError;
-  const float trailer_turn = reach * (hitch < 1.0F ? hitch : 1.0F);
-  const float turn = car_turn > trailer_turn ? car_turn : trailer_turn;
-  return {hitch <= p.max_hitch_angle, separation(hitch, 0.5F * (high - low) + turn)};
+  const float sine = hitch < 1.0F ? hitch : 1.0F;
+  const float turn = car_turn > reach * sine ? car_turn : reach * sine;
+  const float norm = (std::sqrt(squares) + car_turn) / (2.0F - 2.0F * reach) + kNormError;
+
+  const float slip = slip_ ? 0.5F * steering * steering : 0.0F;
+  const float speeding = dt * dt * absolute(u[0]);
+  const float pulled = speeding + way * steering * dt * absolute(u[1]);
+  const float turning = (speeding * steering + way * dt * absolute(u[1])) / p.wheelbase;
+  const float swaying = pulled + way * norm * (2.0F * reach * norm + car_turn);
+  const float twisting = (swaying * sine + 2.0F * way * turn) / p.hitch_length;
+  const float bending = swaying + way * turn + slip * (speeding + way * turn);
+  return {
+      hitch <= p.max_hitch_angle,
+      separation(hitch, 0.5F * (high - low) + turn),
+      {way + way * slip, turn, 0.125F * bending, 0.125F * ((twisting > turning ? twisting : turning) + turn * turn)}};
 }
 
 // While the headings of m + 1 bodies in a row lie within S of each other, the line through their axles goes on by at
@@ -290,26 +303,6 @@ float Chain::separation(float hitch, float spread) const {
   const float near = least_cosine(0.5F * (gap * hitch < spread ? gap * hitch : spread)) * gap;
   const float far = least_cosine(0.5F * spread) * (gap * hitch < spread ? spread / hitch : gap);
   return parameters_.hitch_length * (near < far ? near : far);
-}
-
-// A heading that turns by at most t from a to b stays below (a + b + t) / 2, a hitch angle as in travel.
-float Chain::least_separation(StateView s, StateView next, const Travel* travel) const {
-  float high = -kInfinity;
-  float low = kInfinity;
-  float most = 0.0F;
-  for (int i = 0; i < body_count(); ++i) {
-    const int heading = i == 0 ? 2 : 4 + i;
-    const float sum = s[heading] + next[heading];
-    const float turn = travel[i].turn;
-    high = sum + turn > high ? sum + turn : high;
-    low = sum - turn < low ? sum - turn : low;
-    if (i == 0) continue;
-    const int ahead = i == 1 ? 2 : 3 + i;
-    const float ends = absolute(s[ahead] - s[heading]) + absolute(next[ahead] - next[heading]);
-    const float hitch = 0.5F * (ends + travel[i - 1].turn + turn);
-    most = hitch > most ? hitch : most;
-  }
-  return separation(most, 0.5F * (high - low));
 }
 
 }  // namespace krait

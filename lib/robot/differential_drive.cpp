@@ -6,7 +6,6 @@ namespace {
 constexpr PidGains kHeadingGains{3.0F, 0.05F, 0.1F};  // rad/s per radian of heading error
 constexpr float kInside = 1.0F - 1e-5F;               // keeps rounding from carrying a wheel across its limit
 
-float absolute(float x) { return x < 0.0F ? -x : x; }
 bool positive(float x) { return x > 0.0F && finite(x); }
 
 }  // namespace

@@ -5,7 +5,6 @@ namespace {
 
 constexpr PidGains kHeadingGains{4.0F, 0.05F, 0.05F};  // rad/s per radian of heading error
 
-float absolute(float x) { return x < 0.0F ? -x : x; }
 bool positive(float x) { return x > 0.0F && finite(x); }
 
 }  // namespace

@@ -51,10 +51,7 @@ void Scene::view(const std::byte* bytes) {
   const Vec2 origin = bounds().min;
   buckets_ = {origin, 1.0F / header_.bucket_size, static_cast<std::int32_t>(header_.bucket_columns),
               static_cast<std::int32_t>(header_.bucket_rows)};
-  clearance_grid_ = {origin, 1.0F / header_.clearance_cell, static_cast<std::int32_t>(header_.clearance_columns),
-                     static_cast<std::int32_t>(header_.clearance_rows)};
-  clearance_columns_ = static_cast<float>(header_.clearance_columns);
-  clearance_rows_ = static_cast<float>(header_.clearance_rows);
+  clearance_grid_ = {origin, header_, clearance_};
 }
 
 const char* Scene::nth_name(Index n) const {

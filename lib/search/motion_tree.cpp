@@ -51,7 +51,7 @@ Index MotionTree::begin_expansion(Branch from, Vec2 target, float speed) {
 }
 
 void MotionTree::end_expansion(Index expansion, std::uint32_t steps) {
-  records_[expansion].steps_and_uses += steps;
+  set_steps(records_[expansion], steps);
   release({expansion, 0});
 }
 
@@ -113,10 +113,20 @@ Index MotionTree::turn_path(Branch last) {
     Expansion& record = records_[at.expansion];
     const Branch before = unpacked(record.origin);
     record.origin = packed({after, 0});
-    record.steps_and_uses = record.steps_and_uses - (record.steps_and_uses & kMostSteps) + at.step;
+    set_steps(record, at.step);
     after = at.expansion;
     if (before.expansion == kNone) return after;
     at = before;
+  }
+}
+
+void MotionTree::turn_path_back(Index first) {
+  Branch before;
+  for (Index expansion = first; expansion != kNone;) {
+    const Index after = next_of_path(expansion);
+    records_[expansion].origin = packed(before);
+    before = {expansion, steps(expansion)};
+    expansion = after;
   }
 }
 

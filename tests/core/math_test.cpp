@@ -65,22 +65,24 @@ TEST(Math, SineAndCosineRefuseWhatIsOutOfRange) {
 
 std::uint32_t bits(float x) { return std::bit_cast<std::uint32_t>(x); }
 
-// sin_cos of an array is the scalar one's in every bit. Of NaN only that it is one: IEEE-754 leaves its bits open.
+// turn_to is the scalar sin_cos in every bit. Of NaN only that it is one: IEEE-754 leaves its bits open.
 void expect_as_scalar(const std::vector<float>& angles) {
   const std::size_t count = angles.size();
-  std::vector<float> sines(count + 1, 7.0F), cosines(count + 1, 7.0F);
-  sin_cos(angles.data(), static_cast<int>(count), sines.data(), cosines.data());
+  const Pose untouched{{5.0F, 6.0F}, {7.0F, 7.0F}};
+  std::vector<Pose> frames(count + 1, untouched);
+  turn_to(angles.data(), static_cast<int>(count), frames.data());
   for (std::size_t i = 0; i < count; ++i) {
-    const SinCos expected = sin_cos(angles[i]);
+    const SinCos got = frames[i].heading, expected = sin_cos(angles[i]);
+    ASSERT_EQ(frames[i].position.x, 5.0F);
+    ASSERT_EQ(frames[i].position.y, 6.0F);
     if (expected.sin != expected.sin) {
-      ASSERT_TRUE(std::isnan(sines[i]) && std::isnan(cosines[i])) << angles[i];
+      ASSERT_TRUE(std::isnan(got.sin) && std::isnan(got.cos)) << angles[i];
       continue;
     }
-    ASSERT_EQ(bits(sines[i]), bits(expected.sin)) << angles[i];
-    ASSERT_EQ(bits(cosines[i]), bits(expected.cos)) << angles[i];
+    ASSERT_EQ(bits(got.sin), bits(expected.sin)) << angles[i];
+    ASSERT_EQ(bits(got.cos), bits(expected.cos)) << angles[i];
   }
-  ASSERT_EQ(sines[count], 7.0F);  // and nothing beyond
-  ASSERT_EQ(cosines[count], 7.0F);
+  ASSERT_EQ(frames[count].heading.sin, 7.0F);  // and nothing beyond
 }
 
 TEST(MathArrays, SinesAndCosinesAreTheScalarOnesBitForBit) {

@@ -130,14 +130,17 @@ class Grown {
       steps = node->at_step;
     }
     std::reverse(expected.begin(), expected.end());
-    Index at = tree().turn_path(tree().branch(vertex));
+    const Index first = tree().turn_path(tree().branch(vertex));
+    Index at = first;
     for (const auto& [node, taken] : expected) {
       ASSERT_EQ(at, node->slot);
       ASSERT_EQ(tree().steps(at), taken);
       expect_target(*node);
       at = tree().next_of_path(at);
+      node->steps = taken;
     }
     ASSERT_EQ(at, kNone);
+    tree().turn_path_back(first);
   }
 
   // Of a vertex that is not the root's, kNone when there is none.
@@ -221,6 +224,11 @@ TEST(MotionTree, TurnsThePathToAnyVertexAround) {
     const Index vertex = grown.any_vertex();
     if (vertex == kNone) continue;
     grown.check_path(vertex);
+    if (HasFatalFailure()) return;
+    // Turned back, the tree goes on to grow.
+    for (int i = 0; i < 100; ++i) grown.random()() % 4 != 0 ? grown.expand() : grown.remove();
+    const Index later = grown.any_vertex();
+    if (later != kNone) grown.check_path(later);
     if (HasFatalFailure()) return;
     ++paths;
   }

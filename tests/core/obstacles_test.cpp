@@ -119,7 +119,7 @@ TEST(Obstacles, BodyThatIsNotFiniteHasNoRoom) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   for (const Vec2 at : {Vec2{nan, 5}, Vec2{5, nan}, Vec2{kInfinity, 5}, Vec2{5, -kInfinity}}) {
     EXPECT_LE(obstacles.room(body_at(at, corners({-0.5, -0.5, 0.5, 0.5})), 1.0F), 0.0F);
-    EXPECT_LE(obstacles.room_by_grid(at, 0.5F), 0.0F);
+    EXPECT_EQ(obstacles.clearance().at(at), 0.0F);
   }
 }
 
@@ -132,7 +132,7 @@ TEST(Obstacles, RoomByTheGridIsNeverMoreThanThereIs) {
     const Vec2 at{uniform_float(random, 0, 12), uniform_float(random, 0, 12)};
     const PlacedBody body = body_at(at, random_convex(random, {0, 0}, 0.4));
     const float radius = farthest(body.vertices, body.count) * 1.000001F;
-    const auto by_grid = static_cast<double>(obstacles.room_by_grid(at, radius));
+    const auto by_grid = static_cast<double>(obstacles.clearance().at(at) - radius - obstacles.margin());
     ASSERT_LE(by_grid, true_room(open.scene, body));
     positive += by_grid > 0 ? 1 : 0;
   }

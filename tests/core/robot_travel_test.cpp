@@ -1,4 +1,4 @@
-// travel() and least_separation() bound every motion of a step: what the proof of free motion stands on.
+// travel() and quick_bound() bound every motion of a step: what the proof of free motion stands on.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -68,7 +68,14 @@ struct Ratios {
   std::vector<double> values;
 };
 
-// Checks the bounds of a step on every vertex of every body.
+template <class R>
+QuickBound quick_bound_of(const R& robot, const std::vector<float>& s, const std::vector<float>& u, float dt,
+                          const std::vector<float>& next) {
+  return quick_bound(robot, StateView(s.data(), robot.state_size()), ControlView(u.data(), 2), dt,
+                     StateView(next.data(), robot.state_size()));
+}
+
+// Checks the bounds of a step on every vertex of every body; those of all bodies alike, where there are any.
 template <class R>
 void expect_bounded(const R& robot, const std::vector<float>& s, const std::vector<float>& u, float dt, Ratios& paths,
                     Ratios& bends) {
@@ -77,6 +84,8 @@ void expect_bounded(const R& robot, const std::vector<float>& s, const std::vect
   // The hitch angles' bounds start from both ends' being inside the limits.
   if (!robot.within_limits(StateView(next.data(), robot.state_size()))) return;
   const auto places = motion(robot, s, u, wide(dt), 40);
+  const QuickBound quick = quick_bound_of(robot, s, u, dt, next);
+  EXPECT_LE(quick.limited, bounds.limited);
   for (std::size_t k = 0; k < places[0].size(); ++k) {
     const Travel& travel = bounds.bodies[k];
     for (std::size_t v = 0; v < places[0][k].size(); ++v) {
@@ -88,6 +97,9 @@ void expect_bounded(const R& robot, const std::vector<float>& s, const std::vect
       ASSERT_LE(strayed, bend * (1 + 1e-5) + 1e-7) << "body " << k << " dt " << dt;
       paths.add(length, path, 0.01);
       bends.add(strayed, bend, 1e-4);
+      if (!quick.limited) continue;
+      ASSERT_LE(length, (wide(quick.most.path) + radius * wide(quick.most.turn)) * (1 + 1e-5) + 1e-7) << "body " << k;
+      ASSERT_LE(strayed, (wide(quick.most.bend) + radius * wide(quick.most.twist)) * (1 + 1e-5) + 1e-7) << "body " << k;
     }
   }
 }
@@ -205,9 +217,8 @@ TYPED_TEST(RobotSeparation, IsNeverMoreThanTheLeastDistanceOnTheWay) {
         const auto next = step(robot, s, u, dt);
         if (!robot.within_limits(StateView(s.data(), robot.state_size()))) continue;
         if (!robot.within_limits(StateView(next.data(), robot.state_size()))) continue;
-        const Bounds bounds = bounds_of(robot, s, u, dt, next);
-        const double bound = wide(least_separation(robot, StateView(s.data(), robot.state_size()),
-                                                   StateView(next.data(), robot.state_size()), bounds.bodies.data()));
+        const QuickBound quick = quick_bound_of(robot, s, u, dt, next);
+        const double bound = quick.limited ? wide(quick.separation) : 0;
         double least = std::numeric_limits<double>::infinity();
         for (const Places& at : motion(robot, s, u, wide(dt), 20)) {
           for (std::size_t a = 0; a < at.size(); ++a) {
@@ -232,9 +243,7 @@ TEST(RobotSeparationStraight, IsTheWholeChainsLength) {
   const Snake snake(p);
   std::vector<float> s(10, 0.25F);
   s[3] = s[4] = 0;
-  const Bounds bounds = bounds_of(snake, s, {0, 0}, 0.1F, s);
-  EXPECT_FLOAT_EQ(snake.least_separation(StateView(s.data(), 10), StateView(s.data(), 10), bounds.bodies.data()),
-                  2 * p.hitch_length);
+  EXPECT_FLOAT_EQ(quick_bound_of(snake, s, {0, 0}, 0.1F, s).separation, 2 * p.hitch_length);
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ TEST(SceneMemory, OpensAndIsUsedInReadOnlyMemoryBeforeAGuardPage) {
   for (int i = 0; i < 10'000; ++i) {
     const Vec2 p{uniform_float(random, -1, 13), uniform_float(random, -1, 13)};
     found += locate(scene, p) != kNone ? 1 : 0;
-    EXPECT_GE(scene.clearance(p), 0.0F);
+    EXPECT_GE(scene.clearance().at(p), 0.0F);
   }
   EXPECT_GT(found, 1000);
   EXPECT_STREQ(scene.start_name(0), "start0");

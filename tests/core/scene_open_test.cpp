@@ -97,8 +97,8 @@ TEST_P(SceneOpen, ClearanceIsNeverMoreThanTheTrueDistance) {
     const Point p = point(at);
     double distance = std::min(std::min(p.x, 4 - p.x), std::min(p.y, 3 - p.y));
     distance = std::max(0.0, std::min(distance, distance_to_convex(p, piece)));
-    ASSERT_LE(static_cast<double>(open.scene.clearance(at)), distance);
-    largest = std::max(largest, static_cast<double>(open.scene.clearance(at)));
+    ASSERT_LE(static_cast<double>(open.scene.clearance().at(at)), distance);
+    largest = std::max(largest, static_cast<double>(open.scene.clearance().at(at)));
   }
   EXPECT_GT(largest, 0.05);
 }
@@ -171,7 +171,7 @@ TEST_P(SceneOpen, EveryChangedByteWithRightSumIsSafeToUse) {
         for (int n = 0; n < 50; ++n) {
           const Box b = scene.bounds();
           const Vec2 p{b.min.x + (b.max.x - b.min.x) * static_cast<float>(n) / 49.0F, b.max.y};
-          ASSERT_GE(scene.clearance(p), 0.0F);
+          ASSERT_GE(scene.clearance().at(p), 0.0F);
         }
       }
       bytes.data()[i] = whole.data()[i];

@@ -33,8 +33,8 @@ TEST(UserRobotDefaults, MayBeLeftOut) {
   EXPECT_EQ(self_collision_gap(slider), 2);
   EXPECT_FALSE(reversible(slider));
   const float s[] = {1, 2};
-  const Travel travel{};
-  EXPECT_EQ(least_separation(slider, StateView(s, 2), StateView(s, 2), &travel), 0.0F);
+  const float u[] = {0, 0};
+  EXPECT_FALSE(quick_bound(slider, StateView(s, 2), ControlView(u, 2), 0.1F, StateView(s, 2)).limited);
   EXPECT_TRUE(sound(slider));
   EXPECT_EQ(first_bad_of_robot(slider), Argument::none);
 }

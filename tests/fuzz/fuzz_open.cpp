@@ -23,7 +23,7 @@ void look_at_pieces(const Scene& scene) {
   for (Index p = 0; p < scene.piece_count(); ++p) {
     const Polygon piece = scene.piece(p);
     require(piece.count >= 3 && piece.count <= format::kMaxPieceVertices, "a piece has too many vertices");
-    for (int i = 0; i < piece.count; ++i) require(scene.clearance(piece[i]) == 0.0F, "a piece is called clear");
+    for (int i = 0; i < piece.count; ++i) require(scene.clearance().at(piece[i]) == 0.0F, "a piece is called clear");
   }
 }
 

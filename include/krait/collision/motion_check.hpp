@@ -50,8 +50,7 @@ class MotionCheck {
 
   // Whether the robot's limits are proven to hold throughout the step, whose ends keep them.
   bool keeps_limits(const float* state, const float* control, float dt, const float* next) {
-    bounded_ = false;
-    return bound_bodies({state, control, dt, next});
+    return bound({state, control, dt, next});
   }
 
   // Whether the step from `state` (that of begin, or the last step's end) under `control` to `next`, both within the
@@ -85,13 +84,13 @@ class MotionCheck {
 
   struct Placement {
     Pose poses[R::kMaxBodies];
-    float circle_room[R::kMaxBodies];  // at most the distance of body k's circle, less the margin, by the grid
+    float circle_room[R::kMaxBodies];  // at most the distance of body k's circle, less the margin, by the grid;
+                                       // -infinity where the grid does not prove that there is one
   };
 
   struct Circle {
-    Vec2 center;  // in the body's frame
-    float offset = 0.0F;
-    float radius = 0.0F;
+    Vec2 center;   // in the body's frame
+    float offset;  // from its origin
   };
 
   Placement& left() { return placements_[left_]; }
@@ -99,18 +98,19 @@ class MotionCheck {
 
   void measure_bodies() {
     farthest_of_all_ = 0.0F;
+    centered_ = true;
     for (int k = 0; k < bodies_; ++k) {
       const Polygon body = robot_->body(k);
       const Box box = bounding_box(body);
-      Circle circle;
-      circle.center = 0.5F * (box.min + box.max);
+      const Vec2 center = 0.5F * (box.min + box.max);
+      float radius = 0.0F;
       for (int i = 0; i < body.count; ++i) {
-        const float distance = length(body[i] - circle.center);
-        if (distance > circle.radius) circle.radius = distance;
+        const float distance = length(body[i] - center);
+        if (distance > radius) radius = distance;
       }
-      circle.radius = circle.radius * (1.0F + 1e-6F);
-      circle.offset = length(circle.center);
-      circles_[k] = circle;
+      circles_[k] = {center, length(center)};
+      centered_ = centered_ && circles_[k].offset == 0.0F;
+      needed_[k] = shortcuts_ ? radius * (1.0F + 1e-6F) + obstacles_.margin() : kInfinity;
       farthest_[k] = farthest(body.vertices, body.count);
       if (farthest_[k] > farthest_of_all_) farthest_of_all_ = farthest_[k];
     }
@@ -123,10 +123,17 @@ class MotionCheck {
 
   void place(const float* state, Placement& placement) {
     robot_->place(StateView(state, robot_->state_size()), placement.poses);
-    for (int k = 0; k < bodies_; ++k) {
-      placement.circle_room[k] = shortcuts_ ? obstacles_.room_by_grid(center(placement, k), circles_[k].radius) : 0.0F;
-    }
     ++checks_;
+    const ClearanceGrid clearance = obstacles_.clearance();
+    const bool centered = centered_;
+    float headings = 0.0F;  // NaN where one is
+    for (int k = 0; k < bodies_; ++k) {
+      const Pose& pose = placement.poses[k];
+      headings = headings + pose.heading.sin + pose.heading.cos;
+      const float room = clearance.at(centered ? pose.position : center(placement, k)) - needed_[k];
+      placement.circle_room[k] = room > 0.0F ? room : -kInfinity;
+    }
+    if (!finite(headings)) placement.circle_room[0] = -kInfinity;
   }
 
   // Body k with its vertices relative to `at`.
@@ -159,68 +166,73 @@ class MotionCheck {
 
   StateView view(const float* state) const { return {state, robot_->state_size()}; }
 
-  // Each body's own bounds in travel_; gives whether the limits hold.
+  // Bounds the step by what all bodies have in common where that will do, else body by body; gives whether the limits
+  // hold.
+  bool bound(const Step& step) {
+    bounded_ = false;
+    if (shortcuts_) {
+      quick_ = quick_bound(*robot_, view(step.state), ControlView(step.control, robot_->control_size()), step.dt,
+                           view(step.next));
+      if (quick_.limited) return true;
+    }
+    quick_.separation = 0.0F;
+    return bound_bodies(step);
+  }
+
   bool bound_bodies(const Step& step) {
-    if (!bounded_) {
-      const ControlView control(step.control, robot_->control_size());
-      limited_ = robot_->travel(view(step.state), control, step.dt, view(step.next), travel_);
-      bounded_ = true;
+    bounded_ = true;
+    return robot_->travel(view(step.state), ControlView(step.control, robot_->control_size()), step.dt, view(step.next),
+                          travel_);
+  }
+
+  const Travel& travel(int k) const { return bounded_ ? travel_[k] : quick_.most; }
+
+  // Whether body k's circle is proven free from left to right, by the grid.
+  bool circle_free(int k) const { return circle_rooms(k) > travel(k).path + circles_[k].offset * travel(k).turn; }
+
+  float circle_rooms(int k) const { return placements_[0].circle_room[k] + placements_[1].circle_room[k]; }
+
+  // The first body from k on whose circle is not proven free, or bodies_.
+  int next_near(int k) const {
+    if (bounded_ || !centered_) {
+      while (k < bodies_ && circle_free(k)) ++k;
+      return k;
     }
-    return limited_;
+    const float path = quick_.most.path;
+    while (k < bodies_ && circle_rooms(k) > path) ++k;
+    return k;
   }
-
-  // Whether all circles are proven free from left to right, by the grid and the longest path.
-  bool all_circles_free(const Step& step) const {
-    const ControlView control(step.control, robot_->control_size());
-    const float path = shortcuts_ ? longest_path(*robot_, view(step.state), control, step.dt) : kInfinity;
-    for (int k = 0; k < bodies_; ++k) {
-      if (circles_[k].offset > 0.0F || !circle_free(k, path)) return false;
-    }
-    return true;
-  }
-
-  // Whether body k's circle, whose centre goes no further than `path`, is proven free from left to right, by the grid.
-  bool circle_free(int k, float path) const {
-    const float before = placements_[left_].circle_room[k];
-    const float after = placements_[1 - left_].circle_room[k];
-    return before > 0.0F && after > 0.0F && before + after > path;
-  }
-
-  bool circle_free(int k) const { return circle_free(k, travel_[k].path + circles_[k].offset * travel_[k].turn); }
 
   // Whether bodies whose frames' origins are so far apart cannot touch.
   bool far_apart(float separation) const { return separation > 2.0F * farthest_of_all_ + obstacles_.margin(); }
 
   // How far body k may leave the hull of its two places: never by more than half of what it moved.
   float stray(int k) const {
-    const Travel& travel = travel_[k];
-    const float bent = travel.bend + farthest_[k] * travel.twist;
-    const float half = 0.5F * (travel.path + farthest_[k] * travel.turn);
+    const Travel& most = travel(k);
+    const float bent = most.bend + farthest_[k] * most.twist;
+    const float half = 0.5F * (most.path + farthest_[k] * most.turn);
     return bent < half ? bent : half;
   }
 
   // Whether body k is proven free from left to right, by its hull.
-  bool hull_free(int k) const {
+  bool hull_free(const Step& step, int k) {
     const float allowed = stray(k);
-    return obstacles_.room(swept(k, placements_[1 - left_].poses[k].position), allowed + kReach) > allowed;
+    const float room = obstacles_.room(swept(k, placements_[1 - left_].poses[k].position), allowed + kReach);
+    if (room > allowed) return true;
+    if (bounded_ || room <= 0.0F) return false;
+    bound_bodies(step);
+    return room > stray(k);
   }
 
   // Judges the step from left to right.
   Outcome judge(const Step& step) {
-    bounded_ = false;
-    if (all_circles_free(step)) {
-      const ControlView control(step.control, robot_->control_size());
-      const QuickBound quick = quick_bound(*robot_, view(step.state), control, step.dt, view(step.next));
-      const bool limited = quick.limited || bound_bodies(step);
-      return limited && self_free(step, quick.separation) ? Outcome::free : Outcome::unproven;
-    }
-    bool proven = bound_bodies(step);
-    for (int k = 0; k < bodies_; ++k) {
-      if (circle_free(k) || (proven && hull_free(k))) continue;
+    bool proven = bound(step);
+    for (int k = next_near(0); k < bodies_; k = next_near(k + 1)) {
+      if (proven && hull_free(step, k)) continue;
       if (!clear(right(), k)) return Outcome::hit;
       proven = false;
     }
-    return proven && self_free(step, 0.0F) ? Outcome::free : Outcome::unproven;
+    return proven && self_free(step) ? Outcome::free : Outcome::unproven;
   }
 
   // Halves the step from left to right until every part is proven free. False when one is not.
@@ -254,19 +266,19 @@ class MotionCheck {
     return done >= max_substeps_;
   }
 
-  // No two bodies at least gap_ apart come within the margin on the way from left to right, during which their frames'
-  // origins stay at least `separation` apart.
-  bool self_free(const Step& step, float separation) {
-    if (R::kMaxBodies == 1 || bodies_ <= gap_ || far_apart(separation)) return true;
+  // No two bodies at least gap_ apart come within the margin on the way from left to right.
+  bool self_free(const Step& step) {
+    if (R::kMaxBodies == 1 || bodies_ <= gap_ || far_apart(quick_.separation) || pairs_free()) return true;
+    if (bounded_) return false;
     bound_bodies(step);
-    if (shortcuts_ && far_apart(least_separation(*robot_, view(step.state), view(step.next), travel_))) return true;
     return pairs_free();
   }
 
   // No two bodies come within the margin of each other at left.
   bool still_apart() {
     right() = left();
-    for (int k = 0; k < bodies_; ++k) travel_[k] = {};
+    bounded_ = false;
+    quick_.most = {};
     return pairs_free();
   }
 
@@ -279,7 +291,7 @@ class MotionCheck {
     for (int k = 0; k < bodies_; ++k) {
       centers[k] = 0.5F * (placements_[0].poses[k].position + placements_[1].poses[k].position);
       along[k] = k == 0 ? 0.0F : along[k - 1] + length(centers[k] - centers[k - 1]);
-      if (travel_[k].path > path) path = travel_[k].path;
+      if (travel(k).path > path) path = travel(k).path;
     }
     const float near = 2.0F * farthest_of_all_ + path + obstacles_.margin();
     for (int i = 0; i + gap_ < bodies_; ++i) {
@@ -311,10 +323,12 @@ class MotionCheck {
   int bodies_ = 0;
   bool shortcuts_ = true;
   float farthest_of_all_ = 0.0F;
+  bool centered_ = true;  // whether every circle's centre is its body's origin
   Circle circles_[R::kMaxBodies];
+  float needed_[R::kMaxBodies];    // clearance at the circle's centre from which on it keeps the margin
   float farthest_[R::kMaxBodies];  // of a body's vertices from its frame's origin
-  bool bounded_ = false;           // whether the next two are known of the step in question
-  bool limited_ = false;
+  bool bounded_ = false;           // whether travel_ tells of the step in question, else quick_
+  QuickBound quick_;
   Travel travel_[R::kMaxBodies];
   Placement placements_[2];  // the step's two ends
   int left_ = 0;

@@ -23,8 +23,7 @@ class Obstacles {
   // `clearance` metres, >= 0, are kept between every body and every obstacle or bound, on top of what rounding needs.
   Obstacles(const Scene& scene, float clearance);
 
-  // Metres that the clearance grid proves free around a circle, beyond the margin; may be negative. One look-up.
-  float room_by_grid(Vec2 center, float radius) const { return scene_->clearance(center) - radius - margin_; }
+  const ClearanceGrid& clearance() const { return scene_->clearance(); }
 
   // Metres from the body to the nearest obstacle or bound, less the margin: exact where it is below `reach` > 0, else
   // `reach`; zero or less where the body is too close or not finite. Worst case: every piece in the buckets that

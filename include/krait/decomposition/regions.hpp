@@ -89,7 +89,7 @@ class Regions {
   const Scene* scene_ = nullptr;
   Goal goal_ = Goal::named(0);
   Index goal_region_ = kNone;
-  Vec2 goal_center_;
+  Vec2 goal_center_{};
   // Of next_: the edge that a triangle's shortest path crosses, and marks.
   static constexpr std::uint8_t kEdgeMask = 3;
   static constexpr std::uint8_t kNoEdge = 3;

@@ -5,32 +5,33 @@
 
 namespace krait {
 
-// What a robot says of its dynamics near `state`, whose frames are `poses`; itself where it says nothing.
+// What a robot says of its dynamics during a step from `state`, whose frames are `poses`; itself where it says nothing.
 template <Robot R>
 class Dynamics {
  public:
-  Dynamics(const R& robot, StateView state, const Pose*) : robot_(&robot), state_(state) {}
-  void derivative(ControlView u, StateRef ds) const { robot_->derivative(state_, u, ds); }
-  void derivative(StateView s, ControlView u, StateRef ds) const { robot_->derivative(s, u, ds); }
+  Dynamics(const R& robot, StateView state, ControlView u) : robot_(&robot), state_(state), control_(u) {}
+  void derivative(StateRef ds) const { robot_->derivative(state_, control_, ds); }
+  void derivative(StateView s, StateRef ds) const { robot_->derivative(s, control_, ds); }
 
  private:
   const R* robot_;
   StateView state_;
+  ControlView control_;
 };
 
 template <Robot R>
-auto dynamics_near(const R& robot, StateView state, const Pose* poses) {
-  if constexpr (requires { robot.near(state, poses); }) {
-    return robot.near(state, poses);
+auto dynamics_near(const R& robot, StateView state, const Pose* poses, ControlView u, float dt) {
+  if constexpr (requires { robot.near(state, poses, u, dt); }) {
+    return robot.near(state, poses, u, dt);
   } else {
-    return Dynamics<R>(robot, state, poses);
+    return Dynamics<R>(robot, state, u);
   }
 }
 
-// next = the state after dt seconds; `next` may not overlap `state`, whose bodies' frames are `poses`. Four
+// What dt seconds add to a state, whose bodies' frames are `poses`: calls add(i, increment) for every component. Four
 // derivatives.
-template <Robot R>
-void propagate(const R& robot, const float* state, const Pose* poses, const float* control, float dt, float* next) {
+template <Robot R, class Add>
+void runge_kutta(const R& robot, const float* state, const Pose* poses, const float* control, float dt, Add add) {
   const int n = robot.state_size();
   float k1[R::kMaxState];
   float k23[R::kMaxState];
@@ -38,21 +39,27 @@ void propagate(const R& robot, const float* state, const Pose* poses, const floa
   float middle[R::kMaxState];
   const StateView s(state, n);
   const StateView at(middle, n);
-  const ControlView u(control, robot.control_size());
-  const auto dynamics = dynamics_near(robot, s, poses);
+  const auto dynamics = dynamics_near(robot, s, poses, ControlView(control, robot.control_size()), dt);
   const float half = 0.5F * dt;
-  dynamics.derivative(u, StateRef(k1, n));
+  dynamics.derivative(StateRef(k1, n));
   for (int i = 0; i < n; ++i) middle[i] = state[i] + half * k1[i];
-  dynamics.derivative(at, u, StateRef(k23, n));
+  dynamics.derivative(at, StateRef(k23, n));
   for (int i = 0; i < n; ++i) middle[i] = state[i] + half * k23[i];
-  dynamics.derivative(at, u, StateRef(k, n));
+  dynamics.derivative(at, StateRef(k, n));
   for (int i = 0; i < n; ++i) {
     middle[i] = state[i] + dt * k[i];
     k23[i] = k23[i] + k[i];
   }
-  dynamics.derivative(at, u, StateRef(k, n));
+  dynamics.derivative(at, StateRef(k, n));
   const float sixth = dt / 6.0F;
-  for (int i = 0; i < n; ++i) next[i] = state[i] + sixth * ((k1[i] + k[i]) + 2.0F * k23[i]);
+  for (int i = 0; i < n; ++i) add(i, sixth * ((k1[i] + k[i]) + 2.0F * k23[i]));
+}
+
+// next = the state after dt seconds; `next` may not overlap `state`.
+template <Robot R>
+void propagate(const R& robot, const float* state, const Pose* poses, const float* control, float dt, float* next) {
+  runge_kutta(robot, state, poses, control, dt,
+              [state, next](int i, float increment) { next[i] = state[i] + increment; });
 }
 
 // The same where the frames have yet to be found.

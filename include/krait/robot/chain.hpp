@@ -57,39 +57,42 @@ class Chain {
   bool within_limits(StateView s) const;
   void place(StateView s, Pose* poses) const;
   bool travel(StateView s, ControlView u, float dt, StateView next, Travel* travel) const;
-  float longest_path(StateView s, ControlView u, float dt) const;
   QuickBound quick_bound(StateView s, ControlView u, float dt, StateView next) const;
-  float least_separation(StateView s, StateView next, const Travel* travel) const;
 
   // Eqn 1 with the hitch angle's sine as in LaValle, Planning Algorithms, 13.1.2.3: the trailers move with speed v if
   // they slip, else with v cos psi.
   void derivative(StateView s, ControlView u, StateRef ds) const;
 
   // The dynamics near a state whose frames are known: angles change little in a step, and turning what is known by a
-  // little costs less than a sine. The chain and the state must outlive it.
+  // little costs less than a sine. The chain, the state and the control must outlive it.
   class Near {
    public:
-    Near(const Chain& chain, StateView s, const Pose* poses);
-    void derivative(ControlView u, StateRef ds) const;
-    void derivative(StateView s, ControlView u, StateRef ds) const;
+    Near(const Chain& chain, StateView s, const Pose* poses, ControlView u, float dt);
+    void derivative(StateRef ds) const;
+    void derivative(StateView s, StateRef ds) const;
 
    private:
+    template <class Turn>
+    void derivative(StateView s, Turn turn, StateRef ds) const;
+
     const Chain* chain_;
     const float* state_;
+    const float* control_;
+    bool small_;  // whether no angle changes by more than kSmallAngle
     SinCos heading_;
     SinCos steering_;
-    float sin_[1 + kMaxTrailers];  // of the hitch angle before trailer i, at i
-    float cos_[1 + kMaxTrailers];
+    SinCos hitch_[1 + kMaxTrailers];  // the angle before trailer i, at i
   };
-  Near near(StateView s, const Pose* poses) const { return {*this, s, poses}; }
+  Near near(StateView s, const Pose* poses, ControlView u, float dt) const { return {*this, s, poses, u, dt}; }
 
  private:
-  void rates(StateView s, ControlView u, SinCos heading, SinCos steering, const float* sines, const float* cosines,
-             StateRef ds) const;
+  template <class Hitch>
+  void rates(const float* s, const float* u, SinCos heading, SinCos steering, Hitch hitch, float* ds) const;
   struct Body {
     Vec2 vertices[format::kMaxPieceVertices];
     int count = 0;
   };
+  bool changes_little(StateView s, ControlView u, float dt) const;
   float separation(float hitch, float spread) const;
   float steering_limit(StateView s, float heading_error, float speed) const;
 

@@ -19,15 +19,9 @@ using ControlRef = Eigen::Map<Eigen::VectorXf>;
 
 inline Vec2 position(const StateView& state) { return {state[0], state[1]}; }
 
-// A body's frame in the workspace.
-struct Pose {
-  Vec2 position;
-  SinCos heading;
-};
-
 // Where an expansion steers to.
 struct Target {
-  Vec2 point;
+  Vec2 point = {};
   float speed = 1.0F;  // share of the robot's top speed in [0, 1]; in [-1, 0): of its top speed backwards
   float dt = 0.1F;     // seconds that the control will be held
 };
@@ -62,9 +56,9 @@ struct Steering {
 //                                that nothing is jumped over between two states; false when it is not proven that the
 //                                limits, which s and next keep, hold all the way
 // It may also have
-//   near(s, poses)               given the frames of s, an object with derivative(u, ds), the dynamics at s, and
-//                                derivative(s', u, ds), those at states near s: derivative's values but for rounding,
-//                                at less cost; used instead of it throughout
+//   near(s, poses, u, dt)        given the frames of s, an object with derivative(ds), the dynamics at s under u, and
+//                                derivative(s', ds), those at a state s' that Runge-Kutta comes to in a step of dt:
+//                                derivative's values but for rounding, at less cost; used instead of it throughout
 template <class R>
 concept Robot = requires(const R& robot, StateView s, StateRef ds, ControlView u, ControlRef control,
                          Steering& steering, const Target& target, Pose* poses, Travel* travel, float dt, int k) {
@@ -104,8 +98,9 @@ bool sound(const R& robot) {
 
 // What can be said of a whole robot's step at little cost. Where it suffices nobody asks for more.
 struct QuickBound {
-  bool limited = false;     // whether its limits are proven to hold throughout
-  float separation = 0.0F;  // as least_separation
+  bool limited = false;     // whether its limits are proven to hold throughout; the rest counts only then
+  float separation = 0.0F;  // between the origins of two bodies that are tested against each other, metres
+  Travel most = {};         // no body's is more
 };
 
 // A robot may say.
@@ -116,27 +111,6 @@ QuickBound quick_bound(const R& robot, StateView s, ControlView u, float dt, Sta
                 })
     return robot.quick_bound(s, u, dt, next);
   return {};
-}
-
-// At least the path of every body's frame's origin, metres, while u is held for dt from s; a robot may say. O(1).
-template <Robot R>
-float longest_path(const R& robot, StateView s, ControlView u, float dt) {
-  if constexpr (requires {
-                  { robot.longest_path(s, u, dt) } -> std::same_as<float>;
-                })
-    return robot.longest_path(s, u, dt);
-  return kInfinity;
-}
-
-// At most the distance between the origins of any two bodies that are tested against each other, while the step bounded
-// by `travel` goes from s to next; a robot may say, which spares looking at the pairs.
-template <Robot R>
-float least_separation(const R& robot, StateView s, StateView next, const Travel* travel) {
-  if constexpr (requires {
-                  { robot.least_separation(s, next, travel) } -> std::same_as<float>;
-                })
-    return robot.least_separation(s, next, travel);
-  return 0.0F;
 }
 
 // Whether the robot can drive backwards; a robot may say.

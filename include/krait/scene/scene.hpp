@@ -62,7 +62,7 @@ struct Cell {
 
 // Square cells over the bounds.
 struct CellGrid {
-  Vec2 origin;
+  Vec2 origin{};
   float per_metre = 1;
   std::int32_t columns = 0;
   std::int32_t rows = 0;
@@ -80,6 +80,39 @@ struct CellGrid {
     const float last = static_cast<float>(cells - 1);
     return static_cast<std::int32_t>(clamp(x, 0.0F, last));
   }
+};
+
+// A lower bound of the distance to the nearest obstacle or bound, by place.
+class ClearanceGrid {
+ public:
+  ClearanceGrid() = default;
+  ClearanceGrid(Vec2 origin, const format::Header& header, const std::uint8_t* cells)
+      : origin_(origin),
+        per_metre_(1.0F / header.clearance_cell),
+        unit_(header.clearance_unit),
+        columns_(static_cast<float>(header.clearance_columns)),
+        rows_(static_cast<float>(header.clearance_rows)),
+        stride_(header.clearance_columns),
+        cells_(cells) {}
+
+  // At most the distance from p to the nearest obstacle or bound, metres; 0 where p lies near one or outside.
+  float at(Vec2 p) const {
+    const float column = (p.x - origin_.x) * per_metre_;
+    const float row = (p.y - origin_.y) * per_metre_;
+    const bool inside = column * (columns_ - column) > 0.0F && row * (rows_ - row) > 0.0F;
+    if (!inside) return 0.0F;
+    const auto cell = static_cast<std::uint32_t>(row) * stride_ + static_cast<std::uint32_t>(column);
+    return unit_ * static_cast<float>(cells_[cell]);
+  }
+
+ private:
+  Vec2 origin_{};
+  float per_metre_ = 1.0F;
+  float unit_ = 0.0F;
+  float columns_ = 0.0F;
+  float rows_ = 0.0F;
+  std::uint32_t stride_ = 0;
+  const std::uint8_t* cells_ = nullptr;
 };
 
 struct ScenePose {
@@ -152,15 +185,7 @@ class Scene {
   std::uint32_t bucket_pieces_begin(std::size_t bucket) const { return bucket_piece_offsets_[bucket]; }
   Index bucket_piece(std::uint32_t i) const { return bucket_pieces_[i]; }
 
-  // At most the distance from p to the nearest obstacle or bound; 0 where p lies near one or outside. One look-up.
-  float clearance(Vec2 p) const {
-    const float column = (p.x - clearance_grid_.origin.x) * clearance_grid_.per_metre;
-    const float row = (p.y - clearance_grid_.origin.y) * clearance_grid_.per_metre;
-    const bool inside = column >= 0.0F && row >= 0.0F && column < clearance_columns_ && row < clearance_rows_;
-    if (!inside) return 0.0F;
-    const Cell cell{static_cast<std::int32_t>(column), static_cast<std::int32_t>(row)};
-    return header_.clearance_unit * static_cast<float>(clearance_[clearance_grid_.index(cell)]);
-  }
+  const ClearanceGrid& clearance() const { return clearance_grid_; }
 
  private:
   static std::size_t at(Index triangle, int i) { return std::size_t{triangle} * 3 + static_cast<std::size_t>(i); }
@@ -195,9 +220,7 @@ class Scene {
   const std::uint8_t* clearance_ = nullptr;
   const char* names_ = nullptr;
   CellGrid buckets_;
-  CellGrid clearance_grid_;
-  float clearance_columns_ = 0.0F;
-  float clearance_rows_ = 0.0F;
+  ClearanceGrid clearance_grid_;
 
   friend class SceneChecker;
 };

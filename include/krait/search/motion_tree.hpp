@@ -56,8 +56,12 @@ class MotionTree {
   Branch branch(Index vertex) const { return unpacked(branches_[vertex]); }
 
   // Turns the path that ends at `last` around: from then on next(root's expansion) is the expansion after it, and so
-  // on, and steps() is how many of its steps the path takes. Ends all other use of the tree. Gives the first expansion.
+  // on, and steps() is how many of its steps the path takes. Ends all other use of the tree, until the path is turned
+  // back. Gives the first expansion.
   Index turn_path(Branch last);
+  // Turns the path that begins with `first` back: the tree is again as before turn_path but for steps() of the path's
+  // expansions, which nothing but a path asks for.
+  void turn_path_back(Index first);
   Index next_of_path(Index expansion) const { return origin(expansion).expansion; }
 
  private:
@@ -75,6 +79,9 @@ class MotionTree {
   static std::uint32_t packed(Branch b) { return b.expansion == kNone ? kNoBranch : b.expansion << 10U | b.step; }
   static Branch unpacked(std::uint32_t b) { return b == kNoBranch ? Branch{} : Branch{b >> 10U, b & kMostSteps}; }
 
+  static void set_steps(Expansion& record, std::uint32_t steps) {
+    record.steps_and_uses = record.steps_and_uses - (record.steps_and_uses & kMostSteps) + steps;
+  }
   void use(Branch branch) {
     if (branch.expansion != kNone) records_[branch.expansion].steps_and_uses += kUse;
   }
@@ -93,8 +100,8 @@ class MotionTree {
   std::uint32_t expansion_high_ = 0;
   Index free_vertex_ = kNone;  // lists of unused slots, linked through branches_ and origins
   Index free_expansion_ = kNone;
-  Vec2 low_;
-  Vec2 unit_;
+  Vec2 low_{};
+  Vec2 unit_{};
 };
 
 }  // namespace krait

@@ -8,6 +8,7 @@
 #include "krait/decomposition/locate.hpp"
 #include "krait/decomposition/regions.hpp"
 #include "krait/motion/drive.hpp"
+#include "krait/motion/open_loop.hpp"
 #include "krait/plan.hpp"
 #include "krait/random.hpp"
 #include "krait/robot/robot.hpp"
@@ -114,7 +115,7 @@ class Search {
   // Empty unless solved. Valid until the next start.
   Plan<R> plan() const {
     if (status() != Status::solved) return {};
-    return {*robot_, tree_, path_, tree_.state(kRoot), parameters_.dt};
+    return found_plan();
   }
 
   Statistics statistics() const {
@@ -158,11 +159,11 @@ class Search {
       expanded.result = grow(expanded, watch);
     }
     if (expanded.result == Expansion::goal_reached) {
-      finish_solved(expanded.last);
-    } else {
-      tree_.end_expansion(expansion, expanded.last.step);
-      if (expanded.result == Expansion::tree_full) finish(Status::tree_full);
+      if (finish_solved(expanded.last)) return expanded;
+      expanded.result = Expansion::target_not_reached;
     }
+    tree_.end_expansion(expansion, expanded.last.step);
+    if (expanded.result == Expansion::tree_full) finish(Status::tree_full);
     return expanded;
   }
 
@@ -202,6 +203,8 @@ class Search {
  private:
   static constexpr float kReachRounding = 1e-2F;  // metres
   static constexpr float kLeastCost = 0.05F;      // of an edge, in robot lengths: keeps h + C above h
+  static constexpr float kMostDrift = 0.04F;      // metres, of a plan's open-loop end from its last state
+  static constexpr float kDepthKept = 0.1F;       // share of the goal's margin that the open-loop end keeps
 
   static Failure bad_argument(Argument argument) {
     return {Status::bad_argument, 0, static_cast<std::uint32_t>(argument)};
@@ -274,8 +277,9 @@ class Search {
     if (regions_.cost(region) == kInfinity) return finish(Status::no_route);
     drive_.begin(*robot_, start);
     derived().keep(region, {}, drive_.state());
-    if (goal_.contains(*scene_, at, 0.0F)) return finish_solved({});
-    return finish(fits ? Status::searching : Status::no_route);
+    finish(fits ? Status::searching : Status::no_route);
+    if (goal_.contains(*scene_, at, 0.0F)) finish_solved({});
+    return status();
   }
 
   // No obstacle comes nearer to the position than the disc around it that lies in body 0, if there is one.
@@ -332,21 +336,36 @@ class Search {
     return triangle == kNone ? last : regions_.region(triangle);
   }
 
-  // Ends the search with the plan that leads to `last`, where drive_ stands, if it does when driven again.
-  Status finish_solved(Branch last) {
+  // Ends the search with the plan that leads to `last`, where drive_ stands. False, and the search goes on, where the
+  // robot that is driven by the plan's controls alone would end elsewhere.
+  bool finish_solved(Branch last) {
     path_ = last.expansion == kNone ? kNone : tree_.turn_path(last);
-    finish(Status::solved);
-    const Plan<R> found = plan();
+    const Plan<R> found = found_plan();
     PlanCursor<R> at = found.cursor();
-    const PlanMeasures measures = measure(at);
+    open_loop_.begin(*robot_, at.state());
+    const PlanMeasures measures = measure(at, [this](const float* u) { open_loop_.step(u, parameters_.dt); });
     for (int i = 0; i < robot_->state_size(); ++i) {
-      if (at.state()[i] != drive_.state()[i]) return finish(Status::internal);
+      if (at.state()[i] == drive_.state()[i]) continue;
+      finish(Status::internal);
+      return true;
     }
+    if (!ends_there(open_loop_.position(), {at.state()[0], at.state()[1]})) {
+      tree_.turn_path_back(path_);
+      return false;
+    }
+    finish(Status::solved);
     statistics_.plan_steps = measures.steps;
     statistics_.plan_length = measures.length;
     statistics_.plan_duration = found.duration();
     statistics_.hash = measures.hash;
-    return status();
+    return true;
+  }
+
+  Plan<R> found_plan() const { return {*robot_, tree_, path_, tree_.state(kRoot), parameters_.dt}; }
+
+  bool ends_there(Vec2 end, Vec2 planned) const {
+    return length(end - planned) <= kMostDrift &&
+           goal_.contains(*scene_, end, path_ == kNone ? 0.0F : kDepthKept * goal_depth_);
   }
 
   bool ready_ = false;
@@ -356,6 +375,7 @@ class Search {
   Goal goal_ = Goal::named(0);
   float goal_depth_ = 0.0F;
   Index path_ = kNone;  // the plan's first expansion
+  OpenLoop<R> open_loop_;
 };
 
 }  // namespace krait

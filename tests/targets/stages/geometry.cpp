@@ -35,7 +35,7 @@ void locations(const firmware::Board& board, const Scene& scene) {
     const Index triangle = locate(scene, p);
     hash.add(triangle);
     hash.add(locate(scene, p, near));
-    hash.add(scene.clearance(p));
+    hash.add(scene.clearance().at(p));
     near = triangle;
   }
   report(board, {scene.name(), "locate"}, hash);

@@ -1,0 +1,47 @@
+// What the robot does that is driven by a plan's controls and nothing else. A plan's states each carry the rounding of
+// the step before and its truncation on to the next; here a state carries what rounding took from it along, and goes by
+// half steps, whose truncation is a sixteenth.
+#pragma once
+
+#include "krait/motion/rk4.hpp"
+
+namespace krait {
+
+template <Robot R>
+class OpenLoop {
+ public:
+  // Where to start; copied. The robot must outlive this.
+  void begin(const R& robot, const float* state) {
+    robot_ = &robot;
+    for (int i = 0; i < robot.state_size(); ++i) {
+      state_[i] = state[i];
+      rest_[i] = 0.0F;
+    }
+  }
+
+  // Holds the control for dt seconds. Two Runge-Kutta steps.
+  void step(const float* control, float dt) {
+    for (int half = 0; half < 2; ++half) {
+      robot_->place(StateView(state_, robot_->state_size()), poses_);
+      runge_kutta(*robot_, state_, poses_, control, 0.5F * dt, [this](int i, float increment) { add(i, increment); });
+    }
+  }
+
+  Vec2 position() const { return {state_[0], state_[1]}; }
+
+ private:
+  // Kahan's sum: state_ + rest_ is the state.
+  void add(int i, float increment) {
+    const float corrected = increment + rest_[i];
+    const float sum = state_[i] + corrected;
+    rest_[i] = corrected - (sum - state_[i]);
+    state_[i] = sum;
+  }
+
+  const R* robot_ = nullptr;
+  float state_[R::kMaxState];
+  float rest_[R::kMaxState];
+  Pose poses_[R::kMaxBodies];
+};
+
+}  // namespace krait
