@@ -157,7 +157,7 @@ typedef struct krait_parameters {
   bool raise_goal;
   float dt;
   uint32_t max_steps, path_regions;
-  float near_radius, stray_share, slowest, reverse_share;
+  float near_radius, stray_share, gentle_share, slowest, reverse_share;
   float clearance;
   bool continuous;
   uint32_t max_substeps;

@@ -48,6 +48,7 @@ enum class Argument : std::uint8_t {
   near_radius,
   clearance,
   stray_share,
+  gentle_share,
   slowest,
   reverse_share,
   cost_length,

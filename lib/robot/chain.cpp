@@ -90,7 +90,7 @@ void Chain::steer(StateView s, const Target& target, Steering& steering, Control
   const bool backward = target.speed < 0.0F;
   const float error = backward ? -atan2(-cross(along, to), -dot(along, to)) : atan2(cross(along, to), dot(along, to));
   const float wanted = steering.heading(kHeadingGains, error, target.dt);
-  const float lock = p.max_steering * kInside;
+  const float lock = p.max_steering * kInside * target.turn;
   const float side = steering_limit(s, wanted, s[3]);
   const float psi =
       wanted < 0.0F ? clamp(wanted, -clamp(side, -lock, lock), lock) : clamp(wanted, -lock, clamp(side, -lock, lock));

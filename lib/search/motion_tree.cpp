@@ -38,13 +38,17 @@ std::uint64_t MotionTree::bytes_untouched() const {
   return (vertex_capacity_ - vertex_high_) * vertex_bytes + (expansion_capacity_ - expansion_high_) * sizeof(Expansion);
 }
 
-Index MotionTree::begin_expansion(Branch from, Vec2 target, float speed) {
+Index MotionTree::begin_expansion(Branch from, const Target& target) {
   const Index expansion = free_expansion_ == kNone ? expansion_high_++ : free_expansion_;
   Expansion& record = records_[expansion];
   if (expansion == free_expansion_) free_expansion_ = record.origin;
-  const float scaled = clamp(speed, -1.0F, 1.0F) * kSpeedParts;
-  record = {packed(from), kUse, parts(target.x, low_.x, unit_.x), parts(target.y, low_.y, unit_.y),
-            static_cast<std::int16_t>(scaled + (scaled < 0.0F ? -0.5F : 0.5F))};
+  const float scaled = clamp(target.speed, -1.0F, 1.0F) * kSpeedParts;
+  record = {packed(from),
+            kUse,
+            parts(target.point.x, low_.x, unit_.x),
+            parts(target.point.y, low_.y, unit_.y),
+            static_cast<std::int16_t>(scaled + (scaled < 0.0F ? -0.5F : 0.5F)),
+            parts(target.turn, 0.0F, 1.0F / kParts)};
   use(from);
   ++expansions_;
   return expansion;
@@ -57,8 +61,11 @@ void MotionTree::end_expansion(Index expansion, std::uint32_t steps) {
 
 Target MotionTree::target(Index expansion) const {
   const Expansion& record = records_[expansion];
-  return {{low_.x + static_cast<float>(record.x) * unit_.x, low_.y + static_cast<float>(record.y) * unit_.y},
-          static_cast<float>(record.speed) / kSpeedParts};
+  Target target;
+  target.point = {low_.x + static_cast<float>(record.x) * unit_.x, low_.y + static_cast<float>(record.y) * unit_.y};
+  target.speed = static_cast<float>(record.speed) / kSpeedParts;
+  target.turn = static_cast<float>(record.turn) / kParts;
+  return target;
 }
 
 Branch MotionTree::origin(Index expansion) const { return unpacked(records_[expansion].origin); }

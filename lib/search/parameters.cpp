@@ -20,6 +20,7 @@ Parameters Parameters::paper() {
   parameters.beta = 0.85F;
   parameters.cost_length = 0.0F;
   parameters.stray_share = 0.0F;
+  parameters.gentle_share = 0.0F;
   parameters.raise_goal = true;
   parameters.group_sample = kUnboundedSample;
   parameters.continuous = false;
@@ -42,6 +43,7 @@ Argument Parameters::first_bad() const {
   if (!within(path_regions, 1, 64)) return Argument::path_regions;
   if (!within(near_radius, 0.0F, 10.0F)) return Argument::near_radius;
   if (!within(stray_share, 0.0F, 1.0F)) return Argument::stray_share;
+  if (!within(gentle_share, 0.0F, 1.0F)) return Argument::gentle_share;
   if (!within(slowest, 0.05F, 1.0F)) return Argument::slowest;
   if (!within(reverse_share, 0.0F, 1.0F)) return Argument::reverse_share;
   if (!within(clearance, 0.0F, 10.0F)) return Argument::clearance;

@@ -21,8 +21,7 @@ struct Node {
   std::shared_ptr<Node> before;  // where it branches off: none at the root
   std::uint32_t at_step = 0;
   Index slot = kNone;
-  Vec2 target;
-  float speed = 0;
+  Target target;
   std::uint32_t steps = 0;
 };
 
@@ -70,9 +69,11 @@ class Grown {
     *node = {from.node,
              from.step,
              kNone,
-             {uniform_float(random_, -4, 28), uniform_float(random_, 10, 26)},
-             uniform_float(random_, -1, 1)};
-    node->slot = tree().begin_expansion(branch(from), node->target, node->speed);
+             {{uniform_float(random_, -4, 28), uniform_float(random_, 10, 26)},
+              uniform_float(random_, -1, 1),
+              0,
+              uniform_float(random_, 0.1, 1)}};
+    node->slot = tree().begin_expansion(branch(from), node->target);
     nodes_.push_back(node);
     most_nodes_ = std::max(most_nodes_, alive().size());
     check();
@@ -188,12 +189,13 @@ class Grown {
     expect_target(node);
   }
 
-  // A target is stored to half a 65535th of the bounds and of the speeds.
+  // A target is stored to half a 65535th of the bounds, of the speeds and of the turns.
   void expect_target(const Node& node) {
     const Target target = tree().target(node.slot);
-    ASSERT_NEAR(target.point.x, node.target.x, 0.5 * 32 / 65535 + 1e-5);
-    ASSERT_NEAR(target.point.y, node.target.y, 0.5 * 16 / 65535 + 1e-5);
-    ASSERT_NEAR(target.speed, node.speed, 0.5 / 32767 + 1e-6);
+    ASSERT_NEAR(target.point.x, node.target.point.x, 0.5 * 32 / 65535 + 1e-5);
+    ASSERT_NEAR(target.point.y, node.target.point.y, 0.5 * 16 / 65535 + 1e-5);
+    ASSERT_NEAR(target.speed, node.target.speed, 0.5 / 32767 + 1e-6);
+    ASSERT_NEAR(target.turn, node.target.turn, 0.5 / 65535 + 1e-6);
   }
 
   Fixture fixture_;
@@ -239,10 +241,10 @@ TEST(MotionTree, TurnsAPathWhoseLastExpansionStillGrows) {
   Fixture f(10, 10);
   const float state[kStateSize] = {};
   f.tree.add({}, state);
-  const Index first = f.tree.begin_expansion({}, {0, 20}, 1.0F);
+  const Index first = f.tree.begin_expansion({}, {{0, 20}, 1.0F});
   f.tree.add({first, 3}, state);
   f.tree.end_expansion(first, 7);
-  const Index second = f.tree.begin_expansion({first, 3}, {1, 20}, 1.0F);
+  const Index second = f.tree.begin_expansion({first, 3}, {{1, 20}, 1.0F});
   EXPECT_EQ(f.tree.turn_path({second, 5}), first);
   EXPECT_EQ(f.tree.steps(first), 3U);
   EXPECT_EQ(f.tree.next_of_path(first), second);
@@ -254,13 +256,13 @@ TEST(MotionTree, AnExpansionLivesWhileAVertexOrALaterOneNeedsIt) {
   Fixture f(10, 10);
   const float state[kStateSize] = {1, 2, 3};
   f.tree.add({}, state);
-  const Index first = f.tree.begin_expansion({}, {0, 20}, 1.0F);
+  const Index first = f.tree.begin_expansion({}, {{0, 20}, 1.0F});
   const Index a = f.tree.add({first, 1}, state);
   const Index b = f.tree.add({first, 2}, state);
   f.tree.end_expansion(first, 2);
   f.tree.remove(a);
   EXPECT_EQ(f.tree.expansions(), 1U);  // b needs it
-  const Index second = f.tree.begin_expansion({first, 2}, {0, 20}, 1.0F);
+  const Index second = f.tree.begin_expansion({first, 2}, {{0, 20}, 1.0F});
   const Index c = f.tree.add({second, 1}, state);
   f.tree.end_expansion(second, 1);
   f.tree.remove(b);
@@ -272,7 +274,7 @@ TEST(MotionTree, AnExpansionLivesWhileAVertexOrALaterOneNeedsIt) {
 
 TEST(MotionTree, AnExpansionThatKeptNothingGoesWhenItEnds) {
   Fixture f(10, 10);
-  const Index expansion = f.tree.begin_expansion({}, {0, 20}, 1.0F);
+  const Index expansion = f.tree.begin_expansion({}, {{0, 20}, 1.0F});
   EXPECT_EQ(f.tree.expansions(), 1U);
   f.tree.end_expansion(expansion, 5);
   EXPECT_EQ(f.tree.expansions(), 0U);
@@ -282,7 +284,7 @@ TEST(MotionTree, AnExpansionThatKeptNothingGoesWhenItEnds) {
 TEST(MotionTree, AReplacedVertexInItsOwnExpansionKeepsIt) {
   Fixture f(1, 1);
   const float one[kStateSize] = {1, 1, 1}, two[kStateSize] = {2, 2, 2};
-  const Index expansion = f.tree.begin_expansion({}, {0, 20}, 1.0F);
+  const Index expansion = f.tree.begin_expansion({}, {{0, 20}, 1.0F});
   const Index vertex = f.tree.add({expansion, 1}, one);
   f.tree.end_expansion(expansion, 4);
   f.tree.replace(vertex, {expansion, 4}, two);
@@ -295,7 +297,7 @@ TEST(MotionTree, SlotsAreReusedBeforeNewOnesAreTaken) {
   Fixture f(100, 100);
   const float state[kStateSize] = {};
   for (int round = 0; round < 50; ++round) {
-    const Index expansion = f.tree.begin_expansion({}, {0, 20}, 1.0F);
+    const Index expansion = f.tree.begin_expansion({}, {{0, 20}, 1.0F});
     const Index a = f.tree.add({expansion, 1}, state), b = f.tree.add({expansion, 2}, state);
     f.tree.end_expansion(expansion, 2);
     EXPECT_LT(std::max(a, b), 2U);
@@ -310,7 +312,7 @@ TEST(MotionTree, SlotsAreReusedBeforeNewOnesAreTaken) {
 TEST(MotionTree, TargetsAtAndBeyondTheBoundsAreHeldInThem) {
   Fixture f(2, 2);
   const auto stored = [&](Vec2 point, float speed) {
-    const Index expansion = f.tree.begin_expansion({}, point, speed);
+    const Index expansion = f.tree.begin_expansion({}, {point, speed});
     const Target target = f.tree.target(expansion);
     f.tree.end_expansion(expansion, 0);
     return target;
@@ -332,16 +334,15 @@ TEST(MotionTree, StoredTargetsAreStoredAsThemselves) {
   Fixture f(2, 2);
   std::mt19937 random(1);
   for (int i = 0; i < 10'000; ++i) {
-    Vec2 point{uniform_float(random, -4, 28), uniform_float(random, 10, 26)};
-    float speed = uniform_float(random, -1, 1);
+    Target wanted{{uniform_float(random, -4, 28), uniform_float(random, 10, 26)}, uniform_float(random, -1, 1)};
+    wanted.turn = uniform_float(random, 0, 1);
     Target target[2];
     for (Target& t : target) {
-      const Index expansion = f.tree.begin_expansion({}, point, speed);
-      t = f.tree.target(expansion);
+      const Index expansion = f.tree.begin_expansion({}, wanted);
+      wanted = t = f.tree.target(expansion);
       f.tree.end_expansion(expansion, 0);
-      point = t.point;
-      speed = t.speed;
     }
+    ASSERT_EQ(target[0].turn, target[1].turn);
     ASSERT_EQ(target[0].point.x, target[1].point.x);
     ASSERT_EQ(target[0].point.y, target[1].point.y);
     ASSERT_EQ(target[0].speed, target[1].speed);
@@ -351,7 +352,7 @@ TEST(MotionTree, StoredTargetsAreStoredAsThemselves) {
 TEST(MotionTree, TheLongestExpansionIsCountedToTheStep) {
   Fixture f(3, 2);
   const float state[kStateSize] = {};
-  const Index expansion = f.tree.begin_expansion({}, {0, 20}, 1.0F);
+  const Index expansion = f.tree.begin_expansion({}, {{0, 20}, 1.0F});
   const Index vertex = f.tree.add({expansion, MotionTree::kMostSteps}, state);
   f.tree.end_expansion(expansion, MotionTree::kMostSteps);
   EXPECT_EQ(f.tree.steps(expansion), MotionTree::kMostSteps);
@@ -366,7 +367,7 @@ TEST(MotionTree, ClearForgetsEverything) {
   const float state[kStateSize] = {};
   for (int round = 0; round < 3; ++round) {
     for (Index i = 0; i < 4; ++i) {
-      const Index expansion = f.tree.begin_expansion({}, {0, 20}, 1.0F);
+      const Index expansion = f.tree.begin_expansion({}, {{0, 20}, 1.0F});
       EXPECT_EQ(expansion, i);
       EXPECT_EQ(f.tree.add({expansion, 1}, state), i);
       f.tree.end_expansion(expansion, 1);

@@ -266,6 +266,7 @@ std::vector<ParameterRange> float_ranges() {
           {Argument::dt, 0.001F, 1, false, false, [](auto& p, float x) { p.dt = x; }},
           {Argument::near_radius, 0, 10, false, false, [](auto& p, float x) { p.near_radius = x; }},
           {Argument::stray_share, 0, 1, false, false, [](auto& p, float x) { p.stray_share = x; }},
+          {Argument::gentle_share, 0, 1, false, false, [](auto& p, float x) { p.gentle_share = x; }},
           {Argument::slowest, 0.05F, 1, false, false, [](auto& p, float x) { p.slowest = x; }},
           {Argument::reverse_share, 0, 1, false, false, [](auto& p, float x) { p.reverse_share = x; }},
           {Argument::clearance, 0, 10, false, false, [](auto& p, float x) { p.clearance = x; }},

@@ -156,7 +156,11 @@ TEST(RobotTravelSnake, BoundsTheTailOfACurledSnake) {
   const auto places = motion(snake, s, u, 0.02, 20);
   const double length = path_length(places, kMaxTrailers, places[0][kMaxTrailers].size() - 1);
   EXPECT_GT(length, 1.1 * 0.02 * wide(p.max_speed));
-  EXPECT_LE(length, wide(bounds_of(snake, s, u, 0.02F, step(snake, s, u, 0.02F)).bodies.back().path));
+  const auto next = step(snake, s, u, 0.02F);
+  EXPECT_LE(length, wide(bounds_of(snake, s, u, 0.02F, next).bodies.back().path));
+  const QuickBound quick = quick_bound_of(snake, s, u, 0.02F, next);
+  EXPECT_TRUE(quick.limited);
+  EXPECT_LE(length, wide(quick.most.path));
 }
 
 TYPED_TEST(RobotTravel, StandingStillIsZero) {
@@ -191,6 +195,46 @@ template <class R>
 class RobotSeparation : public ::testing::Test {};
 using Chains = ::testing::Types<Snake, Truck>;
 TYPED_TEST_SUITE(RobotSeparation, Chains, ModelNames);
+
+// The largest of the hitch angles from trailer `first` on, at any time of a step's true motion.
+double largest_hitch(const Chain& chain, std::size_t first, const std::vector<Numbers>& states) {
+  double most = 0;
+  for (const Numbers& s : states) {
+    for (std::size_t i = 4 + first; i < 5 + static_cast<std::size_t>(chain.parameters().trailers); ++i) {
+      most = std::max(most, std::abs(s[i == 5 ? 2 : i - 1] - s[i]));
+    }
+  }
+  return most;
+}
+
+TYPED_TEST(RobotSeparation, AHitchThatFoldsBetweenTwoStatesIsNeverCalledLimited) {
+  ChainParameters p;
+  p.trailers = 5;
+  p.max_hitch_angle = 0.9F;
+  const TypeParam robot(p);
+  std::mt19937 random(6);
+  int folding = 0, folding_further_back = 0, limited = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    auto s = random_state(robot, random);
+    for (std::size_t k = 5; k < s.size(); ++k) s[k] = s[k == 5 ? 2 : k - 1] + uniform_float(random, -0.9, 0.9);
+    const auto u = random_control(robot, s, 0.1F, random);
+    const auto next = step(robot, s, u, 0.1F);
+    if (!robot.within_limits(StateView(s.data(), 10)) || !robot.within_limits(StateView(next.data(), 10))) continue;
+    std::vector<Numbers> states{doubles(s)};
+    for (int part = 0; part < 20; ++part) states.push_back(rk4(robot, states.back(), doubles(u), 0.1 / 20));
+    const bool by_body = bounds_of(robot, s, u, 0.1F, next).limited;
+    const bool by_all = quick_bound_of(robot, s, u, 0.1F, next).limited;
+    limited += by_all ? 1 : 0;
+    if (largest_hitch(robot, 1, states) <= wide(p.max_hitch_angle)) continue;
+    ++folding;
+    folding_further_back += largest_hitch(robot, 2, states) > wide(p.max_hitch_angle) ? 1 : 0;
+    ASSERT_FALSE(by_body);
+    ASSERT_FALSE(by_all);
+  }
+  EXPECT_GT(folding, 5);
+  EXPECT_GT(folding_further_back, 3);
+  EXPECT_GT(limited, 100);
+}
 
 // A chain that winds a little, some of them more.
 std::vector<float> winding_state(const Chain& chain, std::mt19937& random) {

@@ -38,11 +38,11 @@ void runge_kutta(const R& robot, const float* state, const Pose* poses, const fl
   float k[R::kMaxState];
   float middle[R::kMaxState];
   const StateView s(state, n);
-  const StateView at(middle, n);
   const auto dynamics = dynamics_near(robot, s, poses, ControlView(control, robot.control_size()), dt);
   const float half = 0.5F * dt;
   dynamics.derivative(StateRef(k1, n));
   for (int i = 0; i < n; ++i) middle[i] = state[i] + half * k1[i];
+  const StateView at(middle, n);
   dynamics.derivative(at, StateRef(k23, n));
   for (int i = 0; i < n; ++i) middle[i] = state[i] + half * k23[i];
   dynamics.derivative(at, StateRef(k, n));

@@ -24,6 +24,7 @@ struct Target {
   Vec2 point = {};
   float speed = 1.0F;  // share of the robot's top speed in [0, 1]; in [-1, 0): of its top speed backwards
   float dt = 0.1F;     // seconds that the control will be held
+  float turn = 1.0F;   // share of the robot's sharpest turn in (0, 1], for one whose turns cost it room
 };
 
 // How a body can have moved during a step. Of a point of it that is r metres from its frame's origin: it has gone at

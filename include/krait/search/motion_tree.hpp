@@ -38,7 +38,7 @@ class MotionTree {
 
   // Begins an expansion, of no steps yet, from a state of the tree, or the root's with the branch {}. Not when full. It
   // stays, and all before it, until it has ended and is needed by no vertex and no later expansion.
-  Index begin_expansion(Branch from, Vec2 target, float speed);
+  Index begin_expansion(Branch from, const Target& target);
   void end_expansion(Index expansion, std::uint32_t steps);
 
   // The target as stored; `dt` is not.
@@ -71,6 +71,7 @@ class MotionTree {
     std::uint16_t x;               // target, in parts of the bounds
     std::uint16_t y;
     std::int16_t speed;  // in parts of 1 / 32767
+    std::uint16_t turn;  // in parts of 1 / 65535
   };
 
   static constexpr std::uint32_t kUse = kMostSteps + 1;

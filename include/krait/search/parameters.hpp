@@ -39,6 +39,7 @@ struct Parameters {
   std::uint32_t path_regions = 8;  // 1 … 64: targets come from that many regions after the group's own
   float near_radius = 0.7F;        // 0 … 10, in robot lengths: a target so near is reached
   float stray_share = 0.1F;        // 0 … 1: share of expansions toward a random point of the workspace instead
+  float gentle_share = 0.35F;      // 0 … 1: share of expansions from a group that was often selected that turn gently
   float slowest = 0.75F;       // 0.05 … 1: speed set-points are uniform from this share of the top speed to all of it
   float reverse_share = 0.2F;  // 0 … 1: share of expansions that drive backwards, of a robot that can
   // Collision.

@@ -10,7 +10,6 @@ template <Robot R>
 class Planner : public GroupedSearch<Planner<R>, R> {
   using Base = GroupedSearch<Planner<R>, R>;
   using Expansion = typename Base::Expansion;
-  using TargetPoint = typename Base::TargetPoint;
   template <class, Robot, class>
   friend class Search;
 
@@ -26,7 +25,7 @@ class Planner : public GroupedSearch<Planner<R>, R> {
     if (!this->room_for_expansion()) return;
     const Index group = this->guide_.select(this->regions_);
     const Index vertex = this->guide_.random_vertex(group, this->random_);
-    const TargetPoint target = choose_target(group);
+    const Target target = choose_target(group);
     const auto expanded = this->expand(vertex, group, target, watch);
     if (this->status() != Status::searching) return;
     if (expanded.result == Expansion::collision) raise_costs(expanded.region);
@@ -35,13 +34,14 @@ class Planner : public GroupedSearch<Planner<R>, R> {
 
   // Algorithm 2, lines 2 and 3: a region among the first of the shortest path after the group's, a point in it; now and
   // then any point of the workspace, which ends long series of failures at one place.
-  TargetPoint choose_target(Index group) {
+  Target choose_target(Index group) {
     const float stray = this->parameters_.stray_share;
-    if (stray > 0.0F && this->random_.unit() < stray) return this->at_random_speed(this->random_point_in_bounds());
+    const std::uint32_t tries = this->guide_.selections(group);
+    if (stray > 0.0F && this->random_.unit() < stray) return this->any_way_to(this->random_point_in_bounds(), tries);
     const Regions& regions = this->regions_;
     const Index region = regions.random_ahead(group, this->parameters_.path_regions, this->random_);
     const Vec2 point = regions.random_point(region, this->random_);
-    return this->at_random_speed(point);
+    return this->any_way_to(point, tries);
   }
 
   // Algorithm 1, lines 9 to 11.

@@ -28,7 +28,7 @@ class PriorPlanner : public GroupedSearch<PriorPlanner<R>, R> {
     const Index group = this->guide_.select(this->regions_);
     const Vec2 point = choose_point(group);
     const Index vertex = choose_vertex(group, point);
-    this->expand(vertex, group, this->at_random_speed(point), watch);
+    this->expand(vertex, group, this->any_way_to(point, this->guide_.selections(group)), watch);
   }
 
   // Where to steer: mostly into a region ahead, at times to the goal or anywhere.

@@ -12,7 +12,6 @@ template <Robot R>
 class RrtPlanner : public Search<RrtPlanner<R>, R, NearestPoints> {
   using Base = Search<RrtPlanner<R>, R, NearestPoints>;
   using Expansion = typename Base::Expansion;
-  using TargetPoint = typename Base::TargetPoint;
   friend Base;
 
   // The regions tell whether there is a route at all, and guide nothing.
@@ -47,7 +46,7 @@ class RrtPlanner : public Search<RrtPlanner<R>, R, NearestPoints> {
   void begin_connection() {
     const bool to_goal = this->random_.unit() < this->parameters_.rrt.goal_share;
     const Vec2 point = to_goal ? this->regions_.random_goal_point(this->random_) : this->random_point_in_bounds();
-    target_ = this->at_random_speed(point);
+    target_ = this->any_way_to(point, Base::kPatience);
     connecting_ = this->guide_.nearest(point);
   }
 
@@ -56,7 +55,7 @@ class RrtPlanner : public Search<RrtPlanner<R>, R, NearestPoints> {
     return length(target_.point - this->position(newest_)) < length(target_.point - from);
   }
 
-  TargetPoint target_{};
+  Target target_;
   Index connecting_ = kNone;  // the vertex that a connection goes on from, or none
   Index newest_ = kNone;
 };

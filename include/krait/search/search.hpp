@@ -129,7 +129,8 @@ class Search {
   }
 
  protected:
-  static constexpr Index kRoot = 0;  // the vertex of the start, which stays
+  static constexpr Index kRoot = 0;               // the vertex of the start, which stays
+  static constexpr std::uint32_t kPatience = 10;  // tries after which half of the gentle share turns gently
 
   enum class Expansion { goal_reached, target_reached, target_not_reached, collision, tree_full };
 
@@ -139,16 +140,11 @@ class Search {
     Branch last;   // the last state, when there was a step
   };
 
-  struct TargetPoint {
-    Vec2 point;
-    float speed;
-  };
-
   // Algorithm 2, lines 4 to 15: from a vertex, which lies in `region` (or kNone: not known), toward the target. The
   // tree must have room for an expansion.
   template <class Watch>
-  Expanded expand(Index vertex, Index region, const TargetPoint& toward, Watch watch) {
-    const Index expansion = tree_.begin_expansion(tree_.branch(vertex), toward.point, toward.speed);
+  Expanded expand(Index vertex, Index region, const Target& toward, Watch watch) {
+    const Index expansion = tree_.begin_expansion(tree_.branch(vertex), toward);
     drive_.begin(*robot_, tree_.state(vertex));
     check_.begin(drive_.state());
     Target target = tree_.target(expansion);
@@ -167,11 +163,18 @@ class Search {
     return expanded;
   }
 
-  // Where an expansion goes at a random speed.
-  TargetPoint at_random_speed(Vec2 point) {
+  // The way to a point at a random speed, and in a turn that is gentle the more often, the more often it was tried.
+  Target any_way_to(Vec2 point, std::uint32_t tries) {
+    Target target;
+    target.point = point;
     const bool backward = reversible(*robot_) && random_.unit() < parameters_.reverse_share;
     const float share = parameters_.slowest + (1.0F - parameters_.slowest) * random_.unit();
-    return {point, backward ? -share : share};
+    target.speed = backward ? -share : share;
+    const auto patience = static_cast<float>(tries) / static_cast<float>(tries + kPatience);
+    if (random_.unit() < parameters_.gentle_share * patience) {
+      target.turn = kGentlest + (1.0F - kGentlest) * random_.unit();
+    }
+    return target;
   }
 
   Vec2 random_point_in_bounds() {
@@ -201,6 +204,7 @@ class Search {
   float robot_length_ = 1.0F;
 
  private:
+  static constexpr float kGentlest = 0.15F;       // of the sharpest turn
   static constexpr float kReachRounding = 1e-2F;  // metres
   static constexpr float kLeastCost = 0.05F;      // of an edge, in robot lengths: keeps h + C above h
   static constexpr float kMostDrift = 0.04F;      // metres, of a plan's open-loop end from its last state

@@ -40,10 +40,10 @@ void cells_meeting(const GridShape& s, const GridBox& box, Visit visit) {
 
 // Whether the box, which meets the ring's own box, lies wholly outside one of the convex ring's edges.
 bool beyond_an_edge(const GridRing& ring, const GridBox& box) {
-  const GridRing corners = ring_of(box);
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const GridPoint a = ring[i], b = ring[(i + 1) % ring.size()];
-    if (std::all_of(corners.begin(), corners.end(), [&](GridPoint p) { return cross(a, b, p) < 0; })) return true;
+    const GridPoint leftmost{b.y >= a.y ? box.min.x : box.max.x, b.x >= a.x ? box.max.y : box.min.y};
+    if (cross(a, b, leftmost) < 0) return true;
   }
   return false;
 }
