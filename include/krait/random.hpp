@@ -9,6 +9,7 @@ namespace krait {
 
 class Random {
  public:
+  // Not all of the state is zero: of two numbers in a row one is not, and what these steps make of it is not either.
   explicit Random(std::uint64_t seed = 1) {
     for (int i = 0; i < 4; i += 2) {
       seed += 0x9E3779B97F4A7C15ULL;
@@ -19,7 +20,6 @@ class Random {
       state_[i] = static_cast<std::uint32_t>(z);
       state_[i + 1] = static_cast<std::uint32_t>(z >> 32U);
     }
-    if ((state_[0] | state_[1] | state_[2] | state_[3]) == 0) state_[0] = 1;
   }
 
   std::uint32_t bits() {
