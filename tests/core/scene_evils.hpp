@@ -144,7 +144,8 @@ inline std::vector<Evil> header_evils() {
       header("obstacle_error_nan", offsetof(Header, obstacle_error), kNan),
       header("obstacle_error_huge", offsetof(Header, obstacle_error), 1.0F),
       header("tolerance_negative", offsetof(Header, tolerance), -1.0F),
-      header("tolerance_nan", offsetof(Header, tolerance), kNan)};
+      header("tolerance_nan", offsetof(Header, tolerance), kNan),
+      header("tolerance_huge", offsetof(Header, tolerance), 2049.0F)};
   const std::pair<const char*, std::size_t> counts[] = {{"vertices", offsetof(Header, vertices)},
                                                         {"triangles", offsetof(Header, triangles)},
                                                         {"portals", offsetof(Header, portals)},
@@ -330,6 +331,10 @@ inline std::vector<Evil> bucket_evils() {
                   [](SceneData& d) { d.bucket_triangles[1].pop_back(); }),
           written("bucket_piece_left_out", piece_list, pieces_listed - 1,
                   [=](SceneData& d) { d.bucket_pieces[most_pieces].pop_back(); }),
+          written("bucket_pieces_all_left_out", piece_list, 0,
+                  [](SceneData& d) {
+                    for (auto& list : d.bucket_pieces) list.clear();
+                  }),
           written("bucket_triangle_elsewhere", triangle_list, first,
                   [=](SceneData& d) { d.bucket_triangles[0].push_back(detail::count(d.triangles.size()) - 1); }),
           written("bucket_piece_elsewhere", piece_list, 1, [](SceneData& d) {
@@ -386,6 +391,10 @@ inline std::vector<Evil> name_evils() {
   return {written("name_missing", names, 5 + 6 + 6, [](SceneData& d) { d.names.pop_back(); }),
           written("name_too_many", names, 5 + 6 + 6 + 7 + 5, [](SceneData& d) { d.names.push_back("more"); }),
           written("names_empty", names, 0, [](SceneData& d) { d.names.clear(); }),
+          {"names_end_within_a_character", names, 5 + 6 + 6 + 7 - 1,
+           [](SceneBytes& b) {
+             b.put(b.at<std::uint8_t>(Section::names, 0) + b.header().names_bytes - 1, std::uint8_t{0xC3});
+           }},
           {"name_without_end", names, 5 + 6 + 6 + 7, [](SceneBytes& b) {
              // A name ends one byte early, and the last byte is no end.
              const std::size_t start = b.at<std::uint8_t>(Section::names, 0);

@@ -224,5 +224,86 @@ TEST(SceneOpenEdges, SceneWithoutTrianglesGoalsOrPiecesIsSound) {
   EXPECT_EQ(open.scene.goal_count(), 0U);
 }
 
+// From centimetres to kilometres, in any order of vertices; in grid steps the areas are exact in double.
+TEST(SceneOpenEdges, AGoalIsTakenExactlyWhereItsAreaIsPositive) {
+  Room room;
+  room.bounds = {0, 0, 2, 2};
+  room.goals = {{0, 0, 1, 1}};
+  SceneData data = data_of(room);
+  std::mt19937 random(1);
+  int taken = 0;
+  constexpr int kGoals = 2000;
+  for (int i = 0; i < kGoals; ++i) {
+    std::vector<Vec2>& goal = data.goals[0];
+    goal.resize(3 + below(random, 8));
+    const double size = std::pow(10.0, uniform(random, -2, 3.2));
+    for (Vec2& v : goal) v = {snap(uniform(random, -size, size)), snap(uniform(random, -size, size))};
+    double twice_area = 0;
+    for (std::size_t k = 0; k < goal.size(); ++k) {
+      const Point a = point(goal[k]), b = point(goal[(k + 1) % goal.size()]);
+      twice_area += 4096 * a.x * 4096 * b.y - 4096 * b.x * 4096 * a.y;
+    }
+    const SceneBytes bytes = data.bytes();
+    Scene scene;
+    const Failure failure = Scene::open(bytes.data(), bytes.size(), scene);
+    ASSERT_EQ(failure.ok(), twice_area > 0) << i << " " << twice_area;
+    if (!failure.ok()) {
+      ASSERT_EQ(int{failure.section}, int{static_cast<std::uint8_t>(format::Section::goal_vertices)});
+    }
+    taken += failure.ok() ? 1 : 0;
+  }
+  EXPECT_GT(taken, kGoals / 4);
+  EXPECT_LT(taken, kGoals - kGoals / 4);
+}
+
+// UTF-8 by its definition, of code points that it has and of those that it has not.
+std::string utf8(std::uint32_t code) {
+  const auto tail = [code](unsigned shift) { return static_cast<char>(0x80U + ((code >> shift) & 0x3FU)); };
+  if (code < 0x80) return {static_cast<char>(code)};
+  if (code < 0x800) return {static_cast<char>(0xC0U + (code >> 6U)), tail(0)};
+  if (code < 0x10000) return {static_cast<char>(0xE0U + (code >> 12U)), tail(6), tail(0)};
+  return {static_cast<char>(0xF0U + (code >> 18U)), tail(12), tail(6), tail(0)};
+}
+
+bool opens_with_name(const std::string& name) {
+  Room room;
+  room.bounds = {0, 0, 2, 2};
+  SceneData data = data_of(room);
+  data.names[0] = name;
+  const SceneBytes bytes = data.bytes();
+  Scene scene;
+  if (!Scene::open(bytes.data(), bytes.size(), scene).ok()) return false;
+  EXPECT_EQ(scene.name(), name);
+  return true;
+}
+
+TEST(SceneOpenEdges, NamesAreTakenWithEveryPrintedCharacterOfUnicode) {
+  for (const auto& [first, last] : std::initializer_list<std::pair<std::uint32_t, std::uint32_t>>{
+           {0x20, 0x7E}, {0x80, 0xD7FF}, {0xE000, 0x10FFFF}}) {
+    std::string all;
+    for (std::uint32_t code = first; code <= last; ++code) all += utf8(code);
+    EXPECT_TRUE(opens_with_name(all)) << first;
+  }
+}
+
+TEST(SceneOpenEdges, NamesAreRefusedWithWhatIsNoCharacter) {
+  for (const auto& [first, last] : std::initializer_list<std::pair<std::uint32_t, std::uint32_t>>{
+           {1, 0x1F}, {0x7F, 0x7F}, {0xD800, 0xDFFF}, {0x110000, 0x110100}, {0x13FFF0, 0x13FFFF}}) {
+    for (std::uint32_t code = first; code <= last; ++code) {
+      ASSERT_FALSE(opens_with_name("room " + utf8(code) + "!")) << code;
+    }
+  }
+}
+
+TEST(SceneOpenEdges, ANameThatEndsWithinACharacterIsRefused) {
+  for (const char* character : {"\xC3\xA4", "\xE2\x82\xAC", "\xF0\x9F\x90\x8D"}) {
+    const std::string whole = character;
+    ASSERT_TRUE(opens_with_name(whole));
+    for (std::size_t bytes = 1; bytes < whole.size(); ++bytes) {
+      EXPECT_FALSE(opens_with_name(whole.substr(0, bytes))) << bytes << " of " << whole.size();
+    }
+  }
+}
+
 }  // namespace
 }  // namespace krait::test
