@@ -219,6 +219,23 @@ TEST(Groups, WithoutAFiniteCostNoneIsSelected) {
   EXPECT_EQ(p.groups.selections(cut_off), 0U);
 }
 
+// A goal that every region is part of: no region is nearer than another, and selections alone tell.
+TEST(Groups, WhereAllLiesInTheGoalAllWeighTheSameAndTakeTurns) {
+  Partition p(100);
+  ASSERT_TRUE(p.regions.reset(Goal::disc({6, 6}, 1000), 0.0F, 0.05F));
+  ASSERT_EQ(p.regions.largest_cost(), 0.0F);
+  const GroupWeights weights{8.0F, 0.9F, 0.01F};
+  p.groups.clear(weights, kSample);
+  for (Index r = 0; r < 10; ++r) p.groups.insert(p.regions, r, r);
+  for (std::uint32_t turn = 0; turn < 3; ++turn) {
+    for (Index r = 0; r < 10; ++r) {
+      EXPECT_NEAR(static_cast<double>(p.groups.log_weight(p.regions, r)), 8 * std::log(1.01) + turn * std::log(0.9),
+                  1e-5);
+      EXPECT_EQ(p.groups.select(p.regions), r);
+    }
+  }
+}
+
 TEST(Groups, SelectionsAreCountedManyThousandTimesWithoutUnderflow) {
   Partition p(10);
   p.groups.clear({8.0F, 0.5F, 0.01F}, kSample);

@@ -120,6 +120,21 @@ TEST(MotionCheck, AcceptedStepsOfALongSnakeDoNotCrossItself) {
   EXPECT_GT(tally.rejected, 2);
 }
 
+TEST(MotionCheck, AcceptedStepsOfATruckWhoseCarIsOffItsAxleTouchNothing) {
+  ChainParameters p;
+  p.trailers = 3;
+  p.body_offset = 0.4F;
+  Tally all;
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    const OpenScene open(crowded(seed));
+    const Tally tally = expect_sound(Truck(p), open.scene, 1e-3F, 0.1F, 10, seed);
+    all.accepted += tally.accepted;
+    all.rejected += tally.rejected;
+  }
+  EXPECT_GT(all.accepted, 20);
+  EXPECT_GT(all.rejected, 5);
+}
+
 TEST(MotionCheck, WithoutClearanceTheMarginCoversRounding) {
   ChainParameters p;
   p.trailers = 3;

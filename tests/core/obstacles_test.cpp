@@ -139,5 +139,19 @@ TEST(Obstacles, RoomByTheGridIsNeverMoreThanThereIs) {
   EXPECT_GT(positive, 100);
 }
 
+TEST(Obstacles, BodyWithAVertexAtInfinityHasNoRoom) {
+  const OpenScene open{Room{}};
+  const Obstacles obstacles(open.scene, 0.0F);
+  const std::vector<Vec2> square = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  ASSERT_GT(obstacles.room(body_at({5, 5}, square), 1.0F), 0.0F);
+  for (std::size_t i = 0; i < square.size(); ++i) {
+    for (const Vec2 far : {Vec2{kInfinity, 0}, Vec2{-kInfinity, 0}, Vec2{0, kInfinity}, Vec2{0, -kInfinity}}) {
+      std::vector<Vec2> body = square;
+      body[i] = far;
+      EXPECT_LE(obstacles.room(body_at({5, 5}, body), 1.0F), 0.0F) << i;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace krait::test
