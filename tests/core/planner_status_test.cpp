@@ -232,6 +232,15 @@ TYPED_TEST(PlannerStatus, BeforeInitAndStartNothingIsSolved) {
   EXPECT_TRUE(bench.planner.plan().empty());
 }
 
+TYPED_TEST(PlannerStatus, BeforeInitNothingIsCounted) {
+  const typename TestFixture::TestBench bench(two_rooms(), small_unicycle());
+  const Statistics statistics = bench.planner.statistics();
+  EXPECT_EQ(statistics.iterations, 0U);
+  EXPECT_EQ(statistics.vertices, 0U);
+  EXPECT_EQ(statistics.bytes_given, 0U);
+  EXPECT_EQ(statistics.bytes_used, 0U);
+}
+
 TYPED_TEST(PlannerStatus, StartAfterAFailedInitGivesItsAnswerAgain) {
   typename TestFixture::TestBench bench(two_rooms(), small_unicycle());
   ASSERT_EQ(bench.init(1000).status, Status::arena_too_small);
@@ -342,6 +351,13 @@ TEST(PlannerParameters, ThoseOfTheOtherPlannersAreChecked) {
     for (const float bad : {-0.01F, 1.01F, kNan, kInfinity}) {
       EXPECT_EQ(init_with([&](Parameters& p) { share.set(p, bad); }).element, blame(share.argument))
           << name(share.argument);
+    }
+  }
+  for (const std::uint32_t regions : {0U, 1U, 64U, 65U}) {
+    const Failure failure = init_with([&](Parameters& p) { p.prior.path_regions = regions; });
+    EXPECT_EQ(failure.ok(), regions == 1 || regions == 64) << regions;
+    if (!failure.ok()) {
+      EXPECT_EQ(failure.element, blame(Argument::prior_path_regions)) << regions;
     }
   }
 }

@@ -1,4 +1,6 @@
 // A robot that a user writes in about twenty lines (user_robot.hpp) plans like one of ours.
+#include <algorithm>
+
 #include "planner_fixture.hpp"
 
 namespace krait::test {
@@ -53,6 +55,42 @@ class Oversized : public Slider {
 
 TEST(UserRobotDefaults, SizesBeyondTheMaximaAreRefused) {
   EXPECT_EQ(first_bad_of_robot(Oversized(0.5F, 1)), Argument::robot_sizes);
+}
+
+// One of any sizes, whose maxima are 3 states, 2 controls and 4 bodies.
+class Sized : public Slider {
+ public:
+  static constexpr int kMaxState = 3, kMaxControl = 2, kMaxBodies = 4;
+  Sized(int states, int controls, int bodies)
+      : Slider(0.5F, 1), states_(states), controls_(controls), bodies_(bodies) {}
+  int state_size() const { return states_; }
+  int control_size() const { return controls_; }
+  int body_count() const { return bodies_; }
+
+ private:
+  int states_, controls_, bodies_;
+};
+
+TEST(UserRobotDefaults, EachSizeIsHeldToItsRange) {
+  for (int states = -1; states <= 5; ++states) {
+    for (int controls = -1; controls <= 4; ++controls) {
+      for (int bodies = -1; bodies <= 6; ++bodies) {
+        const bool fits = 2 <= states && states <= 3 && 1 <= controls && controls <= 2 && 1 <= bodies && bodies <= 4;
+        ASSERT_EQ(first_bad_of_robot(Sized(states, controls, bodies)), fits ? Argument::none : Argument::robot_sizes)
+            << states << " " << controls << " " << bodies;
+      }
+    }
+  }
+}
+
+TEST(UserRobotDefaults, TheLengthIsThatOfBody0WhicheverVertexIsFirst) {
+  std::vector<Vec2> body = {{0.5F, -0.25F}, {0.75F, 0}, {0.5F, 0.25F}, {-0.25F, 0.25F}, {-0.5F, 0}};
+  for (std::size_t first = 0; first < body.size(); ++first) {
+    Unicycle robot({});
+    robot.set_body(0, {body.data(), static_cast<int>(body.size())});
+    EXPECT_EQ(robot_length(robot), 1.25F) << first;
+    std::rotate(body.begin(), body.begin() + 1, body.end());
+  }
 }
 
 }  // namespace
