@@ -134,6 +134,45 @@ TEST(CInterface, RestTakesAnglesOfEveryTrailerOrOfNone) {
   EXPECT_EQ(std::memcmp(state, straight, sizeof straight), 0);
 }
 
+TEST(CInterface, ACarHasNoTrailerToTakeAnAngle) {
+  const krait_robot robot = krait_car();
+  const float angles[] = {0.5F, 0.25F};
+  float state[KRAIT_MAX_STATE];
+  ASSERT_TRUE(krait_rest(&robot, {1, 2, 3, angles, 2}, state));
+  const float rest[] = {1, 2, 3, 0, 0};
+  EXPECT_EQ(krait_state_size(&robot), 5U);
+  EXPECT_EQ(std::memcmp(state, rest, sizeof rest), 0);
+}
+
+// A sanitizer sees it.
+TEST(CInterface, OfTooManyTrailersNoBodyIsReadBeyondTheMost) {
+  const krait_point corners[] = {{-0.2F, -0.2F}, {0.2F, 0}, {-0.2F, 0.2F}};
+  const std::vector<krait_polygon> bodies(KRAIT_MAX_TRAILERS + 1, {corners, 3});
+  krait_robot robot = krait_snake(1'000'000);
+  robot.bodies = bodies.data();
+  EXPECT_EQ(krait_state_size(&robot), 0U);
+  robot.parameters.chain.trailers = KRAIT_MAX_TRAILERS;
+  EXPECT_EQ(krait_state_size(&robot), 5U + KRAIT_MAX_TRAILERS);
+}
+
+TEST(CInterface, StartPosesAreTheScenes) {
+  Room room = two_rooms();
+  room.starts = {{2, 6, 0.5F, 0, 2}, {3, 1, -0.5F, 2, 1}};
+  room.start_angles = {0.25F, 0.125F, 1.0F};
+  const SceneBytes bytes = data_of(room).bytes();
+  krait_scene scene;
+  ASSERT_EQ(krait_open(&scene, bytes.data(), bytes.size()).status, KRAIT_SOLVED);
+  const krait_pose first = krait_start_pose(&scene, 0), second = krait_start_pose(&scene, 1);
+  EXPECT_EQ(first.x, 2.0F);
+  EXPECT_EQ(first.y, 6.0F);
+  EXPECT_EQ(first.heading, 0.5F);
+  ASSERT_EQ(first.angle_count, 2U);
+  EXPECT_EQ(first.angles[1], 0.125F);
+  EXPECT_EQ(second.heading, -0.5F);
+  ASSERT_EQ(second.angle_count, 1U);
+  EXPECT_EQ(second.angles[0], 1.0F);
+}
+
 TEST(CInterface, BadScenesAreRefused) {
   SceneBytes bytes = data_of(two_rooms()).bytes();
   krait_scene scene;
