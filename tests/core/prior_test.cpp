@@ -138,5 +138,24 @@ TEST(PriorPlanner, GrowsFromAnyVertexOfTheGroupWhereItsShareSaysSo) {
   EXPECT_LT(nearest, all / 2);
 }
 
+// Of a target that is drawn anywhere, most tries fall on obstacles, and now and then all.
+TEST(PriorPlanner, PlansAlongACorridorWhereNearlyAllIsObstacle) {
+  Room room;
+  room.bounds = {0, 0, 12, 8};
+  room.boxes = {{0, 0.75, 11.25, 8}};
+  room.goals = {{11.25, 7, 12, 8}};
+  Bench<Unicycle, Prior> bench(room, small_unicycle());
+  bench.parameters.prior.path_share = 0.5F;
+  bench.parameters.prior.goal_share = 0.0F;
+  ASSERT_TRUE(bench.init().ok());
+  const float start[] = {0.5F, 0.375F, 0};
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    ASSERT_EQ(bench.solve({start, Goal::named(0), seed}), Status::solved) << seed;
+    for (const auto& state : Path(bench.planner.plan()).states) {
+      EXPECT_TRUE(state[1] < 0.75F || state[0] > 11.25F) << state[0] << " " << state[1];
+    }
+  }
+}
+
 }  // namespace
 }  // namespace krait::test

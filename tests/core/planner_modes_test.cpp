@@ -1,0 +1,182 @@
+// Planners with parts of them turned off, as the paper has them or for comparison, and robots whose position lies
+// outside their body.
+#include <algorithm>
+
+#include "planner_fixture.hpp"
+#include "step_oracle.hpp"
+
+namespace krait::test {
+namespace {
+
+constexpr float kStart[] = {2, 6, 0};
+
+template <class P>
+class PlannerModes : public ::testing::Test {};
+TYPED_TEST_SUITE(PlannerModes, Planners, PlannerNames);
+
+template <class R>
+double separation_of_state(const R& robot, const Scene& scene, const std::vector<float>& state) {
+  return separation_of_state(robot, scene, rings_of_pieces(scene), doubles(state));
+}
+
+// A sliver of a centimetre parts the room; the triangles go through it.
+Room parted() {
+  Room room;
+  room.bounds = {0, 0, 12, 8};
+  room.goals = {{9, 2, 11, 6}};
+  room.loose_pieces = {corners({6, 0, 6.01, 8})};
+  return room;
+}
+
+TYPED_TEST(PlannerModes, DiscreteChecksJumpOverWhatContinuousOnesSee) {
+  for (const bool continuous : {true, false}) {
+    Bench<Slider, TypeParam> bench(parted(), Slider(0.5F, 12.0F));
+    bench.parameters.prune_portals = false;
+    bench.parameters.continuous = continuous;
+    bench.limits.iterations = 400;
+    ASSERT_TRUE(bench.init().ok());
+    const float start[] = {2, 4};
+    ASSERT_EQ(bench.solve({start}), continuous ? Status::budget_used : Status::solved);
+    if (continuous) continue;
+    for (const auto& state : Path(bench.planner.plan()).states) {
+      EXPECT_TRUE(state[0] < 5.75F || state[0] > 6.26F) << state[0];
+    }
+  }
+}
+
+TYPED_TEST(PlannerModes, WithoutPruningADoorTooNarrowIsTriedInVain) {
+  Bench<Unicycle, TypeParam> bench(two_rooms(0.3), small_unicycle());
+  bench.limits.iterations = 200;
+  for (const bool prune : {true, false}) {
+    bench.parameters.prune_portals = prune;
+    ASSERT_TRUE(bench.init().ok());
+    EXPECT_EQ(bench.planner.start({kStart}), prune ? Status::no_route : Status::searching);
+    EXPECT_EQ(bench.planner.advance(1000), prune ? Status::no_route : Status::budget_used);
+  }
+}
+
+// What shortcuts prove Box2D finds as well, and repaired costs are those of Dijkstra to the bit.
+TYPED_TEST(PlannerModes, OfStatesThatAreCheckedAloneThePlainWayGivesTheSamePlan) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    std::uint64_t hashes[2], iterations[2];
+    for (const bool plain : {true, false}) {
+      Bench<Unicycle, TypeParam> bench(two_rooms(0.8), small_unicycle());
+      bench.parameters.plain = plain;
+      bench.parameters.continuous = false;
+      bench.parameters.kappa = 1;
+      ASSERT_TRUE(bench.init().ok());
+      ASSERT_EQ(bench.solve({kStart, Goal::named(0), seed}), Status::solved);
+      hashes[plain] = bench.planner.statistics().hash;
+      iterations[plain] = bench.planner.statistics().iterations;
+    }
+    EXPECT_EQ(hashes[0], hashes[1]);
+    EXPECT_EQ(iterations[0], iterations[1]);
+  }
+}
+
+TEST(PlannerPlain, RunsDijkstraWhereOthersRepairAndPlansAsSafely) {
+  for (const bool plain : {true, false}) {
+    Bench<Unicycle> bench(two_rooms(0.8), small_unicycle());
+    bench.parameters.plain = plain;
+    bench.parameters.kappa = 1;
+    ASSERT_TRUE(bench.init().ok());
+    ASSERT_EQ(bench.solve({kStart}), Status::solved);
+    const Statistics statistics = bench.planner.statistics();
+    EXPECT_EQ(statistics.dijkstra_runs > 1, plain);
+    EXPECT_EQ(statistics.regions_repaired > 0, !plain);
+    const Path path(bench.planner.plan());
+    for (std::size_t i = 0; i < path.controls.size(); ++i) {
+      ASSERT_GT(separation_of_step(bench.robot, bench.open.scene, path.states[i], path.controls[i], 0.1F, 8), 0.0);
+    }
+  }
+}
+
+TEST(PlannerPaper, PlansThroughFreeStatesWithinTheLimits) {
+  ChainParameters p;
+  p.trailers = 2;
+  p.body_length = 0.4F;
+  p.body_width = 0.3F;
+  p.wheelbase = 0.4F;
+  p.hitch_length = 0.45F;
+  p.max_hitch_angle = 0.7F;
+  Bench<Snake> bench(two_rooms(), Snake(p));
+  bench.parameters = Parameters::paper();
+  ASSERT_TRUE(bench.init().ok());
+  const float start[] = {2, 6, 0, 0, 0, 0, 0};
+  ASSERT_EQ(bench.solve({start}), Status::solved);
+  for (const auto& state : Path(bench.planner.plan()).states) {
+    EXPECT_GT(separation_of_state(bench.robot, bench.open.scene, state), 0.0);
+    EXPECT_LE(std::abs(state[2] - state[5]), 0.7F);
+    EXPECT_LE(std::abs(state[5] - state[6]), 0.7F);
+  }
+}
+
+// All of two large triangles is the goal's, so that no failure lies before another region.
+TYPED_TEST(PlannerModes, WhereEveryRegionMeetsTheGoalItIsFoundAndNoCostRises) {
+  Room room;
+  room.bounds = {0, 0, 12, 8};
+  room.spacing = 20;
+  Bench<Unicycle, TypeParam> bench(room, small_unicycle());
+  bench.parameters.stray_share = 0.95F;
+  bench.parameters.kappa = 1;
+  ASSERT_TRUE(bench.init().ok());
+  const float start[] = {1, 1, 0};
+  ASSERT_EQ(bench.planner.start({start, Goal::disc({6, 4}, 0.1F)}), Status::searching);
+  ASSERT_EQ(bench.planner.regions().largest_cost(), 0.0F);
+  EXPECT_EQ(bench.planner.advance(20'000), Status::solved);
+  EXPECT_EQ(bench.planner.statistics().regions_repaired, 0U);
+}
+
+// The body begins 0.6 m ahead of the position.
+Unicycle arm() {
+  UnicycleParameters p;
+  p.min_speed = -1.0F;
+  Unicycle robot(p);
+  const Vec2 body[] = {{0.6F, -0.2F}, {1, -0.2F}, {1, 0.2F}, {0.6F, 0.2F}};
+  robot.set_body(0, {body, 4});
+  return robot;
+}
+
+TYPED_TEST(PlannerModes, APositionOutsideItsBodyMayPassOverAnObstacle) {
+  Room room = two_rooms();
+  const Rect post{1.5, 5.9, 1.75, 6.1};
+  room.boxes.push_back(post);
+  Bench<Unicycle, TypeParam> bench(room, arm());
+  bench.parameters.reverse_share = 1.0F;
+  bench.limits.iterations = 500;
+  ASSERT_TRUE(bench.init().ok());
+  int over = 0;
+  double least = kInfinity;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    bench.planner.start({kStart, Goal::disc({1.2F, 6}, 0.05F), seed});
+    bench.planner.advance(500, [&](const float*, const float* to) {
+      if (!detail::holds(post, wide(to[0]), wide(to[1]))) return;
+      ++over;
+      least = std::min(least, separation_of_state(bench.robot, bench.open.scene, {to, to + 3}));
+    });
+  }
+  EXPECT_GT(over, 0);
+  EXPECT_GT(least, 0.0);
+}
+
+TYPED_TEST(PlannerModes, APositionOnAnObstacleIsNoStart) {
+  Room room = two_rooms();
+  room.boxes.push_back({1.2, 5.8, 1.5, 6.2});
+  Bench<Unicycle, TypeParam> bench(room, arm());
+  ASSERT_TRUE(bench.init().ok());
+  const float start[] = {1.35F, 6, 0};
+  ASSERT_GT(separation_of_state(bench.robot, bench.open.scene, {start, start + 3}), 0.0);
+  EXPECT_EQ(bench.planner.start({start}), Status::start_in_collision);
+}
+
+// No disc around the position lies in the body: the one around the body's middle tells.
+TYPED_TEST(PlannerModes, NoRouteAtOnceThroughADoorNarrowerThanABodyThatIsElsewhere) {
+  for (const double door : {0.35, 0.6}) {
+    Bench<Unicycle, TypeParam> bench(two_rooms(door), arm());
+    ASSERT_TRUE(bench.init().ok());
+    EXPECT_EQ(bench.planner.start({kStart}), door < 0.4 ? Status::no_route : Status::searching) << door;
+  }
+}
+
+}  // namespace
+}  // namespace krait::test
