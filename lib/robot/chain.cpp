@@ -174,11 +174,7 @@ Chain::Near::Near(const Chain& chain, StateView s, const Pose* poses, ControlVie
       heading_(poses[0].heading),
       steering_(sin_cos(s[4])) {
   const int bodies = chain.body_count();
-  for (int i = 1; i < bodies; ++i) {
-    const SinCos ahead = poses[i - 1].heading;
-    const SinCos own = poses[i].heading;
-    hitch_[i] = {ahead.sin * own.cos - ahead.cos * own.sin, ahead.cos * own.cos + ahead.sin * own.sin};
-  }
+  for (int i = 1; i < bodies; ++i) hitch_[i] = poses[i - 1].heading - poses[i].heading;
 }
 
 void Chain::Near::derivative(StateRef ds) const {
