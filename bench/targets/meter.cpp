@@ -13,7 +13,7 @@ namespace {
 using firmware::Board;
 using firmware::Request;
 
-constexpr std::uint64_t kBlock = 448 * 1024;
+constexpr std::uint64_t kBlock = 416 * 1024;
 constexpr std::uint64_t kSeeds = 2;
 constexpr std::uint32_t kSteps = 256;
 

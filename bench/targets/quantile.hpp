@@ -1,4 +1,4 @@
-// The median of many counts in little memory, to within a thousandth.
+// The median of many counts in little memory, to within four thousandths.
 #pragma once
 
 #include <bit>
@@ -23,7 +23,7 @@ class Median {
   std::uint32_t worst() const { return worst_; }
 
  private:
-  static constexpr std::uint32_t kBits = 10;
+  static constexpr std::uint32_t kBits = 8;
   static constexpr std::uint32_t kBuckets = 1U << kBits;  // a power of two; one a value below it
 
   static std::uint32_t bucket(std::uint32_t value) {

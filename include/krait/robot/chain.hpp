@@ -89,7 +89,7 @@ class Chain {
   template <class Hitch>
   void rates(const float* s, const float* u, SinCos heading, SinCos steering, Hitch hitch, float* ds) const;
   struct Body {
-    Vec2 vertices[format::kMaxPieceVertices];
+    Vec2 vertices[format::kMaxPieceVertices] = {};
     int count = 0;
   };
   bool changes_little(StateView s, ControlView u, float dt) const;
