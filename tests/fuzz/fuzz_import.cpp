@@ -1,4 +1,5 @@
-// An importer of maps and drawings, KRAIT_FORMAT: one line or a workspace with sound numbers, whatever the text says.
+// A map, drawing or compiled scene in whichever format recognises the content: one line or a workspace with sound
+// numbers, whatever the text says.
 #include <cmath>
 #include <string>
 
@@ -45,8 +46,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;  // read_file refuses it
   const krait::host::Source source{"no/such/folder/map", std::string(reinterpret_cast<const char*>(data), size)};
   try {
-    (void)KRAIT_FORMAT.recognise(source);
-    require_sound(KRAIT_FORMAT.read(source, {}));
+    require_sound(krait::host::read_workspace(source, {}));
   } catch (const krait::host::InputError& error) {
     require(std::string(error.what()).find('\n') == std::string::npos, "an error of more than one line");
   }

@@ -195,9 +195,9 @@ Named drawings() {
           {"spike", std::string("\0\0\4\4\36\4\4\4\1\0\10\12\13\14\15\16", 16)}};
 }
 
-void write(const std::filesystem::path& folder, const Named& files) {
+void write(const std::filesystem::path& folder, const Named& files, const std::string& kind = "") {
   std::filesystem::create_directories(folder);
-  for (const auto& [name, bytes] : files) std::ofstream(folder / name, std::ios::binary) << bytes;
+  for (const auto& [name, bytes] : files) std::ofstream(folder / (kind + name), std::ios::binary) << bytes;
 }
 
 }  // namespace
@@ -212,13 +212,13 @@ int main(int argc, char** argv) {
   const std::filesystem::path folder = argv[1];
   write(folder / "fuzz_open", evil_scenes());
   write(folder / "fuzz_plan", sound_scenes());
-  write(folder / "fuzz_scene_file", evil_scenes());
-  write(folder / "fuzz_native", natives());
-  write(folder / "fuzz_dynobench", dynobenches());
-  write(folder / "fuzz_map_server", map_servers());
-  write(folder / "fuzz_movingai", movingais());
-  write(folder / "fuzz_pgm", pgms());
-  write(folder / "fuzz_png", pngs());
+  write(folder / "fuzz_import", evil_scenes(), "scene_");
+  write(folder / "fuzz_import", natives(), "native_");
+  write(folder / "fuzz_import", dynobenches(), "dynobench_");
+  write(folder / "fuzz_import", map_servers(), "map_server_");
+  write(folder / "fuzz_import", movingais(), "movingai_");
+  write(folder / "fuzz_image", pgms(), "pgm_");
+  write(folder / "fuzz_image", pngs(), "png_");
   write(folder / "fuzz_robot", robots());
   write(folder / "fuzz_plan_file", plan_files());
   write(folder / "fuzz_options", options());

@@ -18,6 +18,9 @@ struct Format {
   Workspace (*read)(const Source& source, const ImportOptions& options);  // throws InputError
 };
 
+// By the format that recognises the source. Throws InputError, also where none does.
+Workspace read_workspace(const Source& source, const ImportOptions& options);
+
 extern const Format kSceneFile;
 extern const Format kNative;
 extern const Format kMapServer;

@@ -18,11 +18,12 @@ void require_cells(std::uint64_t columns, std::uint64_t rows, const std::string&
 
 bool is_image(const std::string& content) { return is_pgm(content) || is_png(content); }
 
-Image read_image(const std::string& path) {
-  const std::string content = read_file(path, kMaxFileBytes);
-  if (is_pgm(content)) return decode_pgm(content, path);
-  if (is_png(content)) return decode_png(content, path);
-  throw InputError(path + ": is neither a PGM (P2 or P5) nor a PNG image; convert it to one");
+Image decode_image(const std::string& content, const std::string& file) {
+  if (is_pgm(content)) return decode_pgm(content, file);
+  if (is_png(content)) return decode_png(content, file);
+  throw InputError(file + ": is neither a PGM (P2 or P5) nor a PNG image; convert it to one");
 }
+
+Image read_image(const std::string& path) { return decode_image(read_file(path, kMaxFileBytes), path); }
 
 }  // namespace krait::host

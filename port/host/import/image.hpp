@@ -35,6 +35,7 @@ bool is_image(const std::string& content);
 
 // PGM (P2, P5, up to 16 bits) or PNG (every kind). Throws InputError naming the file.
 Image read_image(const std::string& path);
+Image decode_image(const std::string& content, const std::string& file);
 
 Image decode_pgm(const std::string& content, const std::string& file);
 Image decode_png(const std::string& content, const std::string& file);

@@ -27,15 +27,17 @@ const std::array<const Format*, 5> kFormats = {&kSceneFile, &kNative, &kMovingAi
 
 }  // namespace
 
-Workspace import_workspace(const std::string& path, const ImportOptions& options) {
-  const Source source{path, read_file(path, kMaxFileBytes)};
+Workspace read_workspace(const Source& source, const ImportOptions& options) {
   for (const Format* format : kFormats) {
-    if (!format->recognise(source)) continue;
-    Workspace workspace = format->read(source, options);
-    if (workspace.name.empty()) workspace.name = cleaned_name(std::filesystem::path(path).stem().string());
-    return workspace;
+    if (format->recognise(source)) return format->read(source, options);
   }
   refuse(source);
+}
+
+Workspace import_workspace(const std::string& path, const ImportOptions& options) {
+  Workspace workspace = read_workspace({path, read_file(path, kMaxFileBytes)}, options);
+  if (workspace.name.empty()) workspace.name = cleaned_name(std::filesystem::path(path).stem().string());
+  return workspace;
 }
 
 }  // namespace krait::host
