@@ -20,13 +20,24 @@ bool on_border(const Edge& e, const GridBox& b) {
          (e.from.y == e.to.y && (e.from.y == b.min.y || e.from.y == b.max.y));
 }
 
-// One grid step to the side of the edge that stays within the bounds.
+std::int32_t quotient_up(std::int32_t up, std::int32_t down) {
+  return (std::abs(up) + std::abs(down) - 1) / std::abs(down);
+}
+std::int32_t sign(std::int32_t x) { return x < 0 ? -1 : 1; }
+
+// One grid step to the side of the edge that stays within the bounds. An edge from bound to bound leaves them at one
+// end to either side: its neighbour ends on the bound.
 Edges thin_wall(const Edge& e, const GridBox& bounds) {
-  const bool flat = std::abs(e.to.x - e.from.x) >= std::abs(e.to.y - e.from.y);
+  const std::int32_t dx = e.to.x - e.from.x, dy = e.to.y - e.from.y;
+  const bool flat = std::abs(dx) >= std::abs(dy);
   const std::int32_t up = std::max(e.from.y, e.to.y) < bounds.max.y ? 1 : -1;
   const std::int32_t right = std::max(e.from.x, e.to.x) < bounds.max.x ? 1 : -1;
-  const auto beside = [&](GridPoint p) { return flat ? GridPoint{p.x, p.y + up} : GridPoint{p.x + right, p.y}; };
-  GridRing ring{e.from, e.to, beside(e.to), beside(e.from)};
+  const auto beside = [&](GridPoint p, int inwards) -> GridPoint {
+    if (flat && p.y + up < bounds.min.y) return {p.x + inwards * sign(dx) * quotient_up(dx, dy), p.y};
+    if (!flat && p.x + right < bounds.min.x) return {p.x, p.y + inwards * sign(dy) * quotient_up(dy, dx)};
+    return flat ? GridPoint{p.x, p.y + up} : GridPoint{p.x + right, p.y};
+  };
+  GridRing ring{e.from, e.to, beside(e.to, -1), beside(e.from, 1)};
   if (twice_area(ring) < 0) std::reverse(ring.begin(), ring.end());
   Edges wall;
   append_ring(wall, ring, {1, 0});

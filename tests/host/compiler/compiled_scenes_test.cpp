@@ -154,6 +154,42 @@ TEST(Scenes, AWallWithoutAreaStaysAWall) {
   }
 }
 
+// By portals wider than a centimetre.
+bool connected(const SceneView& v, Point from, Point to) {
+  const auto triangle_of = [&](Point p) {
+    std::uint32_t t = 0;
+    while (!convex_contains(v.triangles[t], p)) ++t;
+    return t;
+  };
+  std::vector<bool> reached(v.triangles.size(), false);
+  std::vector<std::uint32_t> waiting{triangle_of(from)};
+  while (!waiting.empty()) {
+    const std::uint32_t t = waiting.back();
+    waiting.pop_back();
+    if (reached[t]) continue;
+    reached[t] = true;
+    for (std::uint32_t i = 3 * t; i < 3 * t + 3; ++i) {
+      if (v.neighbors[i] != format::kNone32 && v.widths[v.portals[i]] > 0.01F) waiting.push_back(v.neighbors[i]);
+    }
+  }
+  return reached[triangle_of(to)];
+}
+
+// Found by fuzzing: the wall's other side lay out of bounds.
+TEST(Scenes, AWallWithoutAreaGoesFromCornerToCorner) {
+  for (const double height : {20.0, 30.0}) {
+    for (const bool rises : {true, false}) {
+      Workspace w = empty_room(20, height);
+      w.obstacles.push_back({"wall", {{0, rises ? 0 : height}, {20, rises ? height : 0}}, {}});
+      const SceneView v = checked(w);
+      EXPECT_EQ(v.pieces.size(), 1U);
+      const Point left{1, rises ? height - 1 : 1}, right{19, rises ? 1 : height - 1};
+      EXPECT_TRUE(connected(v, left, {0.5, height / 2}));
+      EXPECT_FALSE(connected(v, left, right)) << "a portal leads through the wall";
+    }
+  }
+}
+
 TEST(Scenes, ThinSpikesStay) {
   Workspace w = empty_room(20, 20);
   w.obstacles.push_back({"a", {{2, 2}, {4, 2}, {4, 4}, {3.00005, 4}, {3, 15}, {2.99995, 4}, {2, 4}}, {}});
