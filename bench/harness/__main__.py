@@ -9,6 +9,7 @@ from pathlib import Path
 from harness import experiments, readme
 from harness.journal import Journal, JournalError
 from harness.page import write_page
+from harness.parts import measure_parts
 from harness.problems import ROOT
 from harness.progress import Progress
 from harness.protocol import Protocol
@@ -26,10 +27,11 @@ def parse(arguments):
         description="Measures what the tables claim, by the paper's protocol. What has been measured is not measured "
         "again: break off at any time, and the same command goes on.",
     )
-    parser.add_argument("what", choices=[*experiments.EXPERIMENTS, "all", "readme", "results"], metavar="WHAT",
+    parser.add_argument("what", choices=[*experiments.EXPERIMENTS, "core", "all", "readme", "results"],
+                        metavar="WHAT",
                         help="scenes: the five scenes, every planner of krait; links: figure 4; scale: table 1; "
-                        "parameters: table 2; peers: OMPL; foreign: dynobench and MovingAI; all of these; readme: "
-                        "the table in README.md; results: write bench/RESULTS.md of what has been measured")
+                        "parameters: table 2; peers: OMPL; foreign: dynobench and MovingAI; core: what the parts "
+                        "of a search cost; all of these; readme: the table in README.md; results: write bench/RESULTS.md of what has been measured")
     parser.add_argument("--seeds", type=int, default=Protocol.seeds, help="runs a cell (default %(default)s)")
     parser.add_argument("--limit", type=float,
                         help="seconds a run (default: 5, or 1000 times the adaptive planner's median if that is more)")
@@ -52,6 +54,8 @@ def measure(options, folder, cells):
     protocol = QUICK if options.quick else Protocol(seeds=options.seeds, limit=options.limit)
     with Journal(folder / "runs.jsonl") as journal:
         Session(folder, journal, protocol, Progress(len(cells)), options.any_build).measure_all(cells)
+        if options.what in ("core", "all"):
+            measure_parts(folder, journal, protocol.seeds, lambda text: print(text, file=sys.stderr))
         return Results(journal)
 
 
@@ -64,7 +68,7 @@ def run(options):
         cells = readme.cells()
         readme.write_table(measure(options, folder, cells), ROOT / "README.md")
         return
-    cells = experiments.cells_of(options.what, options.robot)
+    cells = [] if options.what == "core" else experiments.cells_of(options.what, options.robot)
     results = measure(options, folder, cells)
     write_page(results, folder)
     if options.json:

@@ -8,7 +8,7 @@ from harness.claims import claims
 from harness.experiments import LINKS, PARAMETERS, ROBOT, SCALED_SCENE, SCALES, SCENES, scaled, with_setting
 from harness.problems import BIN
 from harness.results import to_csv, to_json, write
-from harness.statistics import rounded
+from harness.statistics import quantile, rounded
 
 INTRODUCTION = """# What was measured
 Written by `bash bench/run results` from what `bash bench/run all` has measured; tables as [JSON](results/cells.json) and [CSV](results/cells.csv).
@@ -39,6 +39,13 @@ PEERS_NOTE = """
 A control of theirs is a target point (the sampled state's, or uniform over the workspace and in 5 % of the draws the goal) and a speed, to which our PID
 controller steers for at most 40 steps, SyclopRRT for 10; with `-random`, an acceleration and a steering rate held for at most 20 steps and clipped to what the
 robot's limits allow. Sampled states are straight chains; the projection is the position. """
+
+
+PARTS_NOTE = """
+Microseconds a search, the mean over the seeds. Steering, Runge-Kutta and collision are done again from a recording of the search, for every step that it tried; the rest
+is what remains: the tree, the groups, the shortest paths, finding triangles, and driving the plan at the end. The floor of the method is one Runge-Kutta step and one
+proof that it is free for every vertex. The last columns: vertices of the tree a step of the plan; median vertices of the quarter of the runs with the shortest plans, and with the longest.
+"""
 
 
 def markdown(header, rows):
@@ -231,6 +238,35 @@ def foreign_section(results):
     )
 
 
+def _percent(share):
+    return f"{100 * share:.0f} %"
+
+
+def _by_length(runs):
+    """Median vertices of the quarter of the runs with the shortest plans, and of that with the longest."""
+    ordered = sorted((run["plan_steps"], run["vertices"]) for run in runs if run["status"] == "solved")
+    quarter = max(len(ordered) // 4, 1)
+    return [rounded(quantile(sorted(v for _, v in part), 0.5)) for part in (ordered[:quarter], ordered[-quarter:])]
+
+
+def parts_section(results):
+    rows = []
+    for scene, parts in results.parts.items():
+        rest = 1 - parts.share("steer", "propagate", "check")
+        runs = results.runs(Cell(scene, ROBOT, "adaptive"))
+        row = [scene, *(rounded(parts.each(name)) for name in ("open", "set_up", "search"))]
+        row += [_percent(share) for share in (parts.share("steer"), parts.share("propagate"), parts.share("check"), rest)]
+        row += [rounded(parts.each("floor")), rounded(parts.over_floor), rounded(parts.all_over_floor)]
+        row += [rounded(parts.each("shortest_paths")), rounded(1e3 * parts.each("select_group"))]
+        row += [rounded(parts.counts["vertices"] / parts.counts["plan_steps"]), *(_by_length(runs) if runs else ["", ""])]
+        rows.append(row)
+    if not rows:
+        return ""
+    header = ["scene", "open", "set up", "search", "steer", "Runge-Kutta", "collision", "rest", "floor", "search / floor"]
+    header += ["all / floor", "Dijkstra", "group ns", "vertices a plan's step", "shortest plans", "longest"]
+    return f"## The parts of a search, {ROBOT}\n" + markdown(header, rows) + PARTS_NOTE
+
+
 def page(results):
     sections = [
         introduction(results) + "\n" + machine_section(results),
@@ -241,6 +277,7 @@ def page(results):
         parameters_section(results),
         peers_section(results),
         foreign_section(results),
+        parts_section(results),
         DIFFERENCES,
     ]
     return "\n".join(section for section in sections if section)

@@ -4,6 +4,7 @@ import csv
 import io
 import json
 
+from harness.parts import parts_of
 from harness.statistics import summarise
 
 
@@ -17,6 +18,7 @@ class Results:
             runs = journal.runs(key, cell["build"]) | {}
             self._runs[key] = [runs[trial] for trial in cell["trials"] if trial in runs]
         self.sessions = journal.of_kind("session")
+        self.parts = {record["scene"]: parts_of(record["report"]) for record in journal.of_kind("parts")}
         self.compile_s = {record["problem"]: record["compile_s"] for record in journal.of_kind("compiled")}
 
     def runs(self, cell):

@@ -20,7 +20,7 @@ def timing_core():
     return max(os.sched_getaffinity(0))
 
 
-def _isolate():
+def isolate():
     os.sched_setaffinity(0, {timing_core()})
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
@@ -59,7 +59,7 @@ class Worker:
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=self._errors,
-            preexec_fn=_isolate,
+            preexec_fn=isolate,
             start_new_session=True,  # a terminal's Ctrl-C is for the driver
         )
 

@@ -14,6 +14,7 @@ from harness import experiments, readme  # noqa: E402
 from harness.cells import Cell  # noqa: E402
 from harness.claims import claims  # noqa: E402
 from harness.journal import Journal, JournalError  # noqa: E402
+from harness.parts import parts_of  # noqa: E402
 from harness.problems import Problem, movingai_queries, roomiest_heading  # noqa: E402
 from harness.protocol import Protocol, measure  # noqa: E402
 from harness.results import Results, to_csv  # noqa: E402
@@ -306,6 +307,29 @@ class Written(unittest.TestCase):
         self.assertTrue(text.endswith(f"|\n{readme.END}\nafter\n"))
         self.assertIn("| rooms | 1 | 1 | 500.0 | 500.0 | 5 | 5 | 1.0e-04 | 1.0 | 10.0 | 30.0 |\n", text)
         self.assertNotIn("old", text)
+
+
+class Parts(unittest.TestCase):
+    """Of a search: what Google Benchmark reports for two seeds."""
+
+    TIMES = {"open": (1.0, "us"), "set_up": (3.0, "us"), "plan": (0.023, "ms"), "floor": (8e3, "ns")}
+
+    def setUp(self):
+        entries = []
+        for name, (time, unit) in self.TIMES.items():
+            for aggregate, factor in (("mean", 7), ("median", 1)):
+                entries.append({"run_name": name, "aggregate_name": aggregate, "cpu_time": factor * time, "time_unit": unit})
+        entries[5] |= {"seeds": 2.0, "vertices": 30.0, "attempts": 40.0, "expansions": 5.0, "plan_steps": 10.0}
+        self.parts = parts_of({"benchmarks": entries})
+
+    def test_are_the_medians_in_one_unit(self):
+        self.assertAlmostEqual(self.parts.each("search"), 10)
+        self.assertAlmostEqual(self.parts.each("floor"), 4)
+        self.assertAlmostEqual(self.parts.share("open", "set_up"), 0.2)
+
+    def test_are_held_against_the_floor(self):
+        self.assertAlmostEqual(self.parts.over_floor, 2.5)
+        self.assertAlmostEqual(self.parts.all_over_floor, 3)
 
 
 class Experiments(unittest.TestCase):

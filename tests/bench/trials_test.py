@@ -8,7 +8,7 @@ import unittest
 from pathlib import Path
 
 BIN = Path(sys.argv.pop(1))
-SEARCH, PEERS = BIN / "krait-bench-search", BIN / "krait-bench-peers"
+SEARCH, PEERS, CORE = BIN / "krait-bench-search", BIN / "krait-bench-peers", BIN / "krait-bench-core"
 SCENE = {
     "name": "hall",
     "bounds": {"min": [0, 0], "max": [12, 8]},
@@ -98,6 +98,32 @@ class Trials(unittest.TestCase):
         self.assertLess(near["plan_length_m"], 2)
         self.assertEqual(blocked["status"], "refused")
         self.assertIn("start_in_collision", blocked["complaint"])
+
+    def parts(self, robot="snake:2", scene=None):
+        command = [CORE, "--scene", scene or self.scene, "--robot", robot, "--seeds", "2"]
+        command += ["--benchmark_format=json", "--benchmark_min_time=0.001"]
+        return subprocess.run(command, capture_output=True, text=True)
+
+    def test_the_parts_of_a_search_do_what_the_search_did(self):
+        if not CORE.exists():
+            self.skipTest("built without Google Benchmark")
+        result = self.parts()
+        self.assertEqual(result.returncode, 0, result.stderr)
+        entries = {entry["name"]: entry for entry in json.loads(result.stdout)["benchmarks"]}
+        self.assertTrue({"open", "set_up", "plan", "floor", "steer", "propagate", "check"} <= set(entries))
+        self.assertTrue(all(entry["cpu_time"] > 0 for entry in entries.values()))
+        trials = [{"trial": seed, "seed": seed} for seed in (1, 2)]
+        answers = self.answers(SEARCH, "adaptive", trials, "--robot", "snake:2")
+        for name in ("vertices", "plan_steps"):
+            self.assertEqual(entries["plan"][name], sum(answer[name] for answer in answers))
+
+    def test_the_parts_of_a_search_refuse_bad_input(self):
+        if not CORE.exists():
+            self.skipTest("built without Google Benchmark")
+        for result in (self.parts(robot="car"), self.parts(robot="eel"), self.parts(scene="/nowhere")):
+            self.assertEqual(result.returncode, 2)
+            self.assertEqual(result.stdout, "")
+            self.assertIn("krait-bench-core: ", result.stderr)
 
     def test_bad_input_ends_the_program_with_a_line(self):
         trial = [{"trial": 1, "seed": 1}]

@@ -1,0 +1,280 @@
+// krait-bench-core: what the parts of a search cost, for a snake in a compiled scene over some seeds. Each figure is
+// the time for all seeds together: the search as it is, then its parts done again from a recording of it.
+#include <benchmark/benchmark.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <string>
+
+#include "core/recording.hpp"
+#include "host/search/query.hpp"
+#include "host/search/robots.hpp"
+#include "host/search/search.hpp"
+#include "host/workspace/workspace.hpp"
+
+namespace krait::bench {
+namespace {
+
+constexpr std::uint64_t kMemory = 64U << 20U;  // bytes of the planner's block
+
+struct Options {
+  std::string scene;
+  std::string robot = "snake:15";
+  std::uint64_t seeds = 60;
+};
+
+// The searches of all seeds.
+class Workload {
+ public:
+  explicit Workload(const Options& options)
+      : bytes_(host::SceneBytes::read(options.scene)),
+        scene_(host::open_scene(options.scene, bytes_)),
+        robot_(snake(options.robot)),
+        start_(start_of(scene_, robot_, options)),
+        seeds_(options.seeds) {
+    for (std::uint64_t seed = 1; seed <= seeds_; ++seed) {
+      Planner<RecordingSnake> planner;
+      set_up(planner, recording_, seed);
+      recordings_.push_back(record(recording_, planner, parameters_.dt));
+      if (planner.status() != Status::solved) throw host::InputError("a search of the scene is not solved");
+      plan_steps_ += planner.statistics().plan_steps;
+      vertices_ += planner.statistics().vertices;
+    }
+  }
+
+  const host::SceneBytes& bytes() const { return bytes_; }
+  const Scene& scene() const { return scene_; }
+  const Snake& robot() const { return robot_; }
+  const Parameters& parameters() const { return parameters_; }
+  std::uint64_t seeds() const { return seeds_; }
+
+  template <class R>
+  void set_up(Planner<R>& planner, const R& robot, std::uint64_t seed) {
+    const Limits limits = Planner<R>::limits_for(kMemory, scene_, robot);
+    if (!planner.init(block_.data(), kMemory, scene_, robot, parameters_, limits).ok()) {
+      throw host::InputError("the planner refuses the robot or its memory");
+    }
+    planner.start({start_.data(), Goal::named(0), seed});
+  }
+
+  // Calls visit(expansion) for every expansion of every search.
+  template <class Visit>
+  void for_each_expansion(Visit visit) const {
+    for (const auto& recording : recordings_) {
+      for (const Expansion& expansion : recording) visit(expansion);
+    }
+  }
+
+  void count(benchmark::State& state) const {
+    std::size_t expansions = 0;
+    std::size_t attempts = 0;
+    for_each_expansion([&](const Expansion& expansion) {
+      ++expansions;
+      attempts += expansion.attempts.size();
+    });
+    state.counters["seeds"] = static_cast<double>(seeds_);
+    state.counters["vertices"] = static_cast<double>(vertices_);
+    state.counters["attempts"] = static_cast<double>(attempts);
+    state.counters["expansions"] = static_cast<double>(expansions);
+    state.counters["plan_steps"] = static_cast<double>(plan_steps_);
+  }
+
+ private:
+  static Snake snake(const std::string& name) {
+    const host::RobotSpec spec = host::parse_robot(name);
+    if (spec.model != "snake") throw host::InputError("the parts of a search are measured for a snake: snake:LINKS");
+    return Snake(host::chain_parameters(spec));
+  }
+
+  static std::vector<float> start_of(const Scene& scene, const Snake& robot, const Options& options) {
+    host::SearchRequest request;
+    request.robot = host::parse_robot(options.robot);
+    return host::state_at(robot, scene, host::resolve_start(scene, request));
+  }
+
+  host::SceneBytes bytes_;
+  Scene scene_;
+  Snake robot_;
+  RecordingSnake recording_{robot_};
+  Parameters parameters_;
+  std::vector<float> start_;
+  std::uint64_t seeds_;
+  std::vector<std::uint64_t> block_ = std::vector<std::uint64_t>(kMemory / 8);
+  std::vector<std::vector<Expansion>> recordings_;
+  std::uint64_t vertices_ = 0;
+  std::uint64_t plan_steps_ = 0;
+};
+
+// Scene::open.
+void open(benchmark::State& state, const Workload& work) {
+  for (auto _ : state) {
+    for (std::uint64_t seed = 1; seed <= work.seeds(); ++seed) {
+      Scene scene;
+      benchmark::DoNotOptimize(Scene::open(work.bytes().data(), work.bytes().size(), scene));
+    }
+  }
+}
+
+// init and start: tables, checks, the first Dijkstra.
+void set_up(benchmark::State& state, Workload& work) {
+  for (auto _ : state) {
+    for (std::uint64_t seed = 1; seed <= work.seeds(); ++seed) {
+      Planner<Snake> planner;
+      work.set_up(planner, work.robot(), seed);
+      benchmark::DoNotOptimize(planner.status());
+    }
+  }
+}
+
+// init, start and advance to the plan.
+void plan(benchmark::State& state, Workload& work) {
+  for (auto _ : state) {
+    for (std::uint64_t seed = 1; seed <= work.seeds(); ++seed) {
+      Planner<Snake> planner;
+      work.set_up(planner, work.robot(), seed);
+      benchmark::DoNotOptimize(planner.advance(UINT64_MAX));
+    }
+  }
+  work.count(state);
+}
+
+MotionCheck<Snake> check_of(const Workload& work) {
+  MotionCheck<Snake> check;
+  const Parameters& p = work.parameters();
+  check.assign(work.robot(), work.scene(), p.clearance, static_cast<int>(p.max_substeps), !p.plain);
+  return check;
+}
+
+// The floor of the method: a Runge-Kutta step and the proof that it is free, for every vertex.
+void steps_of_vertices(benchmark::State& state, const Workload& work) {
+  MotionCheck<Snake> check = check_of(work);
+  const float dt = work.parameters().dt;
+  float next[Snake::kMaxState];
+  for (auto _ : state) {
+    work.for_each_expansion([&](const Expansion& expansion) {
+      if (expansion.taken > 0) check.begin(expansion.attempts.front().state.data());
+      for (std::size_t i = 0; i < expansion.taken; ++i) {
+        const Attempt& attempt = expansion.attempts[i];
+        propagate(work.robot(), attempt.state.data(), check.poses(), attempt.control.data(), dt, next);
+        benchmark::DoNotOptimize(check.step_free(attempt.state.data(), attempt.control.data(), dt, next));
+      }
+    });
+  }
+}
+
+// The controller, for every step that was tried.
+void steer(benchmark::State& state, const Workload& work) {
+  float control[Snake::kMaxControl];
+  const Snake& robot = work.robot();
+  for (auto _ : state) {
+    work.for_each_expansion([&](const Expansion& expansion) {
+      Steering steering;
+      for (const Attempt& attempt : expansion.attempts) {
+        robot.steer(StateView(attempt.state.data(), robot.state_size()), expansion.target, steering,
+                    ControlRef(control, robot.control_size()));
+        benchmark::DoNotOptimize(control);
+      }
+    });
+  }
+}
+
+// Runge-Kutta, for every step that was tried.
+void propagate_steps(benchmark::State& state, const Workload& work) {
+  std::vector<Pose> poses;
+  const int bodies = work.robot().body_count();
+  work.for_each_expansion([&](const Expansion& expansion) {
+    for (const Attempt& attempt : expansion.attempts) {
+      poses.resize(poses.size() + static_cast<std::size_t>(bodies));
+      work.robot().place(StateView(attempt.state.data(), work.robot().state_size()), &poses.back() + 1 - bodies);
+    }
+  });
+  float next[Snake::kMaxState];
+  for (auto _ : state) {
+    const Pose* at = poses.data();
+    work.for_each_expansion([&](const Expansion& expansion) {
+      for (const Attempt& attempt : expansion.attempts) {
+        propagate(work.robot(), attempt.state.data(), at, attempt.control.data(), work.parameters().dt, next);
+        benchmark::DoNotOptimize(next);
+        at += bodies;
+      }
+    });
+  }
+}
+
+// The collision check, for every step that was tried.
+void check_steps(benchmark::State& state, const Workload& work) {
+  MotionCheck<Snake> check = check_of(work);
+  const float dt = work.parameters().dt;
+  for (auto _ : state) {
+    work.for_each_expansion([&](const Expansion& expansion) {
+      if (!expansion.attempts.empty()) check.begin(expansion.attempts.front().state.data());
+      for (const Attempt& attempt : expansion.attempts) {
+        benchmark::DoNotOptimize(
+            check.step_free(attempt.state.data(), attempt.control.data(), dt, attempt.next.data()));
+      }
+    });
+  }
+}
+
+// A full Dijkstra, once a seed.
+void shortest_paths(benchmark::State& state, Workload& work) {
+  Planner<Snake> planner;
+  work.set_up(planner, work.robot(), 1);
+  Regions regions = planner.regions();
+  for (auto _ : state) {
+    for (std::uint64_t seed = 1; seed <= work.seeds(); ++seed) regions.update();
+  }
+}
+
+// The choice of a group in the tree of a whole search, once a seed.
+void select_group(benchmark::State& state, Workload& work) {
+  Planner<Snake> planner;
+  work.set_up(planner, work.robot(), 1);
+  planner.advance(UINT64_MAX);
+  Groups groups = planner.guide();
+  for (auto _ : state) {
+    for (std::uint64_t seed = 1; seed <= work.seeds(); ++seed)
+      benchmark::DoNotOptimize(groups.select(planner.regions()));
+  }
+}
+
+void register_all(Workload& work) {
+  const auto add = [&work](const char* name, auto measure) {
+    benchmark::RegisterBenchmark(name, [&work, measure](benchmark::State& state) { measure(state, work); });
+  };
+  add("open", open);
+  add("set_up", set_up);
+  add("plan", plan);
+  add("floor", steps_of_vertices);
+  add("steer", steer);
+  add("propagate", propagate_steps);
+  add("check", check_steps);
+  add("shortest_paths", shortest_paths);
+  add("select_group", select_group);
+}
+
+int run(int argc, char** argv) {
+  Options options;
+  benchmark::Initialize(&argc, argv);
+  CLI::App app("What the parts of a search cost; options --benchmark_… are Google Benchmark's", "krait-bench-core");
+  app.add_option("--scene", options.scene, "a .krait file")->required();
+  app.add_option("--robot", options.robot, "snake:LINKS")->capture_default_str();
+  app.add_option("--seeds", options.seeds)->check(CLI::Range(1, 10000))->capture_default_str();
+  try {
+    app.parse(argc, argv);
+    Workload work(options);
+    register_all(work);
+    benchmark::RunSpecifiedBenchmarks();
+  } catch (const CLI::Success& success) {
+    return app.exit(success);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "krait-bench-core: %s\n", error.what());
+    return 2;
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace krait::bench
+
+int main(int argc, char** argv) { return krait::bench::run(argc, argv); }

@@ -1,0 +1,70 @@
+"""What the parts of a search cost: krait-bench-core's figures, a scene each."""
+
+import json
+import subprocess
+from dataclasses import dataclass
+
+from harness import machine, problems
+from harness.experiments import ROBOT, SCENES
+from harness.problems import BIN
+from harness.worker import BadInput, isolate
+
+PROGRAM = BIN / "krait-bench-core"
+REPETITIONS = 5  # the median counts
+NANOSECONDS = {"ns": 1, "us": 1e3, "ms": 1e6, "s": 1e9}
+COUNTERS = ("vertices", "attempts", "expansions", "plan_steps")
+
+
+@dataclass(frozen=True)
+class Parts:
+    """Of one scene. Times are processor seconds of all seeds together, counts too."""
+
+    seeds: int
+    times: dict[str, float]
+    counts: dict[str, float]
+
+    def each(self, name):
+        """Microseconds a search."""
+        return 1e6 * self.times[name] / self.seeds
+
+    def share(self, *names):
+        """Of the search."""
+        return sum(self.times[name] for name in names) / self.times["search"]
+
+    @property
+    def over_floor(self):
+        return self.times["search"] / self.times["floor"]
+
+    @property
+    def all_over_floor(self):
+        """With opening the scene and setting the planner up."""
+        return sum(self.times[name] for name in ("open", "set_up", "search")) / self.times["floor"]
+
+
+def parts_of(report):
+    """From Google Benchmark's report: the medians."""
+    medians = [entry for entry in report["benchmarks"] if entry.get("aggregate_name") == "median"]
+    times = {entry["run_name"]: 1e-9 * NANOSECONDS[entry["time_unit"]] * entry["cpu_time"] for entry in medians}
+    times["search"] = times["plan"] - times["set_up"]
+    counted = next(entry for entry in medians if "seeds" in entry)
+    return Parts(round(counted["seeds"]), times, {name: counted[name] for name in COUNTERS})
+
+
+def _report(problem, seeds):
+    command = [PROGRAM, "--scene", problem.scene, "--robot", ROBOT, "--seeds", str(seeds)]
+    command += ["--benchmark_format=json", "--benchmark_report_aggregates_only=true", "--benchmark_min_time=0.1"]
+    command += [f"--benchmark_repetitions={REPETITIONS}"]
+    done = subprocess.run([*map(str, command)], capture_output=True, text=True, preexec_fn=isolate)
+    if done.returncode != 0:
+        raise BadInput(done.stderr.strip())
+    return json.loads(done.stdout)
+
+
+def measure_parts(folder, journal, seeds, progress):
+    """Of every scene, as far as the journal does not have it from the same build."""
+    for scene in SCENES:
+        problem = problems.prepare(scene, folder / "problems")
+        asked = {"kind": "parts", "scene": scene, "seeds": seeds, "build": machine.build_of(PROGRAM, problem)}
+        progress(f"parts of a search on {scene}")
+        if not any(asked.items() <= record.items() for record in journal.of_kind("parts")):
+            journal.append(asked | {"report": _report(problem, seeds)})
