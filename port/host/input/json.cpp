@@ -38,7 +38,7 @@ class Guard {
       keys_.pop_back();
     } else if (event == Json::parse_event_t::key) {
       const std::string& key = value.get_ref<const std::string&>();
-      if (!keys_.back().insert(key).second) throw InputError(file_ + ": key \"" + key + "\" is given twice");
+      if (!keys_.back().insert(key).second) throw InputError(file_ + ": key \"" + cleaned_name(key) + "\" is given twice");
     }
     return true;
   }
@@ -106,7 +106,7 @@ void Field::keys(std::initializer_list<const char*> known) const {
     if (std::find(known.begin(), known.end(), item.key()) != known.end()) continue;
     std::string names;
     for (const char* name : known) names += (names.empty() ? "" : ", ") + std::string(name);
-    fail("unknown key \"" + item.key() + "\"; known here: " + names);
+    fail("unknown key \"" + cleaned_name(item.key()) + "\"; known here: " + names);
   }
 }
 

@@ -133,7 +133,7 @@ void read_parameters(const Field& field, const Model& model, std::map<std::strin
     if (known == model.parameters.end()) {
       std::string names;
       for (const Parameter& p : model.parameters) names += (names.empty() ? "" : ", ") + std::string(p.name);
-      field.fail("unknown parameter \"" + item.key() + "\"; a " + model.name + " has " + names);
+      field.fail("unknown parameter \"" + cleaned_name(item.key()) + "\"; a " + model.name + " has " + names);
     }
     const Field value = field.at(known->name);
     values[known->name] = known->whole ? static_cast<double>(value.integer(static_cast<long long>(known->least),

@@ -1,6 +1,7 @@
 // What an importer yields and everything else on the workstation reads: a map in metres, double precision.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
@@ -64,7 +65,14 @@ struct Workspace {
 // Unusable input: one line that says what, where and what to do. The command line prints it and exits with 2.
 class InputError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit InputError(const std::string& line) : std::runtime_error(on_one_line(line)) {}
+
+ private:
+  static std::string on_one_line(std::string text) {
+    std::replace_if(
+        text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 127; }, '?');
+    return text;
+  }
 };
 
 }  // namespace krait::host

@@ -113,6 +113,8 @@ TEST_F(NativeTest, ReadsGoalsAndStarts) {
 
 TEST_F(NativeTest, UnknownKeysAreNamed) {
   EXPECT_THAT(error(R"("obstacels": [])"), HasSubstr("unknown key \"obstacels\"; known here: name, bounds, obstacles"));
+  EXPECT_THAT(error(R"("obsta\ncles": [])"), HasSubstr("unknown key \"obsta?cles\"")) << "found by fuzzing: two lines";
+  EXPECT_THAT(error(R"("a\u001bb": 1, "a\u001bb": 2)"), HasSubstr("key \"a?b\" is given twice"));
   EXPECT_THAT(error(R"("obstacles": [{"polygon": [[0,0],[1,0],[0,1]], "hole": []}])"),
               HasSubstr("obstacles[0]: unknown key \"hole\""));
   EXPECT_THAT(error(R"("goals": [{"name": "g", "circle": {"centre": [1,1], "radius": 1}}])"),
