@@ -30,6 +30,12 @@ def _panels(count):
     return figure, axes[0]
 
 
+def _legend(axis, **how):
+    """Of what was drawn, if anything was."""
+    if axis.get_legend_handles_labels()[1]:
+        axis.legend(frameon=False, **how)
+
+
 def _measured(results, cells):
     return {x: summary for x, cell in cells.items() if (summary := results.summary(cell))}
 
@@ -68,7 +74,7 @@ def links_growth(results, path):
                 _curve(axis, list(found), list(found.values()), planner, COLORS[planner])
         axis.set(yscale="log", title=scene, xlabel="links")
     axes[0].set_ylabel("seconds, median to 90th percentile")
-    axes[-1].legend(frameon=False)
+    _legend(axes[-1])
     save(figure, path)
 
 
@@ -79,7 +85,7 @@ def scale_growth(results, path):
         if found:
             _curve(axes[0], list(found), list(found.values()), planner, COLORS[planner])
     axes[0].set(yscale="log", xlabel=f"scale of {SCALED_SCENE}", ylabel="seconds")
-    axes[0].legend(frameon=False)
+    _legend(axes[0])
     save(figure, path)
 
 
@@ -102,7 +108,7 @@ def success_over_time(results, path):
         if peer := best_peer(results, scene):
             _success_curve(axis, results, peer, peer.planner.removeprefix(PEER), PEER_COLOR)
         axis.set(xscale="log", title=scene, xlabel="seconds", ylim=(0, 103))
-        axis.legend(frameon=False, fontsize=6)
+        _legend(axis, fontsize=6)
     axes[0].set_ylabel("% solved")
     save(figure, path)
 
