@@ -37,7 +37,9 @@ const std::vector<CorePlanner>& core_planners() {
       {"prior", "prior", {}, "[18]: edge costs never change, 15 % of the targets are random"},
       {"rrt", "rrt", {}, "RRT that connects, goal bias 5 %"},
       {"control", "adaptive", static_costs({}), "krait without adaptation and without random targets"},
-      {"plain", "adaptive", plain(), "krait with full Dijkstra, and Box2D for every body and pair of bodies"},
+      {"plain", "adaptive", plain(),
+       "krait the plain way: full Dijkstra, all weights anew for each choice, Box2D for every body and pair, no "
+       "tables"},
       {"adaptive-unpruned", "adaptive", unpruned({}), "krait that has to find out which portals are too narrow"},
       {"prior-unpruned", "prior", unpruned({}), "[18], which has to find out as well"},
       {"paper", "adaptive", Parameters::paper(), "the paper's constants: states are checked, not the steps between"}};

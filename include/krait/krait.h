@@ -157,7 +157,9 @@ typedef struct krait_parameters {
   bool raise_goal;
   float dt;
   uint32_t max_steps, path_regions;
-  float near_radius, stray_share, gentle_share, slowest, reverse_share;
+  float near_radius, stray_share, gentle_share;
+  uint32_t restart_unit;
+  float slowest, reverse_share;
   float clearance;
   bool continuous;
   uint32_t max_substeps;
@@ -221,7 +223,7 @@ void krait_stop_for_time(krait_planner* planner);
 krait_failure krait_last_failure(const krait_planner* planner);
 
 typedef struct krait_statistics {
-  uint64_t iterations, vertices, recycled, collision_checks, dijkstra_runs, regions_repaired;
+  uint64_t iterations, restarts, vertices, recycled, collision_checks, dijkstra_runs, regions_repaired;
   uint64_t bytes_used, bytes_given; /* of the block behind the planner itself: `krait plan --memory bytes_given` on the
                                        workstation finds the same plan */
   uint32_t plan_steps;

@@ -26,7 +26,7 @@ bool first_meeting(const CellGrid& grid, const Box& box, Cell first, Cell cell) 
 
 }  // namespace
 
-Obstacles::Obstacles(const Scene& scene, float clearance) : scene_(&scene) {
+Obstacles::Obstacles(const Scene& scene, float clearance, bool buckets) : scene_(&scene), buckets_(buckets) {
   const Box bounds = scene.bounds();
   const float largest =
       most(most(absolute(bounds.min.x), absolute(bounds.min.y)), most(absolute(bounds.max.x), absolute(bounds.max.y)));
@@ -51,13 +51,17 @@ float Obstacles::distance_to_piece(const PlacedBody& body, Index piece) const {
   return polygon_distance(body.polygon(), {relative, source.count}) - kRelativeRounding * extent;
 }
 
-float Obstacles::room(const PlacedBody& body, float reach) const {
-  Box box = bounding_box(body.polygon());
-  box = {body.at + box.min, body.at + box.max};
-  if (!(finite(box.min) && finite(box.max))) return -kInfinity;
-  float room = least(room_to_bounds(box), reach);
-  if (room <= 0.0F) return room;
-  const float around = reach + margin_;
+// Calls visit(piece) for every piece whose box comes within `around` of the box, until it says false.
+template <class Visit>
+void Obstacles::pieces_around(const Box& box, float around, Visit visit) const {
+  if (buckets_) return pieces_of_buckets(box, around, visit);
+  for (Index piece = 0; piece < scene_->piece_count(); ++piece) {
+    if (squared_distance(box, scene_->piece_box(piece)) <= around * around && !visit(piece)) return;
+  }
+}
+
+template <class Visit>
+void Obstacles::pieces_of_buckets(const Box& box, float around, Visit visit) const {
   const CellGrid& grid = scene_->buckets();
   const Cell low = grid.cell(box.min - Vec2{around, around});
   const Cell high = grid.cell(box.max + Vec2{around, around});
@@ -69,11 +73,22 @@ float Obstacles::room(const PlacedBody& body, float reach) const {
         const Index piece = scene_->bucket_piece(i);
         const Box piece_box = scene_->piece_box(piece);
         if (squared_distance(box, piece_box) > around * around || !first_meeting(grid, piece_box, low, cell)) continue;
-        room = least(room, distance_to_piece(body, piece) - margin_);
-        if (room <= 0.0F) return room;
+        if (!visit(piece)) return;
       }
     }
   }
+}
+
+float Obstacles::room(const PlacedBody& body, float reach) const {
+  Box box = bounding_box(body.polygon());
+  box = {body.at + box.min, body.at + box.max};
+  if (!(finite(box.min) && finite(box.max))) return -kInfinity;
+  float room = least(room_to_bounds(box), reach);
+  if (room <= 0.0F) return room;
+  pieces_around(box, reach + margin_, [&](Index piece) {
+    room = least(room, distance_to_piece(body, piece) - margin_);
+    return room > 0.0F;
+  });
   return room;
 }
 

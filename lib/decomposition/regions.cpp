@@ -115,55 +115,45 @@ void Regions::push_sources() {
   }
 }
 
-void Regions::relax_neighbors(Index triangle, float distance) {
-  for (int i = 0; i < 3; ++i) {
-    const Index n = scene_->neighbor(triangle, i);
-    if (n == kNone) continue;
-    const float through = distance + portal_costs_[scene_->portal(triangle, i)];
-    if (!(through < h_[n])) continue;
-    h_[n] = through;
-    heap_.push(n);
-  }
-}
-
 void Regions::update() {
   push_sources();
   largest_ = 0.0F;
   settle();
 }
 
-// Dijkstra's loop. When a region is settled all that could come next on its path are.
+// Dijkstra's loop.
 void Regions::settle() {
   while (!heap_.empty()) {
     const Index triangle = heap_.pop();
-    const float distance = h_[triangle];
-    if (distance > largest_) largest_ = distance;
-    next_[triangle] = find_next(triangle);
-    relax_neighbors(triangle, distance);
+    if (h_[triangle] > largest_) largest_ = h_[triangle];
+    settle(triangle);
   }
 }
 
-float Regions::cost_through(Index triangle, int edge) const {
-  const Index n = scene_->neighbor(triangle, edge);
-  return n == kNone ? kInfinity : h_[n] + portal_costs_[scene_->portal(triangle, edge)];
-}
-
-// The edge to argmin over the neighbours of (h + C, region): a pure function of h and C.
-std::uint8_t Regions::find_next(Index triangle) const {
-  if (h_[triangle] == 0.0F) return kNoEdge;
+// Finds what comes next on the triangle's path, the edge to argmin over the neighbours of (h + C, region), a pure
+// function of h and C: all that could come next are settled. And relaxes the edges to those that are not.
+void Regions::settle(Index triangle) {
+  const float distance = h_[triangle];
   std::uint8_t best = kNoEdge;
-  float least = kInfinity;
+  float least = distance > 0.0F ? kInfinity : -kInfinity;  // a goal has no next
   Index best_region = kNone;
   for (std::uint8_t edge = 0; edge < 3; ++edge) {
-    const float through = cost_through(triangle, edge);
-    if (through == kInfinity || through > least) continue;
-    const Index candidate = region(scene_->neighbor(triangle, edge));
-    if (through == least && candidate >= best_region) continue;
-    least = through;
+    const Index n = scene_->neighbor(triangle, edge);
+    if (n == kNone) continue;
+    const float cost = portal_costs_[scene_->portal(triangle, edge)];
+    const float back = h_[n] + cost;
+    if (distance + cost < h_[n]) {
+      h_[n] = distance + cost;
+      heap_.push(n);
+    }
+    if (back == kInfinity || back > least) continue;
+    const Index candidate = region(n);
+    if (back == least && candidate >= best_region) continue;
+    least = back;
     best = edge;
     best_region = candidate;
   }
-  return best;
+  next_[triangle] = best;
 }
 
 // A raised edge lengthens the paths that cross it: those of the raised region, whose every edge rose, and of all that
@@ -190,7 +180,7 @@ float Regions::cost_beside(Index triangle) const {
   for (int edge = 0; edge < 3; ++edge) {
     const Index n = scene_->neighbor(triangle, edge);
     if (n == kNone || (next_[n] & kListed) != 0) continue;
-    const float through = cost_through(triangle, edge);
+    const float through = h_[n] + portal_costs_[scene_->portal(triangle, edge)];
     if (through < least) least = through;
   }
   return least;

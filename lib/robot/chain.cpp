@@ -29,6 +29,9 @@ float least_cosine(float x) {
   return x < 1.57F && cosine > 0.0F ? cosine : 0.0F;
 }
 
+// Of a state, or of its leading part.
+int bodies_of(const StateView& s) { return static_cast<int>(s.size()) + 1 - Chain::kCarState; }
+
 bool positive(float x) { return x > 0.0F && finite(x); }
 
 }  // namespace
@@ -119,7 +122,7 @@ bool Chain::within_limits(StateView s) const {
 }
 
 void Chain::place(StateView s, Pose* poses) const {
-  const int bodies = body_count();
+  const int bodies = bodies_of(s);
   const float d = parameters_.hitch_length;
   poses[0] = {position(s), sin_cos(s[2])};
   turn_to(s.data() + 5, bodies - 1, poses + 1);
@@ -133,7 +136,7 @@ void Chain::place(StateView s, Pose* poses) const {
 
 // The state's rates; hitch(i) gives the hitch angle before trailer i, once each in order.
 template <class Hitch>
-void Chain::rates(const float* s, const float* u, SinCos heading, SinCos steering, Hitch hitch, float* ds) const {
+void Chain::rates(StateView s, const float* u, SinCos heading, SinCos steering, Hitch hitch, float* ds) const {
   const float v = s[3];
   const float axle_speed = v * steering.cos;
   ds[0] = axle_speed * heading.cos;
@@ -142,7 +145,7 @@ void Chain::rates(const float* s, const float* u, SinCos heading, SinCos steerin
   ds[3] = u[0];
   ds[4] = u[1];
   float pull = (slip_ ? v : axle_speed) / parameters_.hitch_length;
-  const int bodies = body_count();
+  const int bodies = bodies_of(s);
   for (int i = 1; i < bodies; ++i) {
     const SinCos angle = hitch(i);
     ds[4 + i] = pull * angle.sin;
@@ -152,7 +155,7 @@ void Chain::rates(const float* s, const float* u, SinCos heading, SinCos steerin
 
 void Chain::derivative(StateView s, ControlView u, StateRef ds) const {
   const auto hitch = [s](int i) { return sin_cos((i == 1 ? s[2] : s[3 + i]) - s[4 + i]); };
-  rates(s.data(), u.data(), sin_cos(s[2]), sin_cos(s[4]), hitch, ds.data());
+  rates(s, u.data(), sin_cos(s[2]), sin_cos(s[4]), hitch, ds.data());
 }
 
 // Whether no angle of the dynamics changes by more than kSmallAngle. A hitch angle does at most at
@@ -168,12 +171,12 @@ bool Chain::changes_little(StateView s, ControlView u, float dt) const {
 
 Chain::Near::Near(const Chain& chain, StateView s, const Pose* poses, ControlView u, float dt)
     : chain_(&chain),
-      state_(s.data()),
+      state_(s),
       control_(u.data()),
       small_(chain.changes_little(s, u, dt)),
       heading_(poses[0].heading),
       steering_(sin_cos(s[4])) {
-  const int bodies = chain.body_count();
+  const int bodies = bodies_of(s);
   for (int i = 1; i < bodies; ++i) hitch_[i] = poses[i - 1].heading - poses[i].heading;
 }
 
@@ -190,8 +193,7 @@ void Chain::Near::derivative(StateView s, StateRef ds) const {
 }
 
 template <class Turn>
-void Chain::Near::derivative(StateView state, Turn turn, StateRef ds) const {
-  const float* const s = state.data();
+void Chain::Near::derivative(StateView s, Turn turn, StateRef ds) const {
   const SinCos heading = heading_ + turn(s[2] - state_[2]);
   const SinCos steering = steering_ + turn(s[4] - state_[4]);
   float ahead = s[2] - state_[2];

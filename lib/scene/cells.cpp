@@ -73,11 +73,4 @@ CellSpan CellSquares::columns_of(Polygon polygon, std::int32_t row) const {
   return extent.low == INT32_MAX ? CellSpan{} : columns_between(extent.low, extent.high);
 }
 
-std::int32_t CellSquares::to_bounds(std::int32_t column, std::int32_t row) const {
-  const GridBox s = square(column, row);
-  const std::int32_t across = least(s.min.x - bounds_.min.x, bounds_.max.x - s.max.x);
-  const std::int32_t up = least(s.min.y - bounds_.min.y, bounds_.max.y - s.max.y);
-  return most(std::int32_t{0}, least(across, up));
-}
-
 }  // namespace krait

@@ -51,13 +51,22 @@ class CellSquares {
   CellSpan rows_of(Polygon polygon) const;
   CellSpan columns_of(Polygon polygon, std::int32_t row) const;
 
-  // Grid steps from the square to the nearest bound, 0 where it reaches one.
-  std::int32_t to_bounds(std::int32_t column, std::int32_t row) const;
+  // Grid steps from the squares of a column or a row to the nearer of the two bounds beside it; not above 0 where they
+  // reach one.
+  std::int32_t column_to_bounds(std::int32_t column) const {
+    return to_ends(column * size_, bounds_.max.x - bounds_.min.x);
+  }
+  std::int32_t row_to_bounds(std::int32_t row) const { return to_ends(row * size_, bounds_.max.y - bounds_.min.y); }
 
  private:
   static constexpr std::int32_t kMargin = format::kCellMargin;
 
   CellSpan span(std::int32_t low, std::int32_t high, std::int32_t cells) const;
+  std::int32_t to_ends(std::int32_t low, std::int32_t length) const {
+    const std::int32_t left = low - kMargin;
+    const std::int32_t right = length - (low + size_ + kMargin);
+    return left < right ? left : right;
+  }
 
   GridBox bounds_;
   std::int32_t size_;

@@ -12,21 +12,45 @@ constexpr std::uint32_t kMaxCount = 1U << 27U;  // of any element: keeps every p
 constexpr double kMaxOrigin = 1e9;
 constexpr std::size_t kCrcStart = 16;
 
-constexpr std::array<std::uint32_t, 256> crc_table() {
-  std::array<std::uint32_t, 256> table{};
-  for (std::uint32_t i = 0; i < 256; ++i) {
-    std::uint32_t c = i;
-    for (int bit = 0; bit < 8; ++bit) c = (c & 1U) != 0 ? 0xEDB88320U ^ (c >> 1U) : c >> 1U;
-    table[i] = c;
+// [k][n]: what the half-byte n does to the CRC when k half-bytes follow it.
+using CrcTables = std::array<std::array<std::uint32_t, 16>, 16>;
+
+constexpr CrcTables crc_tables() {
+  CrcTables tables{};
+  for (std::uint32_t n = 0; n < 16; ++n) {
+    std::uint32_t c = n;
+    for (int bit = 0; bit < 4; ++bit) c = (c & 1U) != 0 ? 0xEDB88320U ^ (c >> 1U) : c >> 1U;
+    tables[0][n] = c;
   }
-  return table;
+  for (std::size_t k = 1; k < 16; ++k) {
+    for (std::uint32_t n = 0; n < 16; ++n) {
+      const std::uint32_t before = tables[k - 1][n];
+      tables[k][n] = before >> 4U ^ tables[0][before & 15U];
+    }
+  }
+  return tables;
 }
 
+// What a word does to the CRC when as many half-bytes follow as `tables` lies behind the first table.
+std::uint32_t crc_of_word(std::uint32_t word, const std::array<std::uint32_t, 16>* tables) {
+  return tables[7][word & 15U] ^ tables[6][word >> 4U & 15U] ^ tables[5][word >> 8U & 15U] ^
+         tables[4][word >> 12U & 15U] ^ tables[3][word >> 16U & 15U] ^ tables[2][word >> 20U & 15U] ^
+         tables[1][word >> 24U & 15U] ^ tables[0][word >> 28U];
+}
+
+// Eight bytes at a time, whose look-ups do not wait for each other.
 std::uint32_t crc32(const std::byte* bytes, std::size_t size) {
-  static constexpr std::array<std::uint32_t, 256> table = crc_table();
+  static constexpr CrcTables tables = crc_tables();
   std::uint32_t crc = 0xFFFFFFFFU;
-  for (std::size_t i = 0; i < size; ++i) {
-    crc = table[(crc ^ static_cast<std::uint32_t>(bytes[i])) & 0xFFU] ^ (crc >> 8U);
+  for (; size >= 8; bytes += 8, size -= 8) {
+    std::uint32_t words[2];
+    std::memcpy(words, bytes, sizeof words);
+    crc = crc_of_word(crc ^ words[0], &tables[8]) ^ crc_of_word(words[1], &tables[0]);
+  }
+  for (; size > 0; ++bytes, --size) {
+    crc ^= static_cast<std::uint32_t>(*bytes);
+    crc = crc >> 4U ^ tables[0][crc & 15U];
+    crc = crc >> 4U ^ tables[0][crc & 15U];
   }
   return crc ^ 0xFFFFFFFFU;
 }

@@ -211,9 +211,11 @@ bool SceneChecker::clearance_steps(const Scene& s, const CellSquares& cells) {
 bool SceneChecker::clearance_to_bounds(const Scene& s, const CellSquares& cells) {
   const std::int32_t unit = cells.size() / format::kClearanceUnits;
   for (std::int32_t row = 0; row < cells.rows(); ++row) {
+    const std::int32_t beside = cells.row_to_bounds(row);
     for (std::int32_t column = 0; column < cells.columns(); ++column) {
       const std::size_t here = cells.number(column, row);
-      if (s.clearance_[here] > 0 && s.clearance_[here] * unit > cells.to_bounds(column, row)) {
+      const std::int32_t claim = s.clearance_[here] * unit;
+      if (claim > 0 && (claim > beside || claim > cells.column_to_bounds(column))) {
         return fail(Section::clearance, static_cast<std::uint32_t>(here));
       }
     }

@@ -23,19 +23,28 @@ void MotionTree::take(Arena& arena, std::uint32_t vertices, std::uint32_t expans
 }
 
 void MotionTree::clear(const Box& bounds) {
+  empty();
+  vertex_most_ = 0;
+  expansion_most_ = 0;
+  low_ = bounds.min;
+  unit_ = (1.0F / kParts) * (bounds.max - bounds.min);
+}
+
+void MotionTree::empty() {
+  vertex_most_ = most_vertices();
+  expansion_most_ = most_expansions();
   vertices_ = 0;
   expansions_ = 0;
   vertex_high_ = 0;
   expansion_high_ = 0;
   free_vertex_ = kNone;
   free_expansion_ = kNone;
-  low_ = bounds.min;
-  unit_ = (1.0F / kParts) * (bounds.max - bounds.min);
 }
 
 std::uint64_t MotionTree::bytes_untouched() const {
   const std::uint64_t vertex_bytes = sizeof(std::uint32_t) + state_size_ * sizeof(float);
-  return (vertex_capacity_ - vertex_high_) * vertex_bytes + (expansion_capacity_ - expansion_high_) * sizeof(Expansion);
+  return (vertex_capacity_ - most_vertices()) * vertex_bytes +
+         (expansion_capacity_ - most_expansions()) * sizeof(Expansion);
 }
 
 Index MotionTree::begin_expansion(Branch from, const Target& target) {

@@ -21,6 +21,7 @@ Parameters Parameters::paper() {
   parameters.cost_length = 0.0F;
   parameters.stray_share = 0.0F;
   parameters.gentle_share = 0.0F;
+  parameters.restart_unit = 0;
   parameters.raise_goal = true;
   parameters.group_sample = kUnboundedSample;
   parameters.continuous = false;
@@ -44,6 +45,7 @@ Argument Parameters::first_bad() const {
   if (!within(near_radius, 0.0F, 10.0F)) return Argument::near_radius;
   if (!within(stray_share, 0.0F, 1.0F)) return Argument::stray_share;
   if (!within(gentle_share, 0.0F, 1.0F)) return Argument::gentle_share;
+  if (!within(restart_unit, 0, 1'000'000'000)) return Argument::restart_unit;
   if (!within(slowest, 0.05F, 1.0F)) return Argument::slowest;
   if (!within(reverse_share, 0.0F, 1.0F)) return Argument::reverse_share;
   if (!within(clearance, 0.0F, 10.0F)) return Argument::clearance;

@@ -50,6 +50,7 @@ void add_statistics(JsonLine& line, const Report& report) {
   const Statistics& s = report.statistics;
   line.add_seconds("time_s", report.nanoseconds)
       .add("iterations", s.iterations)
+      .add("restarts", s.restarts)
       .add("vertices", s.vertices)
       .add("recycled", s.recycled)
       .add("collision_checks", s.collision_checks)

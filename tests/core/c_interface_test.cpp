@@ -309,6 +309,7 @@ TEST(CInterface, EveryParameterIsInItsPlace) {
   EXPECT_SAME_PLACE(krait_parameters, Parameters, near_radius);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, stray_share);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, gentle_share);
+  EXPECT_SAME_PLACE(krait_parameters, Parameters, restart_unit);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, slowest);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, reverse_share);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, clearance);
@@ -361,6 +362,7 @@ TEST(CInterface, EveryAnswerIsInItsPlace) {
   EXPECT_SAME_PLACE(krait_statistics, Statistics, vertices);
   EXPECT_SAME_PLACE(krait_statistics, Statistics, recycled);
   EXPECT_SAME_PLACE(krait_statistics, Statistics, collision_checks);
+  EXPECT_SAME_PLACE(krait_statistics, Statistics, restarts);
   EXPECT_SAME_PLACE(krait_statistics, Statistics, dijkstra_runs);
   EXPECT_SAME_PLACE(krait_statistics, Statistics, regions_repaired);
   EXPECT_SAME_PLACE(krait_statistics, Statistics, bytes_used);

@@ -14,6 +14,8 @@
 namespace krait::test {
 namespace {
 
+constexpr GroupWeights kWeights{8.0F, 0.85F, 0.01F};
+
 constexpr std::uint32_t kSample = 8;
 
 // Regions of a room and groups of at most `vertices` vertices, in memory that ends where theirs does.
@@ -25,7 +27,7 @@ struct Partition {
     Arena arena(block.data(), block.size() * 8);
     take(arena, vertices);
     EXPECT_TRUE(regions.reset(Goal::named(0), 0.0F, 0.05F));
-    groups.clear({}, kSample);
+    groups.clear(kWeights, kSample);
   }
   void take(Arena& arena, std::uint32_t vertices) {
     regions.take(arena, open.scene);
@@ -81,7 +83,7 @@ class Reference {
   Index lightest(Index besides) const {
     Index result = kNone;
     for (const auto& [region, vertices] : members) {
-      if (region == besides || vertices.empty() || vertices.back() == Groups::kRoot) continue;
+      if (region == besides || vertices.empty() || vertices.back() == kRoot) continue;
       const float weight = groups_.log_weight(regions_, region);
       if (result == kNone || weight <= groups_.log_weight(regions_, result)) result = region;
     }
@@ -143,8 +145,8 @@ TEST(Groups, ChoicesAreThoseOfAScanAfterAnySequence) {
     std::vector<Index> unused;
     for (Index v = kVertices; v > 1; --v) unused.push_back(v - 1);
     const Index start = p.region_with_a_cost();
-    p.groups.insert(p.regions, start, Groups::kRoot);
-    reference.members[start] = {Groups::kRoot};
+    p.groups.insert(p.regions, start, kRoot);
+    reference.members[start] = {kRoot};
     for (int i = 0; i < 6000; ++i) {
       const Index region = p.random_region(random);
       auto& members = reference.members[region];
@@ -158,7 +160,7 @@ TEST(Groups, ChoicesAreThoseOfAScanAfterAnySequence) {
           unused.pop_back();
           break;
         case 3: {
-          const bool none = members.empty() || members.back() == Groups::kRoot;
+          const bool none = members.empty() || members.back() == kRoot;
           ASSERT_EQ(p.groups.remove(region), none ? kNone : members.back());
           if (none) break;
           unused.push_back(members.back());
@@ -266,7 +268,7 @@ TEST(Groups, SelectionsStayWhenTheMembersGo) {
 TEST(Groups, TheRootIsNeverRemoved) {
   Partition p(10);
   const Index a = p.region_with_a_cost();
-  p.groups.insert(p.regions, a, Groups::kRoot);
+  p.groups.insert(p.regions, a, kRoot);
   EXPECT_EQ(p.groups.lightest(kNone), kNone);
   EXPECT_EQ(p.groups.remove(a), kNone);
   p.groups.insert(p.regions, a, 5);
@@ -275,7 +277,7 @@ TEST(Groups, TheRootIsNeverRemoved) {
   EXPECT_EQ(p.groups.remove(a), 5U);
   EXPECT_EQ(p.groups.remove(a), kNone);
   EXPECT_EQ(p.groups.remove(a + 1), kNone);  // it has no members
-  EXPECT_EQ(p.members(a), std::vector<Index>{Groups::kRoot});
+  EXPECT_EQ(p.members(a), std::vector<Index>{kRoot});
 }
 
 double chi_square(const std::vector<int>& counts, double expected) {
@@ -315,7 +317,7 @@ class Sample {
     const Groups::Place place = p_.groups.place(region_, random);
     if (!place.kept) return;
     if (place.replaced != kNone) {
-      EXPECT_NE(place.replaced, Groups::kRoot);
+      EXPECT_NE(place.replaced, kRoot);
       held_[place.replaced] = state;
       return;
     }
@@ -339,7 +341,7 @@ TEST(Groups, EachStateThatReachedARegionIsAsLikelyInItsSample) {
     std::vector<int> counts(static_cast<std::size_t>(states));
     constexpr int kTrials = 20'000;
     for (int trial = 0; trial < kTrials; ++trial) {
-      p.groups.clear({}, sample);
+      p.groups.clear(kWeights, sample);
       Sample drawn(p, 0);
       for (int i = 0; i < states; ++i) drawn.reach(i, random);
       ASSERT_EQ(p.groups.size(0), sample);
@@ -358,19 +360,19 @@ TEST(Groups, TheRootIsNeverReplaced) {
   Partition p(20);
   Random random(1);
   for (const std::uint32_t sample : {1U, 2U, 8U}) {
-    p.groups.clear({}, sample);
+    p.groups.clear(kWeights, sample);
     Sample drawn(p, 0);
-    drawn.reach(-1, random, Groups::kRoot);
+    drawn.reach(-1, random, kRoot);
     for (int i = 0; i < 5000; ++i) drawn.reach(i, random);
-    EXPECT_EQ(drawn.held().at(Groups::kRoot), -1);
-    EXPECT_EQ(p.members(0).back(), Groups::kRoot);
+    EXPECT_EQ(drawn.held().at(kRoot), -1);
+    EXPECT_EQ(p.members(0).back(), kRoot);
     EXPECT_EQ(p.groups.size(0), sample);
   }
 }
 
 TEST(Groups, AnUnboundedSampleKeepsAllUpTo65535) {
   Partition p(70'000);
-  p.groups.clear({}, kUnboundedSample);
+  p.groups.clear(kWeights, kUnboundedSample);
   Random random(1);
   for (Index v = 0; v < 65'535; ++v) {
     const Groups::Place place = p.groups.place(0, random);
@@ -404,7 +406,7 @@ TEST(Groups, ForEachVertexVisitsEachOfItsGroupOnce) {
 TEST(Groups, EveryVertexCanBeDrawnFromAFullPool) {
   for (const std::uint32_t vertices : {1021U, 70'001U}) {  // of two and of four bytes
     Partition p(vertices);
-    p.groups.clear({}, kUnboundedSample);
+    p.groups.clear(kWeights, kUnboundedSample);
     const Index groups = 7;
     for (Index v = 0; v < vertices; ++v) p.groups.insert(p.regions, v % groups, v);
     std::vector<bool> seen(vertices);
@@ -425,7 +427,7 @@ TEST(Groups, ClearForgetsEverything) {
   p.groups.place(a, random);
   p.groups.insert(p.regions, a, 1);
   p.groups.select(p.regions);
-  p.groups.clear({}, kSample);
+  p.groups.clear(kWeights, kSample);
   EXPECT_EQ(p.groups.select(p.regions), kNone);
   EXPECT_EQ(p.groups.size(a), 0U);
   EXPECT_EQ(p.groups.reached(a), 0U);

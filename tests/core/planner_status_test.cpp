@@ -323,6 +323,7 @@ TEST(PlannerParameters, EachCountIsCheckedAtBothEnds) {
     std::uint32_t Parameters::*member;
   } ranges[] = {{Argument::group_sample, 1, 65535, &Parameters::group_sample},
                 {Argument::kappa, 1, 10000, &Parameters::kappa},
+                {Argument::restart_unit, 0, 1'000'000'000, &Parameters::restart_unit},
                 {Argument::max_steps, 1, 1000, &Parameters::max_steps},
                 {Argument::path_regions, 1, 64, &Parameters::path_regions},
                 {Argument::max_substeps, 1, 64, &Parameters::max_substeps}};

@@ -19,10 +19,10 @@ template <Robot R>
 class MotionCheck {
  public:
   // Copies nothing: robot and scene must outlive this. `max_substeps` is a power of two. Without `shortcuts` every body
-  // is compared with the obstacles themselves, and every pair of bodies with each other.
+  // is compared with all obstacles, found by their boxes alone, and every pair of bodies with each other.
   void assign(const R& robot, const Scene& scene, float clearance, int max_substeps, bool shortcuts) {
     robot_ = &robot;
-    obstacles_ = Obstacles(scene, clearance);
+    obstacles_ = Obstacles(scene, clearance, shortcuts);
     max_substeps_ = max_substeps;
     shortcuts_ = shortcuts;
     gap_ = krait::self_collision_gap(robot);
@@ -300,7 +300,7 @@ class MotionCheck {
         const float apart = length(centers[j] - centers[i]) - near;
         if (apart > 0.0F) {
           const float reached = along[j] + apart;
-          for (++j; j < bodies_ && along[j] < reached;) ++j;
+          for (++j; shortcuts_ && j < bodies_ && along[j] < reached;) ++j;
         } else {
           if (!pair_free(i, j)) return false;
           ++j;

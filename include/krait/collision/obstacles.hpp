@@ -21,7 +21,8 @@ class Obstacles {
   Obstacles() = default;
 
   // `clearance` metres, >= 0, are kept between every body and every obstacle or bound, on top of what rounding needs.
-  Obstacles(const Scene& scene, float clearance);
+  // Without `buckets` every piece's box is looked at.
+  Obstacles(const Scene& scene, float clearance, bool buckets = true);
 
   const ClearanceGrid& clearance() const { return scene_->clearance(); }
 
@@ -39,9 +40,14 @@ class Obstacles {
 
   float room_to_bounds(const Box& box) const;
   float distance_to_piece(const PlacedBody& body, Index piece) const;
+  template <class Visit>
+  void pieces_around(const Box& box, float around, Visit visit) const;
+  template <class Visit>
+  void pieces_of_buckets(const Box& box, float around, Visit visit) const;
 
   const Scene* scene_ = nullptr;
   float margin_ = 0.0F;
+  bool buckets_ = true;
 };
 
 }  // namespace krait

@@ -75,9 +75,7 @@ class Regions {
   void set_costs(float least_width, float least_cost);
   void push_sources();
   void settle();
-  void relax_neighbors(Index triangle, float distance);
-  std::uint8_t find_next(Index triangle) const;
-  float cost_through(Index triangle, int edge) const;
+  void settle(Index triangle);
   float cost_beside(Index triangle) const;
   bool follows(Index triangle, Index ahead) const;
   Index list_stale();

@@ -1,6 +1,6 @@
 // What the robot does that is driven by a plan's controls and nothing else. A plan's states each carry the rounding of
 // the step before and its truncation on to the next; here a state carries what rounding took from it along, and goes by
-// half steps, whose truncation is a sixteenth.
+// half steps, whose truncation is a sixteenth. Only as much of the state as the position depends on.
 #pragma once
 
 #include "krait/motion/rk4.hpp"
@@ -10,10 +10,11 @@ namespace krait {
 template <Robot R>
 class OpenLoop {
  public:
-  // Where to start; copied. The robot must outlive this.
+  // Where to start: state_size() floats, copied. The robot must outlive this.
   void begin(const R& robot, const float* state) {
     robot_ = &robot;
-    for (int i = 0; i < robot.state_size(); ++i) {
+    size_ = leading_size(robot);
+    for (int i = 0; i < size_; ++i) {
       state_[i] = state[i];
       rest_[i] = 0.0F;
     }
@@ -22,8 +23,9 @@ class OpenLoop {
   // Holds the control for dt seconds. Two Runge-Kutta steps.
   void step(const float* control, float dt) {
     for (int half = 0; half < 2; ++half) {
-      robot_->place(StateView(state_, robot_->state_size()), poses_);
-      runge_kutta(*robot_, state_, poses_, control, 0.5F * dt, [this](int i, float increment) { add(i, increment); });
+      const StateView state(state_, size_);
+      robot_->place(state, poses_);
+      runge_kutta(*robot_, state, poses_, control, 0.5F * dt, [this](int i, float increment) { add(i, increment); });
     }
   }
 
@@ -39,6 +41,7 @@ class OpenLoop {
   }
 
   const R* robot_ = nullptr;
+  int size_ = 0;
   float state_[R::kMaxState];
   float rest_[R::kMaxState];
   Pose poses_[R::kMaxBodies];

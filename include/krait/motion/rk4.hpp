@@ -28,17 +28,16 @@ auto dynamics_near(const R& robot, StateView state, const Pose* poses, ControlVi
   }
 }
 
-// What dt seconds add to a state, whose bodies' frames are `poses`: calls add(i, increment) for every component. Four
-// derivatives.
+// What dt seconds add to a state, whose bodies' frames are `poses`, or to its leading components: calls
+// add(i, increment) for every one. Four derivatives.
 template <Robot R, class Add>
-void runge_kutta(const R& robot, const float* state, const Pose* poses, const float* control, float dt, Add add) {
-  const int n = robot.state_size();
+void runge_kutta(const R& robot, StateView state, const Pose* poses, const float* control, float dt, Add add) {
+  const int n = static_cast<int>(state.size());
   float k1[R::kMaxState];
   float k23[R::kMaxState];
   float k[R::kMaxState];
   float middle[R::kMaxState];
-  const StateView s(state, n);
-  const auto dynamics = dynamics_near(robot, s, poses, ControlView(control, robot.control_size()), dt);
+  const auto dynamics = dynamics_near(robot, state, poses, ControlView(control, robot.control_size()), dt);
   const float half = 0.5F * dt;
   dynamics.derivative(StateRef(k1, n));
   for (int i = 0; i < n; ++i) middle[i] = state[i] + half * k1[i];
@@ -58,7 +57,7 @@ void runge_kutta(const R& robot, const float* state, const Pose* poses, const fl
 // next = the state after dt seconds; `next` may not overlap `state`.
 template <Robot R>
 void propagate(const R& robot, const float* state, const Pose* poses, const float* control, float dt, float* next) {
-  runge_kutta(robot, state, poses, control, dt,
+  runge_kutta(robot, StateView(state, robot.state_size()), poses, control, dt,
               [state, next](int i, float increment) { next[i] = state[i] + increment; });
 }
 

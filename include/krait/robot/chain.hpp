@@ -30,7 +30,8 @@ struct ChainParameters {
 
 class Chain {
  public:
-  static constexpr int kMaxState = 5 + kMaxTrailers;
+  static constexpr int kCarState = 5;  // the car moves as if it pulled nothing
+  static constexpr int kMaxState = kCarState + kMaxTrailers;
   static constexpr int kMaxControl = 2;
   static constexpr int kMaxBodies = 1 + kMaxTrailers;
 
@@ -38,7 +39,8 @@ class Chain {
   Chain(const ChainParameters& parameters, bool slip);
 
   const ChainParameters& parameters() const { return parameters_; }
-  int state_size() const { return 5 + parameters_.trailers; }
+  int state_size() const { return kCarState + parameters_.trailers; }
+  int leading_size() const { return kCarState; }
   int control_size() const { return 2; }
   int body_count() const { return 1 + parameters_.trailers; }
   int self_collision_gap() const { return parameters_.self_collision_gap; }
@@ -76,7 +78,7 @@ class Chain {
     void derivative(StateView s, Turn turn, StateRef ds) const;
 
     const Chain* chain_;
-    const float* state_;
+    StateView state_;
     const float* control_;
     bool small_;  // whether no angle changes by more than kSmallAngle
     SinCos heading_;
@@ -87,7 +89,7 @@ class Chain {
 
  private:
   template <class Hitch>
-  void rates(const float* s, const float* u, SinCos heading, SinCos steering, Hitch hitch, float* ds) const;
+  void rates(StateView s, const float* u, SinCos heading, SinCos steering, Hitch hitch, float* ds) const;
   struct Body {
     Vec2 vertices[format::kMaxPieceVertices] = {};
     int count = 0;

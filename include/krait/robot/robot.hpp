@@ -60,6 +60,8 @@ struct Steering {
 //   near(s, poses, u, dt)        given the frames of s, an object with derivative(ds), the dynamics at s under u, and
 //                                derivative(s', ds), those at a state s' that Runge-Kutta comes to in a step of dt:
 //                                derivative's values but for rounding, at less cost; used instead of it throughout
+//   leading_size()               how many of the first components, the position among them, depend on no others; place,
+//                                derivative and near then also take states of so many, and place writes body 0 only
 template <class R>
 concept Robot = requires(const R& robot, StateView s, StateRef ds, ControlView u, ControlRef control,
                          Steering& steering, const Target& target, Pose* poses, Travel* travel, float dt, int k) {
@@ -76,6 +78,16 @@ concept Robot = requires(const R& robot, StateView s, StateRef ds, ControlView u
   {robot.place(s, poses)};
   { robot.travel(s, u, dt, s, travel) } -> std::same_as<bool>;
 };
+
+// How many of the state's first components move by themselves; a robot may say.
+template <Robot R>
+int leading_size(const R& robot) {
+  if constexpr (requires {
+                  { robot.leading_size() } -> std::same_as<int>;
+                })
+    return robot.leading_size();
+  return robot.state_size();
+}
 
 // Bodies i and j are tested against each other when |i - j| is at least this; a robot may say otherwise.
 template <Robot R>

@@ -31,33 +31,33 @@ class GroupedSearch : public Search<Derived, R, Groups> {
  protected:
   // Makes sure that the tree has room for an expansion. False, and the search has ended, when it has not.
   bool room_for_expansion() {
-    bool room = !this->tree_.expansions_full();
-    while (!room && this->limits_.when_full == WhenFull::recycle && empty_lightest(kNone)) {
-      room = !this->tree_.expansions_full();
+    while (this->tree_.expansions_full()) {
+      const Index lightest = this->guide_.lightest(kNone);
+      if (this->limits_.when_full == WhenFull::stop || lightest == kNone) {
+        this->finish(Status::tree_full);
+        return false;
+      }
+      empty(lightest);
     }
-    if (!room) this->finish(Status::tree_full);
-    return room;
+    return true;
   }
 
  private:
-  // Whether a group other than the region's helps less and was emptied for it.
+  // Empties the group that helps least if it helps less than the region's. False when there is none such.
   bool make_room_for(Index region) {
     const Index lightest = this->guide_.lightest(region);
-    if (lightest == kNone) return false;
-    const bool lighter =
-        this->guide_.log_weight(this->regions_, lightest) < this->guide_.log_weight(this->regions_, region);
-    return lighter && empty_lightest(region) && !this->tree_.vertices_full();
+    const auto weight = [this](Index of) { return this->guide_.log_weight(this->regions_, of); };
+    if (lightest == kNone || !(weight(lightest) < weight(region))) return false;
+    empty(lightest);
+    return true;
   }
 
-  // Frees the vertices of the group that helps least, but for the root. False when there is none.
-  bool empty_lightest(Index besides) {
-    const Index region = this->guide_.lightest(besides);
-    if (region == kNone) return false;
+  // Frees the group's vertices, but for the root.
+  void empty(Index region) {
     for (Index vertex = this->guide_.remove(region); vertex != kNone; vertex = this->guide_.remove(region)) {
       this->tree_.remove(vertex);
       ++this->statistics_.recycled;
     }
-    return true;
   }
 };
 

@@ -5,24 +5,22 @@
 #include "krait/arena.hpp"
 #include "krait/decomposition/regions.hpp"
 #include "krait/random.hpp"
+#include "krait/search/motion_tree.hpp"
 
 namespace krait {
 
 // Eqn 7: w = (epsilon + 1 - h / h_max)^alpha * beta^selections, kept as its logarithm.
 struct GroupWeights {
-  float alpha = 8.0F;
-  float beta = 0.85F;
-  float epsilon = 0.01F;
+  float alpha;
+  float beta;
+  float epsilon;
 };
 
-// A group keeps at most so many of its states: a sample, each of all that ever reached the region as likely to be in
-// it.
+// As large as a group's sample of the states that reached its region can be.
 inline constexpr std::uint32_t kUnboundedSample = 65535;
 
 class Groups {
  public:
-  static constexpr Index kRoot = 0;  // the vertex of the start, which stays
-
   // For `vertices` vertices in all: 18 bytes a region, 2 to 4 a vertex.
   void take(Arena& arena, const Scene& scene, std::uint32_t vertices);
 
@@ -87,7 +85,7 @@ class Groups {
   PackedIndices links_;   // by vertex: the member before it
   Index region_count_ = 0;
   std::uint32_t sample_ = kUnboundedSample;
-  GroupWeights weights_;
+  GroupWeights weights_{};
   float log_beta_ = 0.0F;
 };
 

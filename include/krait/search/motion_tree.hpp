@@ -9,6 +9,8 @@
 
 namespace krait {
 
+inline constexpr Index kRoot = 0;  // the vertex of the start, which stays
+
 // A state of the tree: the one after `step` steps of an expansion.
 struct Branch {
   Index expansion = kNone;
@@ -24,13 +26,15 @@ class MotionTree {
   // Room for `vertices` states of `state_size` floats, and `expansions`, at most kMostExpansions.
   void take(Arena& arena, std::uint32_t vertices, std::uint32_t expansions, int state_size);
 
-  // No vertex, no expansion. Targets are points of `bounds`, stored to 1/65535 of them.
+  // As new. Targets are points of `bounds`, stored to 1/65535 of them.
   void clear(const Box& bounds);
+  // No vertex, no expansion.
+  void empty();
 
   std::uint32_t vertices() const { return vertices_; }
   std::uint32_t expansions() const { return expansions_; }
-  std::uint32_t most_vertices() const { return vertex_high_; }  // at any time since clear
-  std::uint32_t most_expansions() const { return expansion_high_; }
+  std::uint32_t most_vertices() const { return larger(vertex_most_, vertex_high_); }  // at any time since clear
+  std::uint32_t most_expansions() const { return larger(expansion_most_, expansion_high_); }
   // Bytes of the pools that were never written since clear.
   std::uint64_t bytes_untouched() const;
   bool vertices_full() const { return vertices_ == vertex_capacity_; }
@@ -83,6 +87,7 @@ class MotionTree {
   static void set_steps(Expansion& record, std::uint32_t steps) {
     record.steps_and_uses = record.steps_and_uses - (record.steps_and_uses & kMostSteps) + steps;
   }
+  static std::uint32_t larger(std::uint32_t a, std::uint32_t b) { return a > b ? a : b; }
   void use(Branch branch) {
     if (branch.expansion != kNone) records_[branch.expansion].steps_and_uses += kUse;
   }
@@ -97,8 +102,10 @@ class MotionTree {
   std::uint32_t expansion_capacity_ = 0;
   std::uint32_t vertices_ = 0;
   std::uint32_t expansions_ = 0;
-  std::uint32_t vertex_high_ = 0;  // slots in use at some time
+  std::uint32_t vertex_high_ = 0;  // slots in use at some time since the tree was empty
   std::uint32_t expansion_high_ = 0;
+  std::uint32_t vertex_most_ = 0;  // before that
+  std::uint32_t expansion_most_ = 0;
   Index free_vertex_ = kNone;  // lists of unused slots, linked through branches_ and origins
   Index free_expansion_ = kNone;
   Vec2 low_{};

@@ -40,6 +40,7 @@ struct Parameters {
   float near_radius = 0.7F;        // 0 … 10, in robot lengths: a target so near is reached
   float stray_share = 0.1F;        // 0 … 1: share of expansions toward a random point of the workspace instead
   float gentle_share = 0.35F;      // 0 … 1: share of expansions from a group that was often selected that turn gently
+  std::uint32_t restart_unit = 4000;  // expansions, 0 … 1e9: tries last 1, 1, 2, 1, 1, 2, 4, … of it; 0: one for ever
   float slowest = 0.75F;       // 0.05 … 1: speed set-points are uniform from this share of the top speed to all of it
   float reverse_share = 0.2F;  // 0 … 1: share of expansions that drive backwards, of a robot that can
   // Collision.
@@ -47,8 +48,9 @@ struct Parameters {
   bool continuous = true;           // whether whole steps are proven free, or states only
   std::uint32_t max_substeps = 16;  // 1 … 64, a power of two: how finely a step is cut to prove it
   bool prune_portals = true;        // whether portals too narrow for the robot are removed before the search
-  // Whether everything is done the plain way: Dijkstra for all regions each time, Box2D for every body and every pair
-  // of bodies. What shortcuts are measured against.
+  // Whether everything is done the plain way: Dijkstra for all regions each time, every group's weight anew for each
+  // choice, Box2D for every body and every pair of bodies, without the scene's tables. The same plan; what shortcuts
+  // are measured against.
   bool plain = false;
   // The goal.
   float goal_margin = 0.03F;  // 0 … 10 m, at most a tenth of the goal's size: how deep inside the plan must end

@@ -18,11 +18,13 @@ class Planner : public GroupedSearch<Planner<R>, R> {
     this->guide_.clear({parameters.alpha, parameters.beta, parameters.epsilon}, parameters.group_sample);
     raised_ = false;
   }
+  std::uint32_t restart_unit() const { return this->parameters_.restart_unit; }
 
   // Algorithm 1, lines 4 to 13.
   template <class Watch>
   void iterate(Watch watch) {
     if (!this->room_for_expansion()) return;
+    if (this->parameters_.plain) this->guide_.weigh(this->regions_);
     const Index group = this->guide_.select(this->regions_);
     const Index vertex = this->guide_.random_vertex(group, this->random_);
     const Target target = choose_target(group);

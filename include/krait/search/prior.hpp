@@ -16,6 +16,8 @@ class PriorPlanner : public GroupedSearch<PriorPlanner<R>, R> {
 
   static constexpr int kMaxTries = 16;  // at a point outside obstacles
 
+  static std::uint32_t restart_unit() { return 0; }
+
   void reset_guide() {
     const Parameters& parameters = this->parameters_;
     this->guide_.clear({parameters.alpha, parameters.beta, parameters.prior.epsilon}, kUnboundedSample);

@@ -15,6 +15,8 @@ class RrtPlanner : public Search<RrtPlanner<R>, R, NearestPoints> {
   friend Base;
 
   // The regions tell whether there is a route at all, and guide nothing.
+  static std::uint32_t restart_unit() { return 0; }
+
   void reset_guide() {
     this->guide_.clear();
     connecting_ = kNone;

@@ -15,6 +15,7 @@
 #include "krait/robot/shape.hpp"
 #include "krait/search/motion_tree.hpp"
 #include "krait/search/parameters.hpp"
+#include "krait/search/restarts.hpp"
 #include "krait/search/statistics.hpp"
 
 namespace krait {
@@ -28,6 +29,7 @@ struct Query {
 // `Guide` is what a planner keeps by vertex to choose where to grow from; take(arena, scene, vertices) takes its pools.
 // `Derived` is the planner, which has
 //   reset_guide()                  the guide as new
+//   restart_unit()                 as Restarts::begin has it
 //   iterate(watch)                 one expansion
 //   keep(region, branch, state)    hears of every new state, and may keep it as a vertex; false when it cannot go on
 template <class Derived, Robot R, class Guide>
@@ -79,6 +81,7 @@ class Search {
   Status start(const Query& query) {
     if (!ready_) return status();
     derived().reset_guide();
+    restarts_.begin(derived().restart_unit());
     return begin(query);
   }
 
@@ -94,7 +97,11 @@ class Search {
     for (; iterations > 0 && status() == Status::searching; --iterations) {
       if (statistics_.iterations == limits_.iterations) return finish(Status::budget_used);
       ++statistics_.iterations;
-      derived().iterate(watch);
+      if (restarts_.due()) {
+        begin_anew();
+      } else {
+        derived().iterate(watch);
+      }
     }
     return status();
   }
@@ -129,7 +136,6 @@ class Search {
   }
 
  protected:
-  static constexpr Index kRoot = 0;               // the vertex of the start, which stays
   static constexpr std::uint32_t kPatience = 10;  // tries after which half of the gentle share turns gently
 
   enum class Expansion { goal_reached, target_reached, target_not_reached, collision, tree_full };
@@ -253,11 +259,24 @@ class Search {
     const float tenth = 0.1F * goal_.size(*scene_);
     goal_depth_ = parameters_.goal_margin < tenth ? parameters_.goal_margin : tenth;
     const bool fits = !parameters_.prune_portals || body_fits_through(query.start);
-    if (!regions_.reset(goal_, least_portal_width(), kLeastCost * robot_length_)) {
-      return finish(Status::goal_in_obstacle);
-    }
-    ++statistics_.dijkstra_runs;
+    if (!find_paths()) return finish(Status::goal_in_obstacle);
     return plant(query.start, fits);
+  }
+
+  // The edge costs as new, and the shortest paths. False when no region belongs to the goal.
+  bool find_paths() {
+    ++statistics_.dijkstra_runs;
+    return regions_.reset(goal_, least_portal_width(), kLeastCost * robot_length_);
+  }
+
+  // Forgets all but the start and where the random numbers have got to.
+  void begin_anew() {
+    ++statistics_.restarts;
+    drive_.begin(*robot_, tree_.state(kRoot));
+    tree_.empty();
+    derived().reset_guide();
+    find_paths();
+    derived().keep(root_region_, {}, drive_.state());
   }
 
   Failure check_query(const Query& query) {
@@ -276,11 +295,11 @@ class Search {
     const Vec2 at{start[0], start[1]};
     const Index triangle = locate(*scene_, at);
     if (triangle == kNone) return finish(Status::start_in_collision);
-    const Index region = regions_.region(triangle);
+    root_region_ = regions_.region(triangle);
     statistics_.vertices = 1;
-    if (regions_.cost(region) == kInfinity) return finish(Status::no_route);
+    if (regions_.cost(root_region_) == kInfinity) return finish(Status::no_route);
     drive_.begin(*robot_, start);
-    derived().keep(region, {}, drive_.state());
+    derived().keep(root_region_, {}, drive_.state());
     finish(fits ? Status::searching : Status::no_route);
     if (goal_.contains(*scene_, at, 0.0F)) finish_solved({});
     return status();
@@ -378,6 +397,8 @@ class Search {
   MotionCheck<R> check_;
   Goal goal_ = Goal::named(0);
   float goal_depth_ = 0.0F;
+  Restarts restarts_;
+  Index root_region_ = kNone;
   Index path_ = kNone;  // the plan's first expansion
   OpenLoop<R> open_loop_;
 };

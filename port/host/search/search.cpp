@@ -35,6 +35,7 @@ nlohmann::ordered_json statistics_json(const Statistics& s, double seconds) {
   std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(s.hash));
   return {{"time_s", seconds},
           {"iterations", s.iterations},
+          {"restarts", s.restarts},
           {"vertices", s.vertices},
           {"recycled", s.recycled},
           {"collision_checks", s.collision_checks},

@@ -15,7 +15,7 @@ class Witness : public R {
   explicit Witness(const R& robot) : R(robot) {}
 
   void place(StateView s, Pose* poses) const {
-    seen_.add(s.data(), this->state_size());
+    seen_.add(s.data(), static_cast<int>(s.size()));
     R::place(s, poses);
   }
 

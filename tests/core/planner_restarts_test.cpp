@@ -1,0 +1,113 @@
+// Searches that begin anew: when, from what, and what stays.
+#include <algorithm>
+
+#include "krait/search/restarts.hpp"
+#include "planner_fixture.hpp"
+
+namespace krait::test {
+namespace {
+
+constexpr float kStart[] = {2, 6, 0};
+
+// How many expansions the first tries last.
+std::vector<int> tries(std::uint32_t unit, std::size_t count) {
+  Restarts restarts;
+  restarts.begin(unit);
+  std::vector<int> lengths;
+  int length = 0;
+  while (lengths.size() < count) {
+    if (restarts.due()) {
+      lengths.push_back(length);
+      length = 0;
+    }
+    ++length;
+  }
+  return lengths;
+}
+
+TEST(RestartsOf, LastAsLubysSequenceSays) {
+  EXPECT_EQ(tries(1, 15), (std::vector<int>{1, 1, 2, 1, 1, 2, 4, 1, 1, 2, 1, 1, 2, 4, 8}));
+  EXPECT_EQ(tries(5, 7), (std::vector<int>{5, 5, 10, 5, 5, 10, 20}));
+}
+
+TEST(RestartsOf, AreNeverDueWithoutAUnit) {
+  Restarts restarts;
+  restarts.begin(0);
+  for (int i = 0; i < 10'000; ++i) ASSERT_FALSE(restarts.due());
+}
+
+struct UnitBench : Bench<Unicycle> {
+  explicit UnitBench(std::uint32_t unit) : Bench(two_rooms(), small_unicycle()) { parameters.restart_unit = unit; }
+};
+
+TEST(PlannerRestarts, SearchesThatBeginAnewSolveToo) {
+  int begun_anew = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    UnitBench bench(10);
+    ASSERT_TRUE(bench.init().ok());
+    ASSERT_EQ(bench.solve({kStart, Goal::named(0), seed}), Status::solved) << seed;
+    begun_anew += bench.planner.statistics().restarts > 0 ? 1 : 0;
+    const Path path(bench.planner.plan());
+    EXPECT_TRUE(std::equal(std::begin(kStart), std::end(kStart), path.states.front().begin()));
+  }
+  EXPECT_GT(begun_anew, 10);
+}
+
+TEST(PlannerRestarts, DoNotDependOnHowTheSearchIsCut) {
+  Statistics whole, pieces;
+  for (Statistics* statistics : {&whole, &pieces}) {
+    UnitBench bench(7);
+    ASSERT_TRUE(bench.init().ok());
+    bench.planner.start({kStart});
+    while (bench.planner.advance(statistics == &whole ? 1'000'000 : 3) == Status::searching) continue;
+    *statistics = bench.planner.statistics();
+  }
+  EXPECT_GT(whole.restarts, 0U);
+  EXPECT_EQ(whole.restarts, pieces.restarts);
+  EXPECT_EQ(whole.hash, pieces.hash);
+  EXPECT_EQ(whole.bytes_used, pieces.bytes_used);
+}
+
+// After the last expansion of a try the tree is the start alone, and costs are what they were.
+TEST(PlannerRestarts, ForgetWhatTheTryHasLearnt) {
+  constexpr std::uint32_t kUnit = 10;
+  UnitBench bench(kUnit), fresh(0);
+  bench.parameters.kappa = fresh.parameters.kappa = 1;
+  ASSERT_TRUE(bench.init().ok());
+  ASSERT_TRUE(fresh.init().ok());
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    fresh.planner.start({kStart, Goal::named(0), seed});
+    bench.planner.start({kStart, Goal::named(0), seed});
+    const auto differs = [&] {
+      for (Index r = 0; r < bench.open.scene.triangle_count(); ++r) {
+        if (bench.planner.regions().cost(r) != fresh.planner.regions().cost(r)) return true;
+      }
+      return false;
+    };
+    if (bench.planner.advance(kUnit) != Status::searching || !differs()) continue;
+    const std::uint32_t most = bench.planner.tree().most_vertices();
+    ASSERT_EQ(bench.planner.advance(1), Status::searching);
+    EXPECT_EQ(bench.planner.statistics().restarts, 1U);
+    EXPECT_FALSE(differs());
+    EXPECT_EQ(bench.planner.tree().vertices(), 1U);
+    EXPECT_EQ(bench.planner.tree().expansions(), 0U);
+    EXPECT_EQ(bench.planner.tree().most_vertices(), most);
+    return;
+  }
+  FAIL() << "no search lasted long enough";
+}
+
+TEST(PlannerRestarts, AreNotThePapersNorOfOtherPlanners) {
+  EXPECT_EQ(Parameters::paper().restart_unit, 0U);
+  const auto restarts_of = [](auto&& bench) {
+    bench.parameters.restart_unit = 1;
+    EXPECT_TRUE(bench.init().ok());
+    EXPECT_EQ(bench.solve({kStart}), Status::solved);
+    return bench.planner.statistics().restarts;
+  };
+  EXPECT_EQ(restarts_of(Bench<Unicycle, Prior>(two_rooms(), small_unicycle())), 0U);
+  EXPECT_EQ(restarts_of(Bench<Unicycle, Rrt>(two_rooms(), small_unicycle())), 0U);
+}
+
+}  // namespace
+}  // namespace krait::test
