@@ -38,7 +38,8 @@ class Guard {
       keys_.pop_back();
     } else if (event == Json::parse_event_t::key) {
       const std::string& key = value.get_ref<const std::string&>();
-      if (!keys_.back().insert(key).second) throw InputError(file_ + ": key \"" + cleaned_name(key) + "\" is given twice");
+      if (!keys_.back().insert(key).second)
+        throw InputError(file_ + ": key \"" + cleaned_name(key) + "\" is given twice");
     }
     return true;
   }
