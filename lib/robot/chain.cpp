@@ -134,9 +134,10 @@ void Chain::place(StateView s, Pose* poses) const {
   }
 }
 
-// The state's rates; hitch(i) gives the hitch angle before trailer i, once each in order.
+// The rates of a state of so many bodies; hitch(i) gives the hitch angle before trailer i, once each in order.
 template <class Hitch>
-void Chain::rates(StateView s, const float* u, SinCos heading, SinCos steering, Hitch hitch, float* ds) const {
+void Chain::rates(const float* s, int bodies, const float* u, SinCos heading, SinCos steering, Hitch hitch,
+                  float* ds) const {
   const float v = s[3];
   const float axle_speed = v * steering.cos;
   ds[0] = axle_speed * heading.cos;
@@ -145,7 +146,6 @@ void Chain::rates(StateView s, const float* u, SinCos heading, SinCos steering, 
   ds[3] = u[0];
   ds[4] = u[1];
   float pull = (slip_ ? v : axle_speed) / parameters_.hitch_length;
-  const int bodies = bodies_of(s);
   for (int i = 1; i < bodies; ++i) {
     const SinCos angle = hitch(i);
     ds[4 + i] = pull * angle.sin;
@@ -155,7 +155,7 @@ void Chain::rates(StateView s, const float* u, SinCos heading, SinCos steering, 
 
 void Chain::derivative(StateView s, ControlView u, StateRef ds) const {
   const auto hitch = [s](int i) { return sin_cos((i == 1 ? s[2] : s[3 + i]) - s[4 + i]); };
-  rates(s, u.data(), sin_cos(s[2]), sin_cos(s[4]), hitch, ds.data());
+  rates(s.data(), bodies_of(s), u.data(), sin_cos(s[2]), sin_cos(s[4]), hitch, ds.data());
 }
 
 // Whether no angle of the dynamics changes by more than kSmallAngle. A hitch angle does at most at
@@ -171,18 +171,18 @@ bool Chain::changes_little(StateView s, ControlView u, float dt) const {
 
 Chain::Near::Near(const Chain& chain, StateView s, const Pose* poses, ControlView u, float dt)
     : chain_(&chain),
-      state_(s),
+      state_(s.data()),
+      bodies_(bodies_of(s)),
       control_(u.data()),
       small_(chain.changes_little(s, u, dt)),
       heading_(poses[0].heading),
       steering_(sin_cos(s[4])) {
-  const int bodies = bodies_of(s);
-  for (int i = 1; i < bodies; ++i) hitch_[i] = poses[i - 1].heading - poses[i].heading;
+  for (int i = 1; i < bodies_; ++i) hitch_[i] = poses[i - 1].heading - poses[i].heading;
 }
 
 void Chain::Near::derivative(StateRef ds) const {
   const auto hitch = [this](int i) { return hitch_[i]; };
-  chain_->rates(state_, control_, heading_, steering_, hitch, ds.data());
+  chain_->rates(state_, bodies_, control_, heading_, steering_, hitch, ds.data());
 }
 
 void Chain::Near::derivative(StateView s, StateRef ds) const {
@@ -193,7 +193,8 @@ void Chain::Near::derivative(StateView s, StateRef ds) const {
 }
 
 template <class Turn>
-void Chain::Near::derivative(StateView s, Turn turn, StateRef ds) const {
+void Chain::Near::derivative(StateView state, Turn turn, StateRef ds) const {
+  const float* const s = state.data();
   const SinCos heading = heading_ + turn(s[2] - state_[2]);
   const SinCos steering = steering_ + turn(s[4] - state_[4]);
   float ahead = s[2] - state_[2];
@@ -203,7 +204,7 @@ void Chain::Near::derivative(StateView s, Turn turn, StateRef ds) const {
     ahead = own;
     return hitch_[i] + turn(change);
   };
-  chain_->rates(s, control_, heading, steering, hitch, ds.data());
+  chain_->rates(s, bodies_, control_, heading, steering, hitch, ds.data());
 }
 
 // v and psi are linear in time, at most v^ and psi^. The car goes v^ dt and turns v^ psi^ dt / L. A truck's axles go

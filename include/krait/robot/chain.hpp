@@ -78,7 +78,8 @@ class Chain {
     void derivative(StateView s, Turn turn, StateRef ds) const;
 
     const Chain* chain_;
-    StateView state_;
+    const float* state_;
+    int bodies_;
     const float* control_;
     bool small_;  // whether no angle changes by more than kSmallAngle
     SinCos heading_;
@@ -89,7 +90,7 @@ class Chain {
 
  private:
   template <class Hitch>
-  void rates(StateView s, const float* u, SinCos heading, SinCos steering, Hitch hitch, float* ds) const;
+  void rates(const float* s, int bodies, const float* u, SinCos heading, SinCos steering, Hitch hitch, float* ds) const;
   struct Body {
     Vec2 vertices[format::kMaxPieceVertices] = {};
     int count = 0;
