@@ -5,9 +5,16 @@ namespace krait::firmware {
 const char* const kModel = "car";
 const bool kHasTrailers = false;
 
-void plan(const Board& board, const Request& request, Report& report) {
-  static const Car robot(Car::defaults());
-  plan_for(board, request, robot, report);
+namespace {
+
+// In a function of its own: what making it needs does not lie on the stack while it plans.
+[[gnu::noinline]] const Car& robot() {
+  static const Car car(Car::defaults());
+  return car;
 }
+
+}  // namespace
+
+void plan(const Board& board, const Request& request, Report& report) { plan_for(board, request, robot(), report); }
 
 }  // namespace krait::firmware
