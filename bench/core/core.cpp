@@ -3,7 +3,6 @@
 #include <benchmark/benchmark.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <string>
 
 #include "core/recording.hpp"
@@ -11,6 +10,7 @@
 #include "host/search/robots.hpp"
 #include "host/search/search.hpp"
 #include "host/workspace/workspace.hpp"
+#include "trials/trials.hpp"
 
 namespace krait::bench {
 namespace {
@@ -29,8 +29,10 @@ class Workload {
   explicit Workload(const Options& options)
       : bytes_(host::SceneBytes::read(options.scene)),
         scene_(host::open_scene(options.scene, bytes_)),
-        robot_(snake(options.robot)),
-        start_(start_of(scene_, robot_, options)),
+        spec_(host::parse_robot(options.robot)),
+        robot_(snake(spec_)),
+        limits_(Planner<Snake>::limits_for(kMemory, scene_, robot_)),
+        start_(start_of(scene_, robot_, spec_)),
         seeds_(options.seeds) {
     for (std::uint64_t seed = 1; seed <= seeds_; ++seed) {
       Planner<RecordingSnake> planner;
@@ -50,8 +52,7 @@ class Workload {
 
   template <class R>
   void set_up(Planner<R>& planner, const R& robot, std::uint64_t seed) {
-    const Limits limits = Planner<R>::limits_for(kMemory, scene_, robot);
-    if (!planner.init(block_.data(), kMemory, scene_, robot, parameters_, limits).ok()) {
+    if (!planner.init(block_.data(), kMemory, scene_, robot, parameters_, limits_).ok()) {
       throw host::InputError("the planner refuses the robot or its memory");
     }
     planner.start({start_.data(), Goal::named(0), seed});
@@ -80,21 +81,22 @@ class Workload {
   }
 
  private:
-  static Snake snake(const std::string& name) {
-    const host::RobotSpec spec = host::parse_robot(name);
+  static Snake snake(const host::RobotSpec& spec) {
     if (spec.model != "snake") throw host::InputError("the parts of a search are measured for a snake: snake:LINKS");
     return Snake(host::chain_parameters(spec));
   }
 
-  static std::vector<float> start_of(const Scene& scene, const Snake& robot, const Options& options) {
+  static std::vector<float> start_of(const Scene& scene, const Snake& robot, const host::RobotSpec& spec) {
     host::SearchRequest request;
-    request.robot = host::parse_robot(options.robot);
+    request.robot = spec;
     return host::state_at(robot, scene, host::resolve_start(scene, request));
   }
 
   host::SceneBytes bytes_;
   Scene scene_;
+  host::RobotSpec spec_;
   Snake robot_;
+  Limits limits_;
   RecordingSnake recording_{robot_};
   Parameters parameters_;
   std::vector<float> start_;
@@ -253,6 +255,12 @@ void register_all(Workload& work) {
   add("select_group", select_group);
 }
 
+void measure(const Options& options) {
+  Workload work(options);
+  register_all(work);
+  benchmark::RunSpecifiedBenchmarks();
+}
+
 int run(int argc, char** argv) {
   Options options;
   benchmark::Initialize(&argc, argv);
@@ -260,18 +268,8 @@ int run(int argc, char** argv) {
   app.add_option("--scene", options.scene, "a .krait file")->required();
   app.add_option("--robot", options.robot, "snake:LINKS")->capture_default_str();
   app.add_option("--seeds", options.seeds)->check(CLI::Range(1, 10000))->capture_default_str();
-  try {
-    app.parse(argc, argv);
-    Workload work(options);
-    register_all(work);
-    benchmark::RunSpecifiedBenchmarks();
-  } catch (const CLI::Success& success) {
-    return app.exit(success);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "krait-bench-core: %s\n", error.what());
-    return 2;
-  }
-  return 0;
+  app.callback([&options] { measure(options); });
+  return run_program(app, argc, argv);
 }
 
 }  // namespace

@@ -35,10 +35,7 @@ class RecordingSnake : public Snake {
   }
 
   // What was steered since the last call.
-  Expansion take() const {
-    Expansion expansion{target_, std::exchange(asked_, {}), 0};
-    return expansion;
-  }
+  Expansion take() const { return {target_, std::exchange(asked_, {}), 0}; }
 
  private:
   mutable Target target_;

@@ -53,9 +53,10 @@ def parse(arguments):
 def measure(options, folder, cells):
     protocol = QUICK if options.quick else Protocol(seeds=options.seeds, limit=options.limit)
     with Journal(folder / "runs.jsonl") as journal:
-        Session(folder, journal, protocol, Progress(len(cells)), options.any_build).measure_all(cells)
+        session = Session(folder, journal, protocol, Progress(len(cells)), options.any_build)
+        session.measure_all(cells)
         if options.what in ("core", "all"):
-            measure_parts(folder, journal, protocol.seeds, lambda text: print(text, file=sys.stderr))
+            measure_parts(session, lambda text: print(text, file=sys.stderr))
         return Results(journal)
 
 

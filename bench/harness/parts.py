@@ -4,7 +4,7 @@ import json
 import subprocess
 from dataclasses import dataclass
 
-from harness import machine, problems
+from harness import machine
 from harness.experiments import ROBOT, SCENES
 from harness.problems import BIN
 from harness.worker import BadInput, isolate
@@ -60,11 +60,13 @@ def _report(problem, seeds):
     return json.loads(done.stdout)
 
 
-def measure_parts(folder, journal, seeds, progress):
-    """Of every scene, as far as the journal does not have it from the same build."""
+def measure_parts(session, progress):
+    """Of every scene, as far as the session's journal does not have it from the same build."""
+    seeds, journal = session.protocol.seeds, session.journal
     for scene in SCENES:
-        problem = problems.prepare(scene, folder / "problems")
+        problem = session.problem(scene)
         asked = {"kind": "parts", "scene": scene, "seeds": seeds, "build": machine.build_of(PROGRAM, problem)}
+        if any(asked.items() <= record.items() for record in journal.of_kind("parts")):
+            continue
         progress(f"parts of a search on {scene}")
-        if not any(asked.items() <= record.items() for record in journal.of_kind("parts")):
-            journal.append(asked | {"report": _report(problem, seeds)})
+        journal.append(asked | {"report": _report(problem, seeds)})

@@ -37,7 +37,8 @@ class Session:
             self._done[cell] = self._measure(cell, self.protocol.limit_of(cell, reference))
         return self._done[cell]
 
-    def _problem(self, name):
+    def problem(self, name):
+        """Compiled, once a session."""
         if name not in self._problems:
             problem = problems.prepare(name, self.files)
             self.journal.append({"kind": "compiled", "problem": name, "compile_s": problem.compile_s})
@@ -45,7 +46,7 @@ class Session:
         return self._problems[name]
 
     def _measure(self, cell, limit):
-        problem = self._problem(cell.problem)
+        problem = self.problem(cell.problem)
         program = BIN / ("krait-bench-peers" if cell.peer else "krait-bench-search")
         build = machine.build_of(program, problem)
         known = self.journal.runs(cell.key, None if self.any_build else build)

@@ -74,9 +74,7 @@ Json to_json(const Ring& ring) {
 }
 
 std::string cleaned_name(const std::string& text) {
-  std::string name = text.substr(0, kMaxNameBytes);
-  std::replace_if(
-      name.begin(), name.end(), [](unsigned char c) { return c < ' ' || c == 127; }, '?');
+  std::string name = on_one_line(text.substr(0, kMaxNameBytes));
   name = Json::parse(Json(name).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
   return name;
 }

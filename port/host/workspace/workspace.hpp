@@ -62,17 +62,17 @@ struct Workspace {
   std::vector<std::string> warnings;  // one line each, for the user
 };
 
+// The text with a question mark for every control character.
+inline std::string on_one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 127; }, '?');
+  return text;
+}
+
 // Unusable input: one line that says what, where and what to do. The command line prints it and exits with 2.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(const std::string& line) : std::runtime_error(on_one_line(line)) {}
-
- private:
-  static std::string on_one_line(std::string text) {
-    std::replace_if(
-        text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 127; }, '?');
-    return text;
-  }
 };
 
 }  // namespace krait::host
