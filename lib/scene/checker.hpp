@@ -51,9 +51,12 @@ class SceneChecker {
   bool bucket_pieces(const Scene& s, const CellSquares& cells);
   bool ascending(const Lists& lists, std::size_t buckets);
   bool longest(const std::uint32_t* offsets, std::size_t buckets, std::uint32_t most, std::uint32_t field);
-  // `meets(element, column, row)` tells whether a list must name the element, `count(element)` how many lists must.
-  template <class Meets, class Count>
-  bool complete(const Lists& lists, const CellSquares& cells, Meets meets, Count count);
+  // The lists of `rows(element)` and `columns(element, row)` must name the element, and no others.
+  template <class Rows, class Columns>
+  bool complete(const Lists& lists, const CellSquares& cells, Rows rows, Columns columns);
+  template <class Rows, class Columns>
+  static std::uint32_t misplaced(const Lists& lists, const CellSquares& cells, Rows rows, Columns columns);
+  bool holds(const Lists& lists, std::size_t bucket, Index element);
 
   bool clearance(const Scene& s);
   bool clearance_steps(const Scene& s, const CellSquares& cells);

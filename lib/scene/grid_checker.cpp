@@ -70,6 +70,28 @@ bool within(Polygon piece, const GridBox& square, std::int32_t reach) {
   return vertex_within(piece, square, reach) || edge_within(piece, square, reach);
 }
 
+// The first of [from, to) that is bad, or `to`. `bad` is asked for all of them at first, without a branch, so that a
+// compiler can ask for many at once.
+template <class Bad>
+std::int32_t first_of(std::int32_t from, std::int32_t to, Bad bad) {
+  int any = 0;
+  for (std::int32_t i = from; i < to; ++i) any |= static_cast<int>(bad(i));
+  if (any == 0) return to;
+  while (!bad(from)) ++from;
+  return from;
+}
+
+// The first column where the clearances of two rows differ by more than a cell, those of `other` shifted by -1, 0 or 1
+// column; `columns` if none does.
+std::int32_t first_steep(const std::uint8_t* row, const std::uint8_t* other, std::int32_t shift, std::int32_t columns) {
+  const std::int32_t to = shift > 0 ? columns - 1 : columns;
+  const std::int32_t first = first_of(shift < 0 ? 1 : 0, to, [&](std::int32_t column) -> bool {
+    const int difference = row[column] - other[column + shift];
+    return (difference > format::kClearanceUnits) | (difference < -format::kClearanceUnits);
+  });
+  return first < to ? first : columns;
+}
+
 // The columns that a polygon meets in one row and in the rows beside it.
 struct Neighborhood {
   CellSpan below;
@@ -97,21 +119,54 @@ struct Neighborhood {
 
 }  // namespace
 
-// Entries ascend, so none is there twice; if each one belongs where it stands and there are as many as belong
-// anywhere, none is missing.
-template <class Meets, class Count>
-bool SceneChecker::complete(const Lists& lists, const CellSquares& cells, Meets meets, Count count) {
+// Entries ascend, so none is there twice; if every element is found wherever it belongs and there are no more entries
+// than that, none is out of place.
+template <class Rows, class Columns>
+bool SceneChecker::complete(const Lists& lists, const CellSquares& cells, Rows rows, Columns columns) {
+  std::uint64_t found = 0;
+  for (Index element = 0; element < lists.elements; ++element) {
+    const CellSpan across = rows(element);
+    for (std::int32_t row = across.first; row <= across.last; ++row) {
+      const CellSpan along = columns(element, row);
+      for (std::int32_t column = along.first; column <= along.last; ++column) {
+        if (!holds(lists, cells.number(column, row), element)) return false;
+      }
+      found += along.count();
+    }
+  }
+  return found == lists.total || fail(lists.section, misplaced(lists, cells, rows, columns));
+}
+
+// The first entry that stands where its element does not belong.
+template <class Rows, class Columns>
+std::uint32_t SceneChecker::misplaced(const Lists& lists, const CellSquares& cells, Rows rows, Columns columns) {
+  std::uint32_t entry = 0;
   std::size_t bucket = 0;
   for (std::int32_t row = 0; row < cells.rows(); ++row) {
     for (std::int32_t column = 0; column < cells.columns(); ++column, ++bucket) {
-      for (std::uint32_t i = lists.offsets[bucket]; i < lists.offsets[bucket + 1]; ++i) {
-        if (!meets(lists.entries[i], column, row)) return fail(lists.section, i);
+      for (; entry < lists.offsets[bucket + 1]; ++entry) {
+        const Index element = lists.entries[entry];
+        if (!rows(element).holds(row) || !columns(element, row).holds(column)) return entry;
       }
     }
   }
-  std::uint64_t expected = 0;
-  for (Index element = 0; element < lists.elements && expected <= lists.total; ++element) expected += count(element);
-  return expected == lists.total || fail(lists.section, lists.total);
+  return entry;
+}
+
+// By bisection.
+bool SceneChecker::holds(const Lists& lists, std::size_t bucket, Index element) {
+  std::uint32_t first = lists.offsets[bucket];
+  std::uint32_t last = lists.offsets[bucket + 1];
+  while (first < last) {
+    const std::uint32_t middle = first + (last - first) / 2;
+    if (lists.entries[middle] == element) return true;
+    if (lists.entries[middle] < element) {
+      first = middle + 1;
+    } else {
+      last = middle;
+    }
+  }
+  return fail(lists.section, first);
 }
 
 bool SceneChecker::ascending(const Lists& lists, std::size_t buckets) {
@@ -149,31 +204,17 @@ bool SceneChecker::buckets(const Scene& s) {
 bool SceneChecker::bucket_triangles(const Scene& s, const CellSquares& cells) {
   const Lists lists{Section::bucket_triangles, s.bucket_triangles_, s.bucket_triangle_offsets_,
                     s.header_.bucket_triangles, s.header_.triangles};
-  const auto meets = [&](Index t, std::int32_t column, std::int32_t row) {
-    return cells.columns_of(Triangle(s, t).polygon(), row).holds(column);
-  };
-  const auto count = [&](Index t) {
-    const Triangle triangle(s, t);
-    const CellSpan rows = cells.rows_of(triangle.polygon());
-    std::uint64_t sum = 0;
-    for (std::int32_t row = rows.first; row <= rows.last; ++row) {
-      sum += cells.columns_of(triangle.polygon(), row).count();
-    }
-    return sum;
-  };
-  return ascending(lists, cells.number(0, cells.rows())) && complete(lists, cells, meets, count);
+  const auto rows = [&](Index t) { return cells.rows_of(Triangle(s, t).polygon()); };
+  const auto columns = [&](Index t, std::int32_t row) { return cells.columns_of(Triangle(s, t).polygon(), row); };
+  return ascending(lists, cells.number(0, cells.rows())) && complete(lists, cells, rows, columns);
 }
 
 bool SceneChecker::bucket_pieces(const Scene& s, const CellSquares& cells) {
   const Lists lists{Section::bucket_pieces, s.bucket_pieces_, s.bucket_piece_offsets_, s.header_.bucket_pieces,
                     s.header_.pieces};
-  const auto meets = [&](Index p, std::int32_t column, std::int32_t row) {
-    return columns_of(cells, s.piece_box(p)).holds(column) && rows_of(cells, s.piece_box(p)).holds(row);
-  };
-  const auto count = [&](Index p) {
-    return columns_of(cells, s.piece_box(p)).count() * rows_of(cells, s.piece_box(p)).count();
-  };
-  return ascending(lists, cells.number(0, cells.rows())) && complete(lists, cells, meets, count);
+  const auto rows = [&](Index p) { return rows_of(cells, s.piece_box(p)); };
+  const auto columns = [&](Index p, std::int32_t) { return columns_of(cells, s.piece_box(p)); };
+  return ascending(lists, cells.number(0, cells.rows())) && complete(lists, cells, rows, columns);
 }
 
 // No cell claims more than there is, by induction over the distance. Where the nearest obstacle or bound of a cell
@@ -188,22 +229,15 @@ bool SceneChecker::clearance(const Scene& s) {
 
 // Neighbours, by side or corner, differ by a cell at most.
 bool SceneChecker::clearance_steps(const Scene& s, const CellSquares& cells) {
-  const auto differ = [&](std::size_t a, std::size_t b) {
-    const int difference = s.clearance_[a] - s.clearance_[b];
-    return difference > format::kClearanceUnits || difference < -format::kClearanceUnits;
-  };
+  const std::int32_t columns = cells.columns();
   for (std::int32_t row = 0; row < cells.rows(); ++row) {
-    const bool below = row > 0;
-    for (std::int32_t column = 0; column < cells.columns(); ++column) {
-      const std::size_t here = cells.number(column, row);
-      const std::size_t under = below ? cells.number(column, row - 1) : here;
-      const bool left = column > 0;
-      const bool right = below && column + 1 < cells.columns();
-      if (differ(here, under) || (left && (differ(here, here - 1) || differ(here, under - 1))) ||
-          (right && differ(here, under + 1))) {
-        return fail(Section::clearance, static_cast<std::uint32_t>(here));
-      }
+    const std::uint8_t* here = s.clearance_ + cells.number(0, row);
+    std::int32_t first = first_steep(here, here, -1, columns);
+    for (std::int32_t shift = -1; shift <= 1 && row > 0; ++shift) {
+      const std::int32_t steep = first_steep(here, here - columns, shift, columns);
+      if (steep < first) first = steep;
     }
+    if (first < columns) return fail(Section::clearance, static_cast<std::uint32_t>(cells.number(first, row)));
   }
   return true;
 }
@@ -211,14 +245,14 @@ bool SceneChecker::clearance_steps(const Scene& s, const CellSquares& cells) {
 bool SceneChecker::clearance_to_bounds(const Scene& s, const CellSquares& cells) {
   const std::int32_t unit = cells.size() / format::kClearanceUnits;
   for (std::int32_t row = 0; row < cells.rows(); ++row) {
+    const std::uint8_t* here = s.clearance_ + cells.number(0, row);
     const std::int32_t beside = cells.row_to_bounds(row);
-    for (std::int32_t column = 0; column < cells.columns(); ++column) {
-      const std::size_t here = cells.number(column, row);
-      const std::int32_t claim = s.clearance_[here] * unit;
-      if (claim > 0 && (claim > beside || claim > cells.column_to_bounds(column))) {
-        return fail(Section::clearance, static_cast<std::uint32_t>(here));
-      }
-    }
+    const std::int32_t first = first_of(0, cells.columns(), [&](std::int32_t column) -> bool {
+      const std::int32_t claim = here[column] * unit;
+      const std::int32_t along = cells.column_to_bounds(column);
+      return (claim > 0) & ((claim > beside) | (claim > along));
+    });
+    if (first < cells.columns()) return fail(Section::clearance, static_cast<std::uint32_t>(cells.number(first, row)));
   }
   return true;
 }

@@ -300,46 +300,45 @@ inline std::vector<Evil> bucket_evils() {
       data.bucket_triangles.begin());
   std::uint32_t most_pieces = 0;
   while (data.bucket_pieces[most_pieces].empty()) ++most_pieces;
-  const std::uint32_t triangles_listed = data.bytes().header().bucket_triangles;
-  const std::uint32_t pieces_listed = data.bytes().header().bucket_pieces;
-  return {element("bucket_offset_first", Section::bucket_triangle_offsets, 0, 0, std::uint32_t{1}),
-          element("bucket_offset_beyond", Section::bucket_triangle_offsets, 1, 1, std::uint32_t{0xFFFFFFF0}),
-          element("bucket_offsets_end_early", Section::bucket_triangle_offsets, buckets, buckets, first),
-          element("bucket_triangle_out_of_range", Section::bucket_triangles, 1, 1, std::uint16_t{60000}),
-          element("bucket_triangle_none", Section::bucket_triangles, 0, 0, format::kNone16),
-          written("bucket_triangles_descend", triangle_list, 1,
-                  [](SceneData& d) { std::swap(d.bucket_triangles[0][0], d.bucket_triangles[0][1]); }),
-          written("bucket_triangle_twice", triangle_list, 1,
-                  [](SceneData& d) { d.bucket_triangles[0][1] = d.bucket_triangles[0][0]; }),
-          {"bucket_longer_than_most", triangle_offsets, longest + 1,
-           [](SceneBytes& b) {
-             const std::size_t field = offsetof(Header, most_bucket_triangles);
-             b.put(field, b.get<std::uint32_t>(field) - 1);
-           }},
-          element("bucket_piece_offset_first", Section::bucket_piece_offsets, 0, 0, std::uint32_t{1}),
-          element("bucket_piece_out_of_range", Section::bucket_pieces, 0, 0, std::uint16_t{2}),
-          {"bucket_pieces_longer_than_most", piece_offsets, most_pieces + 1,
-           [](SceneBytes& b) { b.put(offsetof(Header, most_bucket_pieces), std::uint32_t{0}); }},
-          written("bucket_piece_twice", piece_list, 1,
-                  [](SceneData& d) {
-                    for (auto& list : d.bucket_pieces) list.clear();
-                    d.bucket_pieces[0] = {0, 0};
-                  }),
-          header("bucket_triangles_shorter_than_most", offsetof(Header, most_bucket_triangles), std::uint32_t{1000}),
-          header("bucket_pieces_shorter_than_most", offsetof(Header, most_bucket_pieces), std::uint32_t{1000}),
-          written("bucket_triangle_left_out", triangle_list, triangles_listed - 1,
-                  [](SceneData& d) { d.bucket_triangles[1].pop_back(); }),
-          written("bucket_piece_left_out", piece_list, pieces_listed - 1,
-                  [=](SceneData& d) { d.bucket_pieces[most_pieces].pop_back(); }),
-          written("bucket_pieces_all_left_out", piece_list, 0,
-                  [](SceneData& d) {
-                    for (auto& list : d.bucket_pieces) list.clear();
-                  }),
-          written("bucket_triangle_elsewhere", triangle_list, first,
-                  [=](SceneData& d) { d.bucket_triangles[0].push_back(detail::count(d.triangles.size()) - 1); }),
-          written("bucket_piece_elsewhere", piece_list, 1, [](SceneData& d) {
-            d.bucket_pieces[0] = {0, 1};
-          })};
+  const std::uint32_t end_of_second = first + detail::count(data.bucket_triangles[1].size());
+  return {
+      element("bucket_offset_first", Section::bucket_triangle_offsets, 0, 0, std::uint32_t{1}),
+      element("bucket_offset_beyond", Section::bucket_triangle_offsets, 1, 1, std::uint32_t{0xFFFFFFF0}),
+      element("bucket_offsets_end_early", Section::bucket_triangle_offsets, buckets, buckets, first),
+      element("bucket_triangle_out_of_range", Section::bucket_triangles, 1, 1, std::uint16_t{60000}),
+      element("bucket_triangle_none", Section::bucket_triangles, 0, 0, format::kNone16),
+      written("bucket_triangles_descend", triangle_list, 1,
+              [](SceneData& d) { std::swap(d.bucket_triangles[0][0], d.bucket_triangles[0][1]); }),
+      written("bucket_triangle_twice", triangle_list, 1,
+              [](SceneData& d) { d.bucket_triangles[0][1] = d.bucket_triangles[0][0]; }),
+      {"bucket_longer_than_most", triangle_offsets, longest + 1,
+       [](SceneBytes& b) {
+         const std::size_t field = offsetof(Header, most_bucket_triangles);
+         b.put(field, b.get<std::uint32_t>(field) - 1);
+       }},
+      element("bucket_piece_offset_first", Section::bucket_piece_offsets, 0, 0, std::uint32_t{1}),
+      element("bucket_piece_out_of_range", Section::bucket_pieces, 0, 0, std::uint16_t{2}),
+      {"bucket_pieces_longer_than_most", piece_offsets, most_pieces + 1,
+       [](SceneBytes& b) { b.put(offsetof(Header, most_bucket_pieces), std::uint32_t{0}); }},
+      written("bucket_piece_twice", piece_list, 1,
+              [](SceneData& d) {
+                for (auto& list : d.bucket_pieces) list.clear();
+                d.bucket_pieces[0] = {0, 0};
+              }),
+      header("bucket_triangles_shorter_than_most", offsetof(Header, most_bucket_triangles), std::uint32_t{1000}),
+      header("bucket_pieces_shorter_than_most", offsetof(Header, most_bucket_pieces), std::uint32_t{1000}),
+      written("bucket_triangle_left_out", triangle_list, end_of_second - 1,
+              [](SceneData& d) { d.bucket_triangles[1].pop_back(); }),
+      written("bucket_piece_left_out", piece_list, 0, [=](SceneData& d) { d.bucket_pieces[most_pieces].pop_back(); }),
+      written("bucket_pieces_all_left_out", piece_list, 0,
+              [](SceneData& d) {
+                for (auto& list : d.bucket_pieces) list.clear();
+              }),
+      written("bucket_triangle_elsewhere", triangle_list, first,
+              [=](SceneData& d) { d.bucket_triangles[0].push_back(detail::count(d.triangles.size()) - 1); }),
+      written("bucket_piece_elsewhere", piece_list, 1, [](SceneData& d) {
+        d.bucket_pieces[0] = {0, 1};
+      })};
 }
 
 // Bytes of the 8 by 6 cells of half a metre.
