@@ -5,6 +5,8 @@ experiments which cells belong to which of the paper's tables and figures
 journal     every answer, a line each, appended as it comes: what is there is never measured again
 protocol    time limits, giving up, resuming
 statistics  what the answers of a cell amount to
+session     measures cells: all of the above, with real programs
+pool, stop  several cores at once, and how they end
 worker      a benchmark program that answers trials
 problems    scenes, maps and queries as files
 machine     where the measurements were made

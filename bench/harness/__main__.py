@@ -15,7 +15,7 @@ from harness.progress import Progress
 from harness.protocol import Protocol
 from harness.results import Results, to_json, write
 from harness.session import Session
-from harness.worker import BadInput
+from harness.worker import BadInput, timing_cores
 
 DATA = ROOT / "build/bench"
 QUICK = Protocol(seeds=3, queries=3, limit=1.0, give_up=1)
@@ -39,12 +39,17 @@ def parse(arguments):
     parser.add_argument("--quick", action="store_true",
                         help=f"{QUICK.seeds} seeds, {QUICK.limit:g} s a run, given up at once: shows that all of it "
                         "works, measures nothing; with files of its own")
+    parser.add_argument("--cores", type=int, default=1, metavar="N",
+                        help="measure on the last N cores at once, one timed program on each (default %(default)s)")
     parser.add_argument("--any-build", action="store_true",
                         help="accept what other builds of the programs or scenes have measured")
     parser.add_argument("--json", type=Path, help="also write the measured cells here")
     options = parser.parse_args(arguments)
     if options.seeds < 1 or (options.limit is not None and not options.limit > 0):
         parser.error("--seeds must be at least 1 and --limit above 0")
+    available = len(os.sched_getaffinity(0))
+    if not 1 <= options.cores <= available:
+        parser.error(f"--cores must be between 1 and {available}, the cores there are")
     if options.quick and options.what in ("readme", "results"):
         parser.error("--quick measures nothing that could stand in README.md or bench/RESULTS.md")
     return options
@@ -53,7 +58,7 @@ def parse(arguments):
 def measure(options, folder, cells):
     protocol = QUICK if options.quick else Protocol(seeds=options.seeds, limit=options.limit)
     with Journal(folder / "runs.jsonl") as journal:
-        session = Session(folder, journal, protocol, Progress(len(cells)), options.any_build)
+        session = Session(folder, journal, protocol, Progress(), timing_cores(options.cores), options.any_build)
         session.measure_all(cells)
         if options.what in ("core", "all"):
             measure_parts(session, lambda text: print(text, file=sys.stderr))

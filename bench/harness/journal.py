@@ -3,6 +3,7 @@
 import fcntl
 import json
 import os
+import threading
 from pathlib import Path
 
 
@@ -11,11 +12,15 @@ class JournalError(Exception):
 
 
 class Journal:
-    """Records are dicts with a "kind". One process writes at a time; a last line torn by a crash is cut off."""
+    """Records are dicts with a "kind". One process writes at a time, any of its threads.
+
+    A last line torn by a crash is cut off.
+    """
 
     def __init__(self, path, writable=True):
         self.path = Path(path)
         self.records = []
+        self._lock = threading.Lock()  # for the file and the records
         self._file = None
         if writable:
             self._open()
@@ -41,7 +46,7 @@ class Journal:
             fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError:
             self.close()
-            raise JournalError(f"{self.path}: another bench/run is measuring; timed runs go one at a time") from None
+            raise JournalError(f"{self.path}: another bench/run is measuring; two would disturb each other") from None
 
     def _read(self):
         data = self.path.read_bytes()
@@ -56,18 +61,20 @@ class Journal:
 
     def append(self, record):
         """On disk when this returns."""
-        self._file.write(json.dumps(record).encode() + b"\n")
-        self._file.flush()
-        os.fsync(self._file.fileno())
-        self.records.append(record)
+        with self._lock:
+            self._file.write(json.dumps(record).encode() + b"\n")
+            self._file.flush()
+            os.fsync(self._file.fileno())
+            self.records.append(record)
 
     def of_kind(self, kind):
-        return [record for record in self.records if record["kind"] == kind]
+        with self._lock:
+            return [record for record in self.records if record["kind"] == kind]
 
     def runs(self, key, build):
         """A cell's runs of one build (of any, where build is None) by trial; the last one of each trial counts."""
         return {
             record["trial"]: record
-            for record in self.records
-            if record["kind"] == "run" and record["cell"] == key and build in (None, record["build"])
+            for record in self.of_kind("run")
+            if record["cell"] == key and build in (None, record["build"])
         }

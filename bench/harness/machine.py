@@ -10,7 +10,6 @@ import time
 from pathlib import Path
 
 from harness.problems import BIN, ROOT
-from harness.worker import timing_core
 
 
 def file_digest(path):
@@ -33,15 +32,26 @@ def commit():
     return asked.stdout.strip() or "unknown"
 
 
-def describe():
+def describe(cores):
     built = subprocess.run([BIN / "krait-bench-search", "build"], check=True, capture_output=True, text=True)
     return {
         "date": time.strftime("%Y-%m-%d", time.gmtime()),
         "processor": processor(),
         "cores": os.cpu_count(),
-        "pinned_to_core": timing_core(),
+        "pinned_to_cores": cores,
         "load_before": round(os.getloadavg()[0], 2),
         "system": f"{platform.system()} {platform.release()}",
         "commit": commit(),
         **json.loads(built.stdout),
     }
+
+
+def cores_described(sessions):
+    """How many the last session's machine has, and those that timed programs of any session were pinned to."""
+    text = f"{sessions[-1]['cores']} cores"
+    pinned = sorted({core for session in sessions for core in session.get("pinned_to_cores", [])})
+    if len(pinned) == 1:
+        text += f", core {pinned[0]} for the timed program"
+    elif pinned:
+        text += f", cores {', '.join(map(str, pinned[:-1]))} and {pinned[-1]} for timed programs, one each"
+    return text

@@ -6,6 +6,7 @@ from harness import experiments, paper, pictures
 from harness.cells import PEER, Cell
 from harness.claims import claims
 from harness.experiments import LINKS, PARAMETERS, ROBOT, SCALED_SCENE, SCALES, SCENES, scaled, with_setting
+from harness.machine import cores_described
 from harness.problems import BIN
 from harness.results import to_csv, to_json, write
 from harness.statistics import quantile, rounded
@@ -17,8 +18,8 @@ Written by `bash bench/run results` from what `bash bench/run all` has measured;
 (in brackets) leave out a twelfth of the runs at each end, the paper's five best and five worst of 60. Median, 90th and 99th percentile (nearest rank) and success are over all runs.
 A run counts as solved only if the independent verifier accepts its plan; every other run counts with the time limit, and a figure that this
 touches is printed with "≥". The limit is {limit}. After {give_up} failures in a row a cell is given up; its figures are over the runs made.
-Time is seconds from opening the compiled scene to the plan: open, validate, set up, search; compiling a map stands beside it. Timed programs run
-one at a time, pinned to one core, in memory that is already mapped.
+Time is seconds from opening the compiled scene to the plan: open, validate, set up, search; compiling a map stands beside it. Every timed program
+is pinned to a core of its own, in memory that is already mapped.
 """
 
 DIFFERENCES = """## What differs from the paper
@@ -114,7 +115,7 @@ def machine_section(results):
     last = results.sessions[-1]
     builds = {session["commit"] for session in results.sessions}
     text = (
-        f"**Where.** {last['processor']}, {last['cores']} cores, core {last['pinned_to_core']} for the timed program, "
+        f"**Where.** {last['processor']}, {cores_described(results.sessions)}, "
         f"load {last['load_before']} before the start; {last['system']}; {last['compiler']}, `{last['flags'].strip()}`; "
         f"{last['date']}, commit {last['commit']}."
     )

@@ -3,6 +3,7 @@
 import json
 import subprocess
 from dataclasses import dataclass
+from functools import partial
 
 from harness import machine
 from harness.experiments import ROBOT, SCENES
@@ -50,11 +51,11 @@ def parts_of(report):
     return Parts(round(counted["seeds"]), times, {name: counted[name] for name in COUNTERS})
 
 
-def _report(problem, seeds):
+def _report(problem, seeds, core):
     command = [PROGRAM, "--scene", problem.scene, "--robot", ROBOT, "--seeds", str(seeds)]
     command += ["--benchmark_format=json", "--benchmark_report_aggregates_only=true", "--benchmark_min_time=0.1"]
     command += [f"--benchmark_repetitions={REPETITIONS}"]
-    done = subprocess.run([*map(str, command)], capture_output=True, text=True, preexec_fn=isolate)
+    done = subprocess.run([*map(str, command)], capture_output=True, text=True, preexec_fn=partial(isolate, core))
     if done.returncode != 0:
         raise BadInput(done.stderr.strip())
     return json.loads(done.stdout)
@@ -69,4 +70,4 @@ def measure_parts(session, progress):
         if any(asked.items() <= record.items() for record in journal.of_kind("parts")):
             continue
         progress(f"parts of a search on {scene}")
-        journal.append(asked | {"report": _report(problem, seeds)})
+        journal.append(asked | {"report": _report(problem, seeds, session.cores[-1])})

@@ -83,7 +83,6 @@ def run_krait(*arguments):
 
 def prepare(name, folder):
     """Makes and compiles the problem's files in `folder`."""
-    folder.mkdir(parents=True, exist_ok=True)
     stem = name.replace("/", "-")
     source = foreign_input(name)
     if source is None:
@@ -102,11 +101,12 @@ def prepare(name, folder):
 
 def robot_argument(robot, folder):
     """What --robot takes: the name, or the file of one of ROBOTS."""
-    if robot not in ROBOTS:
-        return robot
-    path = folder / f"{robot}.json"
-    path.write_text(json.dumps(ROBOTS[robot]))
-    return str(path)
+    return str(folder / f"{robot}.json") if robot in ROBOTS else robot
+
+
+def write_robots(folder):
+    for name, robot in ROBOTS.items():
+        (folder / f"{name}.json").write_text(json.dumps(robot))
 
 
 def read_map(path):

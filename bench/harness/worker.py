@@ -6,6 +6,9 @@ import resource
 import select
 import subprocess
 import tempfile
+from functools import partial
+
+from harness.stop import Stopped
 
 MEMORY = 12 << 30  # bytes a program may map
 PATIENCE = 120.0  # s beyond the limit, for set-up and for verifying, until a program counts as hung
@@ -15,24 +18,29 @@ class BadInput(Exception):
     """The program refused its input: one line that says why."""
 
 
-def timing_core():
-    """The core that timed programs are pinned to: the last, since interrupts tend to go to the first."""
-    return max(os.sched_getaffinity(0))
+def timing_cores(count):
+    """The cores that timed programs are pinned to: the last, since interrupts tend to go to the first."""
+    return sorted(os.sched_getaffinity(0))[-count:]
 
 
-def isolate():
-    os.sched_setaffinity(0, {timing_core()})
+def isolate(core):
+    os.sched_setaffinity(0, {core})
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
 class Worker:
-    """Answers one trial at a time. `fresh`: by a new process each (OMPL seeds its random numbers once a process)."""
+    """Answers one trial at a time. `fresh`: by a new process each (OMPL seeds its random numbers once a process).
 
-    def __init__(self, command, limit, fresh):
+    Raises Stopped instead of waiting once `stop` is said; no process is left behind where this is a context.
+    """
+
+    def __init__(self, command, limit, fresh, core, stop):
         self.command = [*map(str, command), "--time-limit", str(limit)]
         self.patience = limit + PATIENCE
         self.fresh = fresh
+        self.core = core
+        self.until = stop
         self._process = None
         self._errors = None
 
@@ -59,7 +67,7 @@ class Worker:
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=self._errors,
-            preexec_fn=isolate,
+            preexec_fn=partial(isolate, self.core),
             start_new_session=True,  # a terminal's Ctrl-C is for the driver
         )
 
@@ -78,7 +86,9 @@ class Worker:
         return answer
 
     def _answer(self, trial):
-        ready, _, _ = select.select([self._process.stdout], [], [], self.patience)
+        ready, _, _ = select.select([self._process.stdout, self.until], [], [], self.patience)
+        if self.until in ready:
+            raise Stopped
         if not ready:
             self.stop()
             return {"trial": trial["trial"], "status": "hung"}

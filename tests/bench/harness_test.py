@@ -1,25 +1,37 @@
 """The benchmarks' driver itself: known timings in, right statistics out; giving up, censoring, resuming."""
 
+import contextlib
+import importlib.util
+import io
 import json
 import math
+import os
+import signal
 import sys
 import tempfile
+import threading
+import time
 import unittest
 from pathlib import Path
+from unittest import mock
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench"))
 
-from harness import experiments, readme  # noqa: E402
+from harness import experiments, problems, readme, session  # noqa: E402
 from harness.cells import Cell  # noqa: E402
 from harness.claims import claims  # noqa: E402
 from harness.journal import Journal, JournalError  # noqa: E402
+from harness.machine import cores_described  # noqa: E402
 from harness.parts import parts_of  # noqa: E402
+from harness.pool import Pool  # noqa: E402
 from harness.problems import Problem, movingai_queries, roomiest_heading  # noqa: E402
+from harness.progress import Progress  # noqa: E402
 from harness.protocol import Protocol, measure  # noqa: E402
 from harness.results import Results, to_csv  # noqa: E402
 from harness.statistics import Figure, deviation, mean, quantile, rounded, summarise, times, trimmed  # noqa: E402
-from harness.worker import BadInput, Worker  # noqa: E402
+from harness.stop import Stop, Stopped  # noqa: E402
+from harness.worker import BadInput, Worker, timing_cores  # noqa: E402
 
 LIMIT = 10.0
 
@@ -216,8 +228,8 @@ for line in sys.stdin:
 
 
 class Programs(unittest.TestCase):
-    def worker(self, fresh=False):
-        worker = Worker(["/usr/bin/python3", "-c", PROGRAM], 1, fresh)
+    def worker(self, fresh=False, stop=None):
+        worker = Worker(["/usr/bin/python3", "-c", PROGRAM], 1, fresh, timing_cores(1)[0], stop or Stop())
         self.addCleanup(worker.stop)
         return worker
 
@@ -237,6 +249,239 @@ class Programs(unittest.TestCase):
     def test_that_refuse_their_input_end_the_session(self):
         with self.assertRaisesRegex(BadInput, "bad scene"):
             self.worker().run({"trial": 4})
+
+    def test_are_not_waited_for_once_told_to_stop(self):
+        stop = Stop()
+        worker = self.worker(stop=stop)
+        threading.Timer(0.2, stop.say).start()
+        with self.assertRaises(Stopped):
+            worker.run({"trial": 3})
+
+
+class Pools(unittest.TestCase):
+    def test_begin_in_order_and_do_everything_once(self):
+        done = []
+        Pool([7]).each("abc", lambda *item: done.append(item))
+        self.assertEqual(done, [("a", 7), ("b", 7), ("c", 7)])
+        done.clear()
+        Pool([0, 1]).each(range(1000), lambda item, _: done.append(item))
+        self.assertEqual(sorted(done), list(range(1000)))
+
+    def test_work_on_all_cores_at_once(self):
+        meeting = threading.Barrier(2, timeout=30)
+        cores = []
+
+        def meet(_, core):
+            meeting.wait()
+            cores.append(core)
+
+        Pool([0, 1]).each("ab", meet)
+        self.assertEqual(sorted(cores), [0, 1])
+
+    def test_end_all_when_one_fails(self):
+        pool = Pool([0, 1])
+        done = []
+
+        def work(item, _):
+            done.append(item)
+            if item == "bad":
+                raise BadInput("bad scene")
+            while not pool.stop.said:
+                time.sleep(0.01)
+
+        with self.assertRaisesRegex(BadInput, "bad scene"):
+            pool.each(["slow", "bad", "never"], work)
+        self.assertEqual(sorted(done), ["bad", "slow"])
+
+
+# Answers with the core that it runs on; a scene's name says how it behaves.
+SEARCH = """#!/usr/bin/python3
+import json, os, sys, time
+scene = sys.argv[sys.argv.index("--scene") + 1]
+for line in sys.stdin:
+    if "refusing" in scene: print("bad scene", file=sys.stderr); sys.exit(2)
+    if "endless" in scene: time.sleep(100)
+    answer = {"status": "solved", "verified": True, "time_s": 0.02, "cores": sorted(os.sched_getaffinity(0))}
+    print(json.dumps({"trial": json.loads(line)["trial"], **answer}), flush=True)
+"""
+
+
+class Sessions(unittest.TestCase):
+    """With a program that answers at once, and problems that need no compiling."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        program = self.folder / "krait-bench-search"
+        program.write_text(SEARCH)
+        program.chmod(0o755)
+        self.compiled = []
+        for where, name, stand_in in (
+            (session, "BIN", self.folder),
+            (session.problems, "prepare", self.prepare),
+            (session.machine, "describe", lambda cores: {"pinned_to_cores": cores}),
+        ):
+            patch = mock.patch.object(where, name, stand_in)
+            patch.start()
+            self.addCleanup(patch.stop)
+
+    def prepare(self, name, folder):
+        self.compiled.append(name)
+        scene = folder / f"{name}.krait"
+        scene.write_text(name)
+        return Problem(name, scene, scene, 0.1)
+
+    def measure(self, cells, cores=1, seeds=3, stream=None):
+        """The journal's records."""
+        pinned = (timing_cores(cores) * cores)[:cores]  # a machine with one core will do
+        path = self.folder / f"{cores}.jsonl"
+        try:
+            with Journal(path) as journal:
+                progress = Progress(stream or io.StringIO())
+                session.Session(self.folder, journal, Protocol(seeds=seeds), progress, pinned).measure_all(cells)
+        finally:
+            self.records = Journal(path, writable=False).records
+        return self.records
+
+    def cells(self, *scenes, planners=("prior", "rrt", "adaptive")):
+        return [Cell(scene, "snake:15", planner) for scene in scenes for planner in planners]
+
+    def test_on_two_cores_measure_what_one_does(self):
+        def content(records):
+            return sorted(json.dumps(record | {"cores": 0}) for record in records if record["kind"] != "session")
+
+        cells = self.cells("rooms", "comb", "gates")
+        one, two = self.measure(cells, 1), self.measure(cells, 2)
+        self.assertEqual(content(one), content(two))
+        self.assertEqual(sum(record["kind"] == "run" for record in two), 3 * len(cells))
+        self.assertEqual(self.compiled, 2 * ["rooms", "comb", "gates"])
+
+    def test_pin_each_program_to_one_of_the_cores(self):
+        started, *records = self.measure(self.cells("rooms", "comb"), 2)
+        cores = [record["cores"] for record in records if record["kind"] == "run"]
+        self.assertEqual({len(pinned) for pinned in cores}, {1})
+        self.assertLessEqual({core for [core] in cores}, set(started["pinned_to_cores"]))
+
+    def test_compile_first_then_measure_all_references_then_the_others(self):
+        kinds = {"compiled": 0, "run": 1, "cell": 1}
+        for cores in (1, 2):
+            _, *records = self.measure(self.cells("rooms", "comb"), cores)
+            order = [kinds[r["kind"]] + ("cell" in r and "adaptive" not in r["cell"]) for r in records]
+            self.assertEqual(order, sorted(order))
+            self.assertEqual(set(order), {0, 1, 2})
+
+    def test_measure_references_that_nobody_asked_for_where_they_set_the_limit(self):
+        records = self.measure(self.cells("rooms", planners=["prior"]), 2)
+        limits = {record["cell"]: record["limit_s"] for record in records if record["kind"] == "cell"}
+        self.assertEqual(limits, {"rooms snake:15 adaptive": 100.0, "rooms snake:15 prior": 20.0})
+        self.assertEqual(session.in_phases(self.cells("rooms", planners=["prior"]), False)[0], [])
+
+    def test_go_on_where_they_were_broken_off(self):
+        self.measure(self.cells("rooms", "comb"), 2, seeds=2)
+        records = self.measure(self.cells("rooms", "comb"), 2, seeds=3)
+        self.assertEqual(sum(record["kind"] == "run" for record in records), 3 * 6)
+
+    def test_skip_problems_that_are_not_there(self):
+        shown = io.StringIO()
+        with mock.patch.object(problems, "SAMPLES", self.folder):
+            self.measure(self.cells("movingai/none", "rooms", planners=["prior"]), 2, stream=shown)
+        first = f"[1/3] movingai/none snake:15 prior: skipped: {self.folder / 'movingai/none.map'} is not there"
+        self.assertEqual(shown.getvalue().splitlines()[0], first)
+        self.assertEqual(self.compiled, ["rooms"])
+
+    def test_end_when_one_program_refuses_its_input(self):
+        begin = time.monotonic()
+        with self.assertRaisesRegex(BadInput, "bad scene"):
+            self.measure(self.cells("endless", "rooms", "refusing"), 2)
+        self.assertLess(time.monotonic() - begin, 30)
+        self.assertEqual({record["status"] for record in self.records if record["kind"] == "run"}, {"solved"})
+        self.assert_no_program_is_left()
+
+    def test_end_at_once_when_interrupted(self):
+        before = signal.signal(signal.SIGINT, signal.default_int_handler)  # a job in the background ignores it
+        self.addCleanup(signal.signal, signal.SIGINT, before)
+        begin = time.monotonic()
+        timer = threading.Timer(1.0, os.kill, (os.getpid(), signal.SIGINT))
+        self.addCleanup(timer.cancel)
+        timer.start()
+        with self.assertRaises(KeyboardInterrupt):
+            self.measure(self.cells("endless", "endless2", "rooms"), 2)
+        self.assertLess(time.monotonic() - begin, 30)
+        self.assertFalse([record for record in self.records if record["kind"] == "run"])
+        self.assert_no_program_is_left()
+
+    def assert_no_program_is_left(self):
+        for process in Path("/proc").glob("[0-9]*"):
+            with contextlib.suppress(OSError):
+                self.assertNotIn(str(self.folder).encode(), (process / "cmdline").read_bytes())
+
+
+class ProgressShown(unittest.TestCase):
+    def setUp(self):
+        self.stream = io.StringIO()
+        self.progress = Progress(self.stream)
+        self.clock = 0.0
+        patch = mock.patch("time.monotonic", lambda: self.clock)
+        patch.start()
+        self.addCleanup(patch.stop)
+
+    def test_of_two_cells_at_once(self):
+        a, b, known, last = (Cell("rooms", "snake:15", name) for name in "abcd")
+        self.progress.expect(4)
+        self.progress.begin_cell(known)
+        self.clock = 5.0
+        self.progress.end_cell(known, "there")
+        for cell in (a, b):
+            self.progress.begin_cell(cell)
+        for cell in (b, a, b):
+            self.progress.made_run(cell, 1, 2, LIMIT)
+        self.clock = 45.0
+        self.progress.end_cell(a, "solved")
+        self.progress.begin_cell(last)
+        self.progress.end_cell(b, "solved too")
+        self.assertEqual(
+            self.stream.getvalue().splitlines(),
+            [
+                "[1/4] rooms snake:15 c: there",
+                "[2/4, about 80 s left] rooms snake:15 a: solved",
+                "[3/4, about 20 s left] rooms snake:15 b: solved too",
+            ],
+        )
+
+    def test_on_a_terminal_is_of_the_last_run(self):
+        self.stream.isatty = lambda: True
+        a, b = (Cell("rooms", "snake:15", name) for name in "ab")
+        for cell in (a, b):
+            self.progress.begin_cell(cell)
+        for cell in (a, b):
+            self.progress.made_run(cell, 1, 2, LIMIT)
+        last = self.stream.getvalue().split("\r\033[K")[-1]
+        self.assertEqual(last, "[0/0] rooms snake:15 b: 1 of 2, limit 10 s")
+
+
+class Cores(unittest.TestCase):
+    @unittest.skipUnless(importlib.util.find_spec("matplotlib"), "bench/run's program draws")
+    def test_that_are_not_there_are_refused(self):
+        from harness.__main__ import parse
+
+        there = len(os.sched_getaffinity(0))
+        self.assertEqual(parse(["scenes"]).cores, 1)
+        self.assertEqual(parse(["scenes", "--cores", str(there)]).cores, there)
+        for count in (0, -1, there + 1):
+            with contextlib.redirect_stderr(io.StringIO()) as complaint, self.assertRaises(SystemExit):
+                parse(["scenes", "--cores", str(count)])
+            self.assertIn(f"--cores must be between 1 and {there}", complaint.getvalue())
+
+    def test_are_the_last(self):
+        with mock.patch("os.sched_getaffinity", lambda _: {5, 0, 2}):
+            self.assertEqual([timing_cores(count) for count in (1, 2, 3)], [[5], [2, 5], [0, 2, 5]])
+
+    def test_are_told_of_all_sessions(self):
+        old, one, two = {"cores": 4}, {"cores": 4, "pinned_to_cores": [3]}, {"cores": 4, "pinned_to_cores": [2, 3]}
+        self.assertEqual(cores_described([old]), "4 cores")
+        self.assertEqual(cores_described([old, one]), "4 cores, core 3 for the timed program")
+        self.assertEqual(cores_described([two, one]), "4 cores, cores 2 and 3 for timed programs, one each")
 
 
 class Queries(unittest.TestCase):
