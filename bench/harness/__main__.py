@@ -35,6 +35,8 @@ def parse(arguments):
     parser.add_argument("--seeds", type=int, default=Protocol.seeds, help="runs a cell (default %(default)s)")
     parser.add_argument("--limit", type=float,
                         help="seconds a run (default: 5, or 1000 times the adaptive planner's median if that is more)")
+    parser.add_argument("--planner", action="append", metavar="NAME",
+                        help="measure this planner only, and what sets its time limits (ompl:NAME: a peer); may be given again")
     parser.add_argument("--robot", default=experiments.ROBOT, help="of scenes (default %(default)s)")
     parser.add_argument("--quick", action="store_true",
                         help=f"{QUICK.seeds} seeds, {QUICK.limit:g} s a run, given up at once: shows that all of it "
@@ -65,6 +67,14 @@ def measure(options, folder, cells):
         return Results(journal)
 
 
+def only(cells, planners):
+    names = {cell.planner for cell in cells}
+    for name in planners:
+        if name not in names:
+            raise BadInput(f"--planner {name}: there is " + ", ".join(sorted(names)))
+    return [cell for cell in cells if cell.planner in planners]
+
+
 def run(options):
     folder = DATA / ("quick" if options.quick else "full")
     if options.what == "results":
@@ -75,6 +85,8 @@ def run(options):
         readme.write_table(measure(options, folder, cells), ROOT / "README.md")
         return
     cells = [] if options.what == "core" else experiments.cells_of(options.what, options.robot)
+    if options.planner:
+        cells = only(cells, options.planner)
     results = measure(options, folder, cells)
     write_page(results, folder)
     if options.json:

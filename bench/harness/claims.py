@@ -1,5 +1,6 @@
 """What was promised, held against what was measured."""
 
+import math
 from dataclasses import dataclass
 
 from harness import paper
@@ -14,9 +15,10 @@ from harness.experiments import (
     scaled,
     with_setting,
 )
-from harness.statistics import Figure
+from harness.statistics import Figure, succeeded
 
 SPEED_UP = 20  # times, where passages are too narrow
+LONG_CHAIN = "snake:25"
 
 
 @dataclass(frozen=True)
@@ -36,6 +38,18 @@ def reaches(figure, least):
     if figure.value >= least:
         return True
     return None if figure.at_least else False
+
+
+def stays(figure, most):
+    """Whether it is no more than that; None where a bound leaves it open."""
+    if figure.value > most:
+        return False
+    return None if figure.at_least else True
+
+
+def geometric_mean(figures):
+    mean = math.exp(math.fsum(math.log(figure.value) for figure in figures) / len(figures))
+    return Figure(mean, any(figure.at_least for figure in figures))
 
 
 def best_peer(results, scene):
@@ -68,8 +82,14 @@ def _where_nothing_is_too_narrow(results, scene):
     ours, prior = (results.summary(Cell(scene, ROBOT, planner)) for planner in ("adaptive", "prior"))
     if not ours or not prior:
         return []
-    times = ratio(prior.median, ours.median)
-    return [Claim(f"{scene}: not slower than prior", f"{times.shown()} × faster", reaches(times, 1))]
+    found = []
+    for name, ratio_ in (
+        ("median", ratio(prior.median, ours.median)),
+        ("90th percentile", ratio(prior.p90, ours.p90)),
+    ):
+        text = f"{scene}: not slower than prior in the {name}"
+        found.append(Claim(text, f"{ratio_.shown()} × faster", reaches(ratio_, 1)))
+    return found
 
 
 def _growth(results):
@@ -80,6 +100,59 @@ def _growth(results):
     there = paper.SCALE["adaptive"]["4"][0] / paper.SCALE["adaptive"]["1"][0]
     text = f"{SCALED_SCENE}, 4 times as large: the mean grows less than the paper's {there:.0f} ×"
     return [Claim(text, f"{here.shown()} ×", not here.at_least and here.value < there)]
+
+
+def _same_at_any_scale(results):
+    small, large = (results.summary(Cell(scaled(SCALED_SCENE, s), ROBOT, "adaptive")) for s in ("1", "4"))
+    if not small or not large:
+        return []
+    times = ratio(large.median, small.median)
+    text = f"{SCALED_SCENE}, 4 times as large: at most 1.5 × in the median"
+    return [Claim(text, f"{times.shown()} ×", stays(times, 1.5))]
+
+
+def _repairs_are_cheap(results):
+    one, usual = (results.summary(with_setting("kappa", value)) for value in ("1", "20"))
+    if not one or not usual:
+        return []
+    times = ratio(one.median, usual.median)
+    return [Claim("kappa 1: at most 1.1 × kappa 20 in the median", f"{times.shown()} ×", stays(times, 1.1))]
+
+
+def _over_the_scenes(results):
+    """Geometric means over all scenes."""
+    ours = [results.summary(Cell(scene, ROBOT, "adaptive")) for scene in SCENES]
+    if not all(ours):
+        return []
+    found = []
+
+    def faster_than(name, cells, least):
+        rivals = [results.summary(cell) for cell in cells if cell]
+        if len(rivals) == len(ours) and all(rivals):
+            mean = geometric_mean([ratio(rival.median, our.median) for rival, our in zip(rivals, ours)])
+            text = f"all scenes: {least} × faster than {name} in the median"
+            found.append(Claim(text, f"{mean.shown()} ×", reaches(mean, least)))
+
+    def at_most(text, figures, most):
+        mean = geometric_mean(figures)
+        found.append(Claim(f"all scenes: {text} at most {most}", mean.shown(), stays(mean, most)))
+
+    faster_than("plain", [Cell(scene, ROBOT, "plain") for scene in SCENES], 5)
+    faster_than("the best peer of each", [best_peer(results, scene) for scene in SCENES], 60)
+    at_most("90th percentile over median", [ratio(our.p90, our.median) for our in ours], 2.5)
+    at_most("median vertices", [Figure(our.medians["vertices"]) for our in ours if our.solved], 2500)
+    if all(scene in results.parts for scene in SCENES):
+        at_most("everything over the floor", [Figure(results.parts[scene].all_over_floor) for scene in SCENES], 1.6)
+    return found
+
+
+def _long_chains(results, scene):
+    summary = results.summary(Cell(scene, LONG_CHAIN, "adaptive"))
+    if not summary:
+        return []
+    within = sum(succeeded(run, 1.0) for run in results.runs(Cell(scene, LONG_CHAIN, "adaptive")))
+    text = f"{scene}, {LONG_CHAIN}: 95 % of the runs solved within 1 s"
+    return [Claim(text, f"{within} of {summary.runs}", within >= 0.95 * summary.runs)]
 
 
 def _flatness(results, name):
@@ -109,7 +182,10 @@ def claims(results):
     for scene in SCENES:
         if scene not in IMPASSABLE:
             found += _success(results, scene) + _where_nothing_is_too_narrow(results, scene)
-    found += _growth(results)
+    for scene in SCENES:
+        found += _long_chains(results, scene)
+    found += _over_the_scenes(results)
+    found += _growth(results) + _same_at_any_scale(results)
     for name in PARAMETERS:
         found += _flatness(results, name)
-    return found
+    return found + _repairs_are_cheap(results)

@@ -460,6 +460,19 @@ class ProgressShown(unittest.TestCase):
         self.assertEqual(last, "[0/0] rooms snake:15 b: 1 of 2, limit 10 s")
 
 
+class Planners(unittest.TestCase):
+    @unittest.skipUnless(importlib.util.find_spec("matplotlib"), "bench/run's program draws")
+    def test_can_be_measured_alone(self):
+        from harness.__main__ import only
+
+        cells = experiments.cells_of("scenes")
+        kept = only(cells, ["plain", "prior"])
+        self.assertEqual(len(kept), 2 * len(experiments.SCENES))
+        self.assertEqual({cell.planner for cell in kept}, {"plain", "prior"})
+        with self.assertRaisesRegex(BadInput, "--planner best: there is .*adaptive"):
+            only(cells, ["best"])
+
+
 class Cores(unittest.TestCase):
     @unittest.skipUnless(importlib.util.find_spec("matplotlib"), "bench/run's program draws")
     def test_that_are_not_there_are_refused(self):
@@ -540,6 +553,31 @@ class Written(unittest.TestCase):
         self.assertIn("SyclopEST", found[2].text)
         [undecided, _] = claims(self.results({ours: 1.0, prior: None}))
         self.assertEqual((undecided.found, undecided.holds), ("≥ 10.0 ×", None))
+
+    def test_claims_over_all_scenes_are_geometric_means(self):
+        scenes = experiments.SCENES
+        ours = {Cell(scene, "snake:15", "adaptive"): seconds for scene, seconds in zip(scenes, (0.1, 0.1, 0.4, 0.1, 0.1))}
+        plain = {Cell(scene, "snake:15", "plain"): 0.5 for scene in scenes}
+        peers = {Cell(scene, "snake:15", "ompl:RRT"): None for scene in scenes}
+        long = {Cell("rooms", "snake:25", "adaptive"): 1.5, Cell("comb@4", "snake:15", "adaptive"): 0.16}
+        one = {experiments.with_setting("kappa", "1"): 0.42}
+        found = {claim.text: claim for claim in claims(self.results(ours | plain | peers | long | one))}
+        for text, shown, holds in (
+            ("all scenes: 5 × faster than plain in the median", "3.79 ×", False),  # 5 / 4 ** 0.2
+            ("all scenes: 60 × faster than the best peer of each in the median", "≥ 75.8 ×", True),
+            ("all scenes: 90th percentile over median at most 2.5", "1.00", True),
+            ("all scenes: median vertices at most 2500", "5.00", True),
+            ("comb, 4 times as large: at most 1.5 × in the median", "1.60 ×", False),
+            ("kappa 1: at most 1.1 × kappa 20 in the median", "1.05 ×", True),
+            ("rooms, snake:25: 95 % of the runs solved within 1 s", "0 of 1", False),
+        ):
+            self.assertEqual((found[text].found, found[text].holds), (shown, holds), text)
+
+    def test_claims_that_a_bound_leaves_open_are_open(self):
+        ours, large = (Cell(problem, "snake:15", "adaptive") for problem in ("comb", "comb@4"))
+        known = self.results({ours: LIMIT, large: None})
+        [open_] = [claim for claim in claims(known) if "at most 1.5" in claim.text]
+        self.assertEqual((open_.found, open_.holds), ("≥ 1.00 ×", None))
 
     def test_the_readmes_table_is_replaced_and_nothing_else(self):
         results = self.results({cell: 0.5 for cell in readme.cells()})
