@@ -31,7 +31,7 @@ def parse(arguments):
                         metavar="WHAT",
                         help="scenes: the five scenes, every planner of krait; links: figure 4; scale: table 1; "
                         "parameters: table 2; peers: OMPL; foreign: dynobench and MovingAI; core: what the parts "
-                        "of a search cost; all of these; readme: the table in README.md; results: write bench/RESULTS.md of what has been measured")
+                        "of a search cost; all: all of these; readme: the table in README.md; results: write bench/RESULTS.md of what has been measured")
     parser.add_argument("--seeds", type=int, default=Protocol.seeds, help="runs a cell (default %(default)s)")
     parser.add_argument("--limit", type=float,
                         help="seconds a run (default: 5, or 1000 times the adaptive planner's median if that is more)")
@@ -52,6 +52,8 @@ def parse(arguments):
     available = len(os.sched_getaffinity(0))
     if not 1 <= options.cores <= available:
         parser.error(f"--cores must be between 1 and {available}, the cores there are")
+    if options.planner and options.what in ("core", "readme", "results"):
+        parser.error(f"--planner is not for {options.what}")
     if options.quick and options.what in ("readme", "results"):
         parser.error("--quick measures nothing that could stand in README.md or bench/RESULTS.md")
     return options

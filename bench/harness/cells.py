@@ -9,7 +9,7 @@ PEER = "ompl:"  # prefix of the planners that krait-bench-peers has
 class Cell:
     """All trials of a cell differ in nothing but the seed or the query."""
 
-    problem: str  # a name that problems.find knows
+    problem: str  # a name that problems.prepare knows
     robot: str  # as krait plan has it, or a robot of problems.ROBOTS
     planner: str  # "adaptive", "ompl:SyclopEST"
     settings: tuple[str, ...] = ()  # "alpha=4"

@@ -1,4 +1,4 @@
-"""What was promised, held against what was measured."""
+"""Goals that were set before measuring, held against what was measured."""
 
 import math
 from dataclasses import dataclass

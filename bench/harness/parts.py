@@ -3,12 +3,11 @@
 import json
 import subprocess
 from dataclasses import dataclass
-from functools import partial
 
 from harness import machine
 from harness.experiments import ROBOT, SCENES
 from harness.problems import BIN
-from harness.worker import BadInput, isolate
+from harness.worker import BadInput, isolated
 
 PROGRAM = BIN / "krait-bench-core"
 REPETITIONS = 5  # the median counts
@@ -55,7 +54,7 @@ def _report(problem, seeds, core):
     command = [PROGRAM, "--scene", problem.scene, "--robot", ROBOT, "--seeds", str(seeds)]
     command += ["--benchmark_format=json", "--benchmark_report_aggregates_only=true", "--benchmark_min_time=0.1"]
     command += [f"--benchmark_repetitions={REPETITIONS}"]
-    done = subprocess.run([*map(str, command)], capture_output=True, text=True, preexec_fn=partial(isolate, core))
+    done = subprocess.run(isolated(core, command), capture_output=True, text=True)
     if done.returncode != 0:
         raise BadInput(done.stderr.strip())
     return json.loads(done.stdout)

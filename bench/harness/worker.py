@@ -2,11 +2,9 @@
 
 import json
 import os
-import resource
 import select
 import subprocess
 import tempfile
-from functools import partial
 
 from harness.stop import Stopped
 
@@ -23,10 +21,9 @@ def timing_cores(count):
     return sorted(os.sched_getaffinity(0))[-count:]
 
 
-def isolate(core):
-    os.sched_setaffinity(0, {core})
-    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+def isolated(core, command):
+    """The command, on that core and within MEMORY, without core files."""
+    return ["taskset", "--cpu-list", str(core), "prlimit", f"--as={MEMORY}", "--core=0", *map(str, command)]
 
 
 class Worker:
@@ -36,10 +33,9 @@ class Worker:
     """
 
     def __init__(self, command, limit, fresh, core, stop):
-        self.command = [*map(str, command), "--time-limit", str(limit)]
+        self.command = isolated(core, [*command, "--time-limit", limit])
         self.patience = limit + PATIENCE
         self.fresh = fresh
-        self.core = core
         self.until = stop
         self._process = None
         self._errors = None
@@ -67,7 +63,6 @@ class Worker:
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=self._errors,
-            preexec_fn=partial(isolate, self.core),
             start_new_session=True,  # a terminal's Ctrl-C is for the driver
         )
 

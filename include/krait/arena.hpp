@@ -7,7 +7,7 @@
 
 namespace krait {
 
-// What a pool holds; the planner reports the high-water mark of each.
+// What a pool holds.
 enum class Pool : std::uint8_t { regions, portals, groups, vertices, states, expansions, members, nearest, count };
 inline constexpr std::size_t kPoolCount = static_cast<std::size_t>(Pool::count);
 

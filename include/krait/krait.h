@@ -139,11 +139,11 @@ krait_robot krait_car(void);           /* chain; likewise */
 krait_robot krait_unicycle(void);      /* unicycle; state x y theta, control speed, turn rate */
 krait_robot krait_diff_drive(void);    /* diff_drive; state x y theta left right, control wheel accelerations */
 
-/* Floats of a state, at most KRAIT_MAX_STATE. */
+/* Floats of a state, at most KRAIT_MAX_STATE; 0 where the robot's parameters cannot be used. */
 uint32_t krait_state_size(const krait_robot* robot);
 
-/* Writes the state of the robot standing still there. False, and nothing written, where the pose has angles for another
-   number of trailers. */
+/* Writes the state of the robot standing still there. False, and nothing written, where the robot's parameters cannot
+   be used, or a robot with trailers is given another number of angles. */
 bool krait_rest(const krait_robot* robot, krait_pose pose, float* state);
 
 /* ---- Planning ---- */

@@ -19,14 +19,14 @@ enum class Status : std::uint8_t {
   start_in_collision,  // a body of the robot overlaps an obstacle, the bounds or another body at the start
   goal_in_obstacle,    // no free part of the goal is left
   arena_too_small,     // Failure::bytes_needed says how large the block must be
-  bad_arithmetic,      // the compiler contracts or relaxes floating point: build with -ffp-contract=off
+  bad_arithmetic,      // floating point contracted, relaxed, rounded otherwise or flushed: build with -ffp-contract=off
   internal             // the plan's replay did not reproduce it: a bug of krait
 };
 
 // Lower-case name as in the enum. The pointer is to static storage.
 const char* name(Status status);
 
-// Which argument is wrong: Failure::element of bad_argument, and of bad_robot and start errors where it applies.
+// Which argument is wrong: Failure::element of bad_argument and bad_robot.
 enum class Argument : std::uint8_t {
   none,
   block,
@@ -73,8 +73,8 @@ const char* name(Argument argument);
 // What went wrong, where. Fields that do not apply are zero.
 struct Failure {
   Status status = Status::solved;
-  std::uint8_t section = 0;        // bad_scene: format::Section, or kHeader
-  std::uint32_t element = 0;       // bad_scene: index in the section; bad_argument: Argument
+  std::uint8_t section = 0;        // bad_scene: format::Section, or Scene::kHeaderSection
+  std::uint32_t element = 0;       // bad_scene: index in the section; bad_argument, bad_robot: Argument
   std::uint64_t bytes_needed = 0;  // arena_too_small
 
   bool ok() const { return status == Status::solved; }

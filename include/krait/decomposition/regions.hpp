@@ -19,7 +19,7 @@ struct CostRaise {
 
 class Regions {
  public:
-  // Takes its tables: 9 bytes a triangle (13 from 65,535 on) and 4 a portal.
+  // Takes its tables: 9 bytes a triangle (13 from 65,536 on) and 4 a portal.
   void take(Arena& arena, const Scene& scene);
 
   // Costs C between centroids, but at least `least_cost` metres; portals narrower than `least_width` are no edges;

@@ -1,4 +1,4 @@
-// The bytes of a scene file: header and sections. FORMAT.md beside this file is the specification;
+// The bytes of a scene file: header and sections. FORMAT.md beside this file says what they mean;
 // the scene compiler writes these records and Scene::open checks them.
 #pragma once
 
@@ -45,9 +45,9 @@ enum class Section : std::uint8_t {
   piece_vertices,    // float[2] each: counter-clockwise, strictly convex, on the grid
   piece_boxes,       // float[4] a piece: min x, min y, max x, max y
   bucket_triangle_offsets,  // uint32[buckets + 1]
-  bucket_triangles,         // index each: triangles that meet the bucket's closed square, ascending
+  bucket_triangles,         // index each: triangles that meet the bucket's widened square, ascending
   bucket_piece_offsets,     // uint32[buckets + 1]
-  bucket_pieces,            // index each: pieces whose box meets the bucket's closed square, ascending
+  bucket_pieces,            // index each: pieces whose box meets the bucket's widened square, ascending
   clearance,                // uint8 a cell: see Header::clearance_unit
   names,                    // NUL-terminated UTF-8: the scene's name, then each goal's, then each start's
   count
@@ -92,7 +92,7 @@ struct Header {
   std::uint32_t clearance_columns;
   std::uint32_t clearance_rows;
   float clearance_unit;  // metres; a cell's byte times this bounds from below the distance from any point of
-                         // the cell to the nearest obstacle or bound; 0 where the cell meets one
+                         // the widened cell to the nearest obstacle or bound; 0 where the cell meets one
 
   float obstacle_error;  // metres: no point of an obstacle is further than this outside the pieces
   float tolerance;       // metres: how far simplification may have grown an obstacle

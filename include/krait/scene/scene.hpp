@@ -115,6 +115,7 @@ class ClearanceGrid {
   const std::uint8_t* cells_ = nullptr;
 };
 
+// A start of the scene, in its local coordinates, and the trailers' headings where it has them. Metres, radians.
 struct ScenePose {
   Vec2 position;
   float heading;
@@ -128,7 +129,8 @@ class Scene {
 
   // Checks every byte that the core later relies on, then views them; the bytes must stay, unchanged, for as long
   // as the scene is used. Reads only [bytes, bytes + size); writes and allocates nothing. `bytes` is aligned to 4.
-  // Gives bad_scene with section and element, or solved. O(size).
+  // Gives bad_scene with section and element, or solved. O(size log l), l the longest list of a bucket, and for each
+  // piece the clearance cells around it (tests/TRUST.md).
   static Failure open(const void* bytes, std::size_t size, Scene& scene);
 
   std::uint32_t bytes() const { return header_.total_bytes; }

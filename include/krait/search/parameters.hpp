@@ -7,7 +7,8 @@
 
 namespace krait {
 
-// What the planner of prior work adds ([18], PriorPlanner); it has no use for epsilon, gamma, kappa and path_regions.
+// What the planner of prior work adds ([18], PriorPlanner); it has no use for group_sample, epsilon, gamma,
+// cost_length, kappa, raise_goal, path_regions, stray_share and restart_unit.
 struct PriorParameters {
   float epsilon = 1e-11F;           // 1e-30 … 1: keeps every weight positive
   std::uint32_t path_regions = 10;  // 1 … 64: as Parameters::path_regions
@@ -30,14 +31,14 @@ struct Parameters {
   float epsilon = 0.01F;  // above 0, up to 1: keeps every weight positive
   // Eqn 9.
   float gamma = 50.0F;       // 0 … 1e6: how much a failure raises edge costs; 0: costs never change
-  float cost_length = 1.0F;  // 0 … 10, in robot lengths: C += gamma l^2 / max(C, l), l this length; 0: gamma / C
+  float cost_length = 1.0F;  // 0 … 10, in lengths of body 0: C += gamma l^2 / max(C, l), l this length; 0: gamma / C
   std::uint32_t kappa = 20;  // 1 … 10000: expansions between updates of the heuristic costs
   bool raise_goal = false;   // whether a failure right before the goal raises the goal's edges as well
   // Algorithm 2.
   float dt = 0.1F;                 // 0.001 … 1 s: a time step
   std::uint32_t max_steps = 40;    // 1 … 1000: of one expansion
   std::uint32_t path_regions = 8;  // 1 … 64: targets come from that many regions after the group's own
-  float near_radius = 0.7F;        // 0 … 10, in robot lengths: a target so near is reached
+  float near_radius = 0.7F;        // 0 … 10, in lengths of body 0: a target so near is reached
   float stray_share = 0.1F;        // 0 … 1: share of expansions toward a random point of the workspace instead
   float gentle_share = 0.35F;      // 0 … 1: share of expansions from a group that was often selected that turn gently
   std::uint32_t restart_unit = 4000;  // expansions, 0 … 1e9: tries last 1, 1, 2, 1, 1, 2, 4, … of it; 0: one for ever
@@ -73,7 +74,7 @@ enum class WhenFull : std::uint8_t {
 
 // What a search may use.
 struct Limits {
-  std::uint32_t vertices = 0;            // states kept to grow from, at least 2
+  std::uint32_t vertices = 0;            // states kept to grow from, 2 … MotionTree::kMostExpansions
   std::uint32_t expansions = 0;          // kept, 2 … MotionTree::kMostExpansions; 0: half as many as vertices
   std::uint64_t iterations = 1'000'000;  // expansions made, at least 1
   WhenFull when_full = WhenFull::recycle;

@@ -21,7 +21,7 @@
 namespace krait {
 
 struct Query {
-  const float* start = nullptr;  // robot.state_size() floats, copied
+  const float* start = nullptr;  // robot.state_size() floats, copied; the position in the scene's local coordinates
   Goal goal = Goal::named(0);
   std::uint64_t seed = 1;
 };
@@ -58,8 +58,9 @@ class Search {
     return limits;
   }
 
-  // Takes the block, which like robot and scene must outlive the planner and stay where it is. Gives solved, or why
-  // not: bad_arithmetic, bad_robot, bad_argument, arena_too_small. May be called again.
+  // Takes the block, aligned to Arena::kAlignment, which like robot and scene must outlive the planner and stay where
+  // it is; copies parameters and limits. Gives solved, or why not: bad_arithmetic, bad_robot, bad_argument,
+  // arena_too_small. May be called again.
   Failure init(void* block, std::uint64_t bytes, const Scene& scene, const R& robot, const Parameters& parameters,
                const Limits& limits) {
     ready_ = false;
@@ -77,7 +78,8 @@ class Search {
   }
 
   // Begins a search, ending any other. Gives searching; or solved, when the start lies in the goal; or no_route,
-  // goal_in_obstacle, start_outside, start_in_collision, bad_argument. Work: one Dijkstra.
+  // goal_in_obstacle, start_outside, start_in_collision, bad_argument; after an init that failed, what that
+  // one gave. Work: one Dijkstra.
   Status start(const Query& query) {
     if (!ready_) return status();
     derived().reset_guide();
@@ -111,6 +113,7 @@ class Search {
   const MotionTree& tree() const { return tree_; }
   const Regions& regions() const { return regions_; }
   const Guide& guide() const { return guide_; }
+  // Where the search stands; before the first start, bad_argument.
   Status status() const { return failure_.status; }
   const Failure& failure() const { return failure_; }
 
