@@ -49,7 +49,9 @@ def links():
 
 
 def scale():
-    return [Cell(scaled(SCALED_SCENE, s), ROBOT, planner) for s in SCALES for planner in RIVALS]
+    """The table's, and the other scenes at the largest scale."""
+    cells = [Cell(scaled(SCALED_SCENE, s), ROBOT, planner) for s in SCALES for planner in RIVALS]
+    return cells + [Cell(scaled(scene, SCALES[-1]), ROBOT, "adaptive") for scene in SCENES if scene != SCALED_SCENE]
 
 
 def parameters():
