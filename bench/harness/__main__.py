@@ -97,7 +97,7 @@ def run(options):
 
 
 def main():
-    signal.signal(signal.SIGTERM, signal.getsignal(signal.SIGINT))
+    signal.signal(signal.SIGTERM, signal.default_int_handler)  # SIGINT may be ignored: of a job in the background, it is
     try:
         run(parse(sys.argv[1:]))
     except (JournalError, BadInput) as error:
