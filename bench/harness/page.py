@@ -4,7 +4,7 @@ import subprocess
 
 from harness import experiments, paper, pictures
 from harness.cells import PEER, Cell
-from harness.claims import claims
+from harness.claims import best_peer, claims
 from harness.experiments import LINKS, PARAMETERS, ROBOT, SCALED_SCENE, SCALES, SCENES, scaled, with_setting
 from harness.machine import cores_described
 from harness.problems import BIN
@@ -233,17 +233,20 @@ def parameters_section(results):
 
 
 def peers_section(results):
+    measured = [scene for scene in SCENES if best_peer(results, scene)]
     rows = []
-    for scene in SCENES:
+    for scene in measured:
         for planner in ("adaptive", *experiments.PEERS):
             if summary := results.summary(Cell(scene, ROBOT, planner)):
                 shown = figures(summary)
                 rows.append([scene, planner.removeprefix(PEER), *shown[:5], *shown[6:]])
-    if not any(results.summary(Cell(scene, ROBOT, peer)) for scene in SCENES for peer in experiments.PEERS):
+    if not rows:
         return ""
     names = descriptions()
     header = ["scene", "planner", *FIGURES[:5], *FIGURES[6:]]
     text = f"## Peers (OMPL 1.5.2), {ROBOT}\n" + markdown(header, rows)
+    if missing := [scene for scene in SCENES if scene not in measured]:
+        text += "\nNot measured yet: " + ", ".join(missing) + ".\n"
     return text + PEERS_NOTE + "; ".join(f"`{peer.removeprefix(PEER)}`: {names[peer]}" for peer in experiments.PEERS) + ".\n"
 
 

@@ -13,7 +13,7 @@ from harness.claims import best_peer
 from harness.experiments import LINKS, RIVALS, ROBOT, SCALED_SCENE, SCALES, SCENES, scaled
 from harness.statistics import times
 
-COLORS = {"adaptive": "#1b6ca8", "prior": "#e08e0b", "rrt": "#7a7a7a", "control": "#8e5ea2"}
+COLORS = {"adaptive": "#1b6ca8", "prior": "#e08e0b", "rrt": "#7a7a7a", "prior-unpruned": "#c44e52"}
 PEER_COLOR = "#2e8b57"
 
 
