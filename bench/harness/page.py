@@ -44,10 +44,10 @@ REASONS = """
   before the first expansion. Against [18] as published, which has to find out (`prior-unpruned`), the paper's comparison stands.
 - **`plain`** is the same search to the bit and shares what costs most: a proof of the whole step for every vertex, one sine and cosine a body, four lanes, few vertices. Searches of some hundred expansions leave full
   Dijkstra and weights little to lose.
-- **The fastest peer** is SyclopEST with our triangles, our pruning, our steering and our proofs, where it is nearest to `adaptive`.
+- **The fastest peer**, where it is nearest to `adaptive`, has our triangles, our pruning, our steering and our proofs.
 - **The floor** leaves out steps that are tried and refused, the paths' repairs, the plan's second drive before it is given out, and the check of the scene's bytes (the parts below).
-- **Scale.** A plan at four times the size has 3.7 times as many steps, each of which must be made at least once.
-- **Parameters.** Deviations are larger than the paper's for their means: the mean of 50 runs has a standard error of 6 to 9 % here, of 2 % there, so means of one parameter's values differ by more without meaning more.
+- **Scale.** A plan at four times the size has nearly four times as many steps, each of which must be made at least once.
+- **Parameters.** Deviations are larger than the paper's for their means, half a mean instead of an eighth: so are the standard errors, and means of one parameter's values differ by more without meaning more.
 """
 
 

@@ -577,6 +577,10 @@ class Written(unittest.TestCase):
         ):
             self.assertEqual((found[text].found, found[text].holds), (shown, holds), text)
 
+    def test_claims_leave_out_what_no_run_tells(self):
+        none = {Cell(scene, "snake:15", "adaptive"): None for scene in experiments.SCENES}
+        self.assertNotIn("vertices", " ".join(claim.text for claim in claims(self.results(none))))
+
     def test_claims_that_a_bound_leaves_open_are_open(self):
         ours, large = (Cell(problem, "snake:15", "adaptive") for problem in ("comb", "comb@4"))
         known = self.results({ours: LIMIT, large: None})
