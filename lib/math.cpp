@@ -19,13 +19,8 @@ float atan_unit(float x) {
 }
 
 #ifdef KRAIT_LANES
-struct SinCosLanes {
-  Lanes sin;
-  Lanes cos;
-};
-
 // The scalar sin_cos, operation by operation.
-SinCosLanes sin_cos(Lanes x) {
+SinCosOf<Lanes> sin_cos(Lanes x) {
   constexpr float kShift = 8192.0F;
   const IntLanes inside = x * x <= all_lanes(kMaxAngle * kMaxAngle);
   x = inside ? x : all_lanes(0.0F);
@@ -49,14 +44,15 @@ SinCosLanes sin_cos(Lanes x) {
 }  // namespace
 
 void turn_to(const float* angles, int count, Pose* frames) {
-  int i = 0;
 #ifdef KRAIT_LANES
-  for (; i + kLanes <= count; i += kLanes) {
-    const SinCosLanes result = sin_cos(load_lanes(angles + i));
-    for (int lane = 0; lane < kLanes; ++lane) frames[i + lane].heading = {result.sin[lane], result.cos[lane]};
+  if (count >= kLanes) {
+    return for_each_block(count, [=](int first) {
+      const SinCosOf<Lanes> result = sin_cos(load_lanes(angles + first));
+      for (int lane = 0; lane < kLanes; ++lane) frames[first + lane].heading = {result.sin[lane], result.cos[lane]};
+    });
   }
 #endif
-  for (; i < count; ++i) frames[i].heading = sin_cos(angles[i]);
+  for (int i = 0; i < count; ++i) frames[i].heading = sin_cos(angles[i]);
 }
 
 float atan2(float y, float x) {

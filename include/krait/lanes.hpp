@@ -23,5 +23,13 @@ inline Lanes load_lanes(const float* values) {
 inline void store(Lanes lanes, float* values) { std::memcpy(values, &lanes, sizeof lanes); }
 inline Lanes all_lanes(float x) { return Lanes{x, x, x, x}; }
 
+// Calls visit(first) for blocks of kLanes that together are 0 to count - 1, count >= kLanes: the last may overlap the
+// one before.
+template <class Visit>
+void for_each_block(int count, Visit visit) {
+  for (int first = 0; first + kLanes < count; first += kLanes) visit(first);
+  visit(count - kLanes);
+}
+
 }  // namespace krait
 #endif

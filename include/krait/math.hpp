@@ -46,10 +46,12 @@ inline float clamp(float x, float low, float high) {
   return x < high ? x : high;
 }
 
-struct SinCos {
-  float sin;
-  float cos;
+template <class Real>
+struct SinCosOf {
+  Real sin;
+  Real cos;
 };
+using SinCos = SinCosOf<float>;
 
 // The vector turned by the angle.
 inline Vec2 turned(SinCos angle, Vec2 p) {
@@ -81,11 +83,12 @@ inline SinCos sin_cos(float x) {
 
 inline constexpr float kSmallAngle = 0.7F;
 
-// Sine and cosine of a small angle, error below 1.1e-7 for |x| <= kSmallAngle: the first terms of their series, the
-// last two adjusted to the range.
-inline SinCos small_sin_cos(float x) {
-  const float z = x * x;
-  const float sine = x + x * (z * (-1.0F / 6.0F + z * (8.332922294e-3F - z * 1.962487165e-4F)));
+// Sine and cosine of a small angle, or of one a lane, error below 1.1e-7 for |x| <= kSmallAngle: the first terms of
+// their series, the last two adjusted to the range.
+template <class Real>
+inline SinCosOf<Real> small_sin_cos(Real x) {
+  const Real z = x * x;
+  const Real sine = x + x * (z * (-1.0F / 6.0F + z * (8.332922294e-3F - z * 1.962487165e-4F)));
   return {sine, 1.0F + z * (-0.5F + z * (4.166325879e-2F - z * 1.370074570e-3F))};
 }
 

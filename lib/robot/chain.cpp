@@ -1,5 +1,6 @@
 #include "krait/robot/chain.hpp"
 
+#include "krait/lanes.hpp"
 #include "krait/robot/box.hpp"
 
 namespace krait {
@@ -177,15 +178,22 @@ Chain::Near::Near(const Chain& chain, StateView s, const Pose* poses, ControlVie
       small_(chain.changes_little(s, u, dt)),
       heading_(poses[0].heading),
       steering_(sin_cos(s[4])) {
-  for (int i = 1; i < bodies_; ++i) hitch_[i] = poses[i - 1].heading - poses[i].heading;
+  for (int i = 1; i < bodies_; ++i) {
+    const SinCos angle = poses[i - 1].heading - poses[i].heading;
+    hitch_sines_[i - 1] = angle.sin;
+    hitch_cosines_[i - 1] = angle.cos;
+  }
 }
 
 void Chain::Near::derivative(StateRef ds) const {
-  const auto hitch = [this](int i) { return hitch_[i]; };
-  chain_->rates(state_, bodies_, control_, heading_, steering_, hitch, ds.data());
+  chain_->rates(
+      state_, bodies_, control_, heading_, steering_, [this](int i) { return hitch(i); }, ds.data());
 }
 
 void Chain::Near::derivative(StateView s, StateRef ds) const {
+#ifdef KRAIT_LANES
+  if (small_ && bodies_ > kLanes) return derivative_in_lanes(s, ds);
+#endif
   small_ ? derivative(
                s, [](float x) { return small_sin_cos(x); }, ds)
          : derivative(
@@ -198,14 +206,37 @@ void Chain::Near::derivative(StateView state, Turn turn, StateRef ds) const {
   const SinCos heading = heading_ + turn(s[2] - state_[2]);
   const SinCos steering = steering_ + turn(s[4] - state_[4]);
   float ahead = s[2] - state_[2];
-  const auto hitch = [&](int i) {
+  const auto turned_hitch = [&](int i) {
     const float own = s[4 + i] - state_[4 + i];
     const float change = ahead - own;
     ahead = own;
-    return hitch_[i] + turn(change);
+    return hitch(i) + turn(change);
   };
-  chain_->rates(s, bodies_, control_, heading, steering, hitch, ds.data());
+  chain_->rates(s, bodies_, control_, heading, steering, turned_hitch, ds.data());
 }
+
+#ifdef KRAIT_LANES
+// The same for small changes, the hitch angles four at a time.
+void Chain::Near::derivative_in_lanes(StateView state, StateRef ds) const {
+  const float* const s = state.data();
+  float sines[kMaxTrailers];
+  float cosines[kMaxTrailers];
+  for_each_block(bodies_ - 1, [&](int first) {
+    const int ahead = first == 0 ? 2 : 4 + first;
+    const Lanes own = load_lanes(s + 5 + first) - load_lanes(state_ + 5 + first);
+    const Lanes before{s[ahead] - state_[ahead], own[0], own[1], own[2]};
+    const SinCosOf<Lanes> turn = small_sin_cos(before - own);
+    const Lanes sine = load_lanes(hitch_sines_ + first);
+    const Lanes cosine = load_lanes(hitch_cosines_ + first);
+    store(sine * turn.cos + cosine * turn.sin, sines + first);
+    store(cosine * turn.cos - sine * turn.sin, cosines + first);
+  });
+  const auto turned_hitch = [&](int i) -> SinCos { return {sines[i - 1], cosines[i - 1]}; };
+  const SinCos heading = heading_ + small_sin_cos(s[2] - state_[2]);
+  const SinCos steering = steering_ + small_sin_cos(s[4] - state_[4]);
+  chain_->rates(s, bodies_, control_, heading, steering, turned_hitch, ds.data());
+}
+#endif
 
 // v and psi are linear in time, at most v^ and psi^. The car goes v^ dt and turns v^ psi^ dt / L. A truck's axles go
 // v^ dt. A snake's axle moves with v P e_i - v (1 - cos psi) e_0, where P is the product of the hitch angles' cosines

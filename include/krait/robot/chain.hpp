@@ -76,6 +76,8 @@ class Chain {
    private:
     template <class Turn>
     void derivative(StateView s, Turn turn, StateRef ds) const;
+    void derivative_in_lanes(StateView s, StateRef ds) const;
+    SinCos hitch(int i) const { return {hitch_sines_[i - 1], hitch_cosines_[i - 1]}; }
 
     const Chain* chain_;
     const float* state_;
@@ -84,7 +86,8 @@ class Chain {
     bool small_;  // whether no angle changes by more than kSmallAngle
     SinCos heading_;
     SinCos steering_;
-    SinCos hitch_[1 + kMaxTrailers];  // the angle before trailer i, at i
+    float hitch_sines_[kMaxTrailers];  // of the angle before trailer i, at i - 1
+    float hitch_cosines_[kMaxTrailers];
   };
   Near near(StateView s, const Pose* poses, ControlView u, float dt) const { return {*this, s, poses, u, dt}; }
 
