@@ -16,6 +16,34 @@ float squared_distance(const Box& a, const Box& b) {
   return dx * dx + dy * dy;
 }
 
+struct Extent {
+  float low;
+  float high;
+};
+
+// From where to where a polygon reaches in a direction, in lengths of that.
+Extent extent(Polygon polygon, Vec2 direction) {
+  Extent reached{kInfinity, -kInfinity};
+  for (int i = 0; i < polygon.count; ++i) {
+    const float along = dot(direction, polygon[i]);
+    reached = {least(reached.low, along), most(reached.high, along)};
+  }
+  return reached;
+}
+
+// Whether a line along or across the body's first edge keeps the polygons further apart than `distance`.
+bool far_apart(Polygon body, Polygon piece, float distance) {
+  Vec2 direction = body[1] - body[0];
+  const float scaled = distance * length(direction);
+  for (int turn = 0; turn < 2; ++turn) {
+    const Extent a = extent(body, direction);
+    const Extent b = extent(piece, direction);
+    if (gap(a.low, a.high, b.low, b.high) > scaled) return true;
+    direction = {-direction.y, direction.x};
+  }
+  return false;
+}
+
 // Whether `cell` is the first of the query's cells that the box meets: lets each piece be tested once.
 bool first_meeting(const CellGrid& grid, const Box& box, Cell first, Cell cell) {
   const Cell corner = grid.cell(box.min);
@@ -26,7 +54,7 @@ bool first_meeting(const CellGrid& grid, const Box& box, Cell first, Cell cell) 
 
 }  // namespace
 
-Obstacles::Obstacles(const Scene& scene, float clearance, bool buckets) : scene_(&scene), buckets_(buckets) {
+Obstacles::Obstacles(const Scene& scene, float clearance, bool shortcuts) : scene_(&scene), shortcuts_(shortcuts) {
   const Box bounds = scene.bounds();
   const float largest =
       most(most(absolute(bounds.min.x), absolute(bounds.min.y)), most(absolute(bounds.max.x), absolute(bounds.max.y)));
@@ -40,7 +68,7 @@ float Obstacles::room_to_bounds(const Box& box) const {
   return least(x, y) - margin_;
 }
 
-float Obstacles::distance_to_piece(const PlacedBody& body, Index piece) const {
+float Obstacles::room_to_piece(const PlacedBody& body, Index piece, float reach) const {
   const Polygon source = scene_->piece(piece);
   Vec2 relative[format::kMaxPieceVertices];
   float extent = 0.0F;
@@ -48,13 +76,16 @@ float Obstacles::distance_to_piece(const PlacedBody& body, Index piece) const {
     relative[i] = source[i] - body.at;
     extent = most(extent, most(absolute(relative[i].x), absolute(relative[i].y)));
   }
-  return polygon_distance(body.polygon(), {relative, source.count}) - kRelativeRounding * extent;
+  const Polygon shifted{relative, source.count};
+  const float taken = margin_ + kRelativeRounding * extent;
+  if (shortcuts_ && far_apart(body.polygon(), shifted, reach + taken + kRelativeRounding * extent)) return reach;
+  return polygon_distance(body.polygon(), shifted) - taken;
 }
 
 // Calls visit(piece) for every piece whose box comes within `around` of the box, until it says false.
 template <class Visit>
 void Obstacles::pieces_around(const Box& box, float around, Visit visit) const {
-  if (buckets_) return pieces_of_buckets(box, around, visit);
+  if (shortcuts_) return pieces_of_buckets(box, around, visit);
   for (Index piece = 0; piece < scene_->piece_count(); ++piece) {
     if (squared_distance(box, scene_->piece_box(piece)) <= around * around && !visit(piece)) return;
   }
@@ -86,7 +117,7 @@ float Obstacles::room(const PlacedBody& body, float reach) const {
   float room = least(room_to_bounds(box), reach);
   if (room <= 0.0F) return room;
   pieces_around(box, reach + margin_, [&](Index piece) {
-    room = least(room, distance_to_piece(body, piece) - margin_);
+    room = least(room, room_to_piece(body, piece, room));
     return room > 0.0F;
   });
   return room;

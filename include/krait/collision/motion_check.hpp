@@ -126,14 +126,14 @@ class MotionCheck {
     ++checks_;
     const ClearanceGrid clearance = obstacles_.clearance();
     const bool centered = centered_;
-    float headings = 0.0F;  // NaN where one is
+    SinCos headings{};  // sums: NaN where one is
     for (int k = 0; k < bodies_; ++k) {
       const Pose& pose = placement.poses[k];
-      headings = headings + pose.heading.sin + pose.heading.cos;
+      headings = {headings.sin + pose.heading.sin, headings.cos + pose.heading.cos};
       const float room = clearance.at(centered ? pose.position : center(placement, k)) - needed_[k];
       placement.circle_room[k] = room > 0.0F ? room : -kInfinity;
     }
-    if (!finite(headings)) placement.circle_room[0] = -kInfinity;
+    if (!finite(headings.sin) || !finite(headings.cos)) placement.circle_room[0] = -kInfinity;
   }
 
   // Body k with its vertices relative to `at`.

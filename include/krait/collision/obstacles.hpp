@@ -21,8 +21,8 @@ class Obstacles {
   Obstacles() = default;
 
   // `clearance` metres, >= 0, are kept between every body and every obstacle or bound, on top of what rounding needs.
-  // Without `buckets` every piece's box is looked at.
-  Obstacles(const Scene& scene, float clearance, bool buckets = true);
+  // Without `shortcuts` every piece's box is looked at, and each that is near by GJK.
+  Obstacles(const Scene& scene, float clearance, bool shortcuts = true);
 
   const ClearanceGrid& clearance() const { return scene_->clearance(); }
 
@@ -39,7 +39,7 @@ class Obstacles {
   static constexpr float kRelativeRounding = 1e-6F;  // of a piece's largest coordinate seen from the body
 
   float room_to_bounds(const Box& box) const;
-  float distance_to_piece(const PlacedBody& body, Index piece) const;
+  float room_to_piece(const PlacedBody& body, Index piece, float reach) const;
   template <class Visit>
   void pieces_around(const Box& box, float around, Visit visit) const;
   template <class Visit>
@@ -47,7 +47,7 @@ class Obstacles {
 
   const Scene* scene_ = nullptr;
   float margin_ = 0.0F;
-  bool buckets_ = true;
+  bool shortcuts_ = true;
 };
 
 }  // namespace krait
