@@ -45,7 +45,6 @@ constexpr const char* kArgumentNames[] = {"none",
                                           "prior_nearest_share",
                                           "rrt_goal_share",
                                           "robot_dimensions",
-                                          "robot_limits",
                                           "robot_polygon",
                                           "robot_sizes"};
 static_assert(sizeof(kArgumentNames) / sizeof(kArgumentNames[0]) ==

@@ -62,7 +62,6 @@ enum class Argument : std::uint8_t {
   prior_nearest_share,
   rrt_goal_share,
   robot_dimensions,
-  robot_limits,
   robot_polygon,
   robot_sizes
 };

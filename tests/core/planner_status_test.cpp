@@ -187,6 +187,17 @@ TYPED_TEST(PlannerStatus, BadStarts) {
   expect_bad(dizzy);
 }
 
+TYPED_TEST(PlannerStatus, SceneNotOpened) {
+  const Scene scene;
+  const Unicycle robot = small_unicycle();
+  alignas(Arena::kAlignment) std::byte block[1000];
+  typename TestFixture::TestBench::PlannerType planner;
+  const Failure failure = planner.init(block, sizeof block, scene, robot, {}, {});
+  EXPECT_EQ(failure.status, Status::bad_argument);
+  EXPECT_EQ(failure.element, blame(Argument::scene));
+  EXPECT_EQ(planner.start({kStart}), Status::bad_argument);
+}
+
 TYPED_TEST(PlannerStatus, BadRobot) {
   UnicycleParameters p;
   p.max_speed = kNan;

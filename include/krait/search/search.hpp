@@ -59,8 +59,8 @@ class Search {
   }
 
   // Takes the block, aligned to Arena::kAlignment, which like robot and scene must outlive the planner and stay where
-  // it is; copies parameters and limits. Gives solved, or why not: bad_arithmetic, bad_robot, bad_argument,
-  // arena_too_small. May be called again.
+  // it is; copies parameters and limits. Gives solved, or why not: bad_arithmetic, bad_argument (a scene that was not
+  // opened, too), bad_robot, arena_too_small. May be called again.
   Failure init(void* block, std::uint64_t bytes, const Scene& scene, const R& robot, const Parameters& parameters,
                const Limits& limits) {
     ready_ = false;
@@ -239,6 +239,7 @@ class Search {
     parameters_ = parameters;
     limits_ = limits;
     if (!exact_arithmetic()) return failure_ = {Status::bad_arithmetic};
+    if (scene.bytes() == 0) return failure_ = bad_argument(Argument::scene);
     const Argument bad_robot = first_bad_of_robot(robot);
     if (bad_robot != Argument::none) return failure_ = {Status::bad_robot, 0, static_cast<std::uint32_t>(bad_robot)};
     Argument bad = parameters.first_bad();
