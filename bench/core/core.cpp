@@ -261,14 +261,27 @@ void measure(const Options& options) {
   benchmark::RunSpecifiedBenchmarks();
 }
 
+// Google Benchmark's options; it keeps what it does not know.
+void configure(std::vector<std::string> options) {
+  options.insert(options.begin(), "krait-bench-core");
+  std::vector<char*> arguments;
+  for (std::string& option : options) arguments.push_back(option.data());
+  int count = static_cast<int>(arguments.size());
+  benchmark::Initialize(&count, arguments.data());
+  if (count > 1) throw host::InputError(std::string("unknown option ") + arguments[1]);
+}
+
 int run(int argc, char** argv) {
   Options options;
-  benchmark::Initialize(&argc, argv);
-  CLI::App app("What the parts of a search cost; options --benchmark_… are Google Benchmark's", "krait-bench-core");
+  CLI::App app("What the parts of a search cost. Options --benchmark_… are Google Benchmark's.", "krait-bench-core");
+  app.allow_extras();
   app.add_option("--scene", options.scene, "a .krait file")->required();
   app.add_option("--robot", options.robot, "snake:LINKS")->capture_default_str();
   app.add_option("--seeds", options.seeds)->check(CLI::Range(1, 10000))->capture_default_str();
-  app.callback([&options] { measure(options); });
+  app.callback([&] {
+    configure(app.remaining());
+    measure(options);
+  });
   return run_program(app, argc, argv);
 }
 
