@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <vector>
 
 #include "core/recording.hpp"
 #include "host/search/query.hpp"
@@ -261,10 +262,9 @@ void measure(const Options& options) {
   benchmark::RunSpecifiedBenchmarks();
 }
 
-// Google Benchmark's options; it keeps what it does not know.
-void configure(std::vector<std::string> options) {
-  options.insert(options.begin(), "krait-bench-core");
-  std::vector<char*> arguments;
+// Takes Google Benchmark's options, and no others. It copies them, but keeps the program's name where it is.
+void configure(char* program, std::vector<std::string> options) {
+  std::vector<char*> arguments{program};
   for (std::string& option : options) arguments.push_back(option.data());
   int count = static_cast<int>(arguments.size());
   benchmark::Initialize(&count, arguments.data());
@@ -279,7 +279,7 @@ int run(int argc, char** argv) {
   app.add_option("--robot", options.robot, "snake:LINKS")->capture_default_str();
   app.add_option("--seeds", options.seeds)->check(CLI::Range(1, 10000))->capture_default_str();
   app.callback([&] {
-    configure(app.remaining());
+    configure(argv[0], app.remaining());
     measure(options);
   });
   return run_program(app, argc, argv);
