@@ -5,25 +5,23 @@ namespace {
 
 float least(float a, float b) { return b < a ? b : a; }
 float most(float a, float b) { return b > a ? b : a; }
-// Gap between two intervals.
-float gap(float low_a, float high_a, float low_b, float high_b) {
-  return most(most(low_a - high_b, low_b - high_a), 0.0F);
-}
 
-float squared_distance(const Box& a, const Box& b) {
-  const float dx = gap(a.min.x, a.max.x, b.min.x, b.max.x);
-  const float dy = gap(a.min.y, a.max.y, b.min.y, b.max.y);
-  return dx * dx + dy * dy;
-}
-
-struct Extent {
+struct Interval {
   float low;
   float high;
 };
 
-// From where to where a polygon reaches in a direction, in lengths of that.
-Extent extent(Polygon polygon, Vec2 direction) {
-  Extent reached{kInfinity, -kInfinity};
+float gap(Interval a, Interval b) { return most(most(a.low - b.high, b.low - a.high), 0.0F); }
+
+float squared_distance(const Box& a, const Box& b) {
+  const float dx = gap({a.min.x, a.max.x}, {b.min.x, b.max.x});
+  const float dy = gap({a.min.y, a.max.y}, {b.min.y, b.max.y});
+  return dx * dx + dy * dy;
+}
+
+// Of a polygon onto a direction, in lengths of that.
+Interval projection(Polygon polygon, Vec2 direction) {
+  Interval reached{kInfinity, -kInfinity};
   for (int i = 0; i < polygon.count; ++i) {
     const float along = dot(direction, polygon[i]);
     reached = {least(reached.low, along), most(reached.high, along)};
@@ -36,9 +34,7 @@ bool far_apart(Polygon body, Polygon piece, float distance) {
   Vec2 direction = body[1] - body[0];
   const float scaled = distance * length(direction);
   for (int turn = 0; turn < 2; ++turn) {
-    const Extent a = extent(body, direction);
-    const Extent b = extent(piece, direction);
-    if (gap(a.low, a.high, b.low, b.high) > scaled) return true;
+    if (gap(projection(body, direction), projection(piece, direction)) > scaled) return true;
     direction = {-direction.y, direction.x};
   }
   return false;

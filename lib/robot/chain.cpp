@@ -200,11 +200,17 @@ void Chain::Near::derivative(StateView s, StateRef ds) const {
                s, [](float x) { return sin_cos(x); }, ds);
 }
 
+// hitch(i) gives the hitch angle before trailer i, once each in order.
+template <class Turn, class Hitch>
+void Chain::Near::turned_rates(const float* s, Turn turn, Hitch hitch, float* ds) const {
+  const SinCos heading = heading_ + turn(s[2] - state_[2]);
+  const SinCos steering = steering_ + turn(s[4] - state_[4]);
+  chain_->rates(s, bodies_, control_, heading, steering, hitch, ds);
+}
+
 template <class Turn>
 void Chain::Near::derivative(StateView state, Turn turn, StateRef ds) const {
   const float* const s = state.data();
-  const SinCos heading = heading_ + turn(s[2] - state_[2]);
-  const SinCos steering = steering_ + turn(s[4] - state_[4]);
   float ahead = s[2] - state_[2];
   const auto turned_hitch = [&](int i) {
     const float own = s[4 + i] - state_[4 + i];
@@ -212,7 +218,7 @@ void Chain::Near::derivative(StateView state, Turn turn, StateRef ds) const {
     ahead = own;
     return hitch(i) + turn(change);
   };
-  chain_->rates(s, bodies_, control_, heading, steering, turned_hitch, ds.data());
+  turned_rates(s, turn, turned_hitch, ds.data());
 }
 
 #ifdef KRAIT_LANES
@@ -232,9 +238,8 @@ void Chain::Near::derivative_in_lanes(StateView state, StateRef ds) const {
     store(cosine * turn.cos - sine * turn.sin, cosines + first);
   });
   const auto turned_hitch = [&](int i) -> SinCos { return {sines[i - 1], cosines[i - 1]}; };
-  const SinCos heading = heading_ + small_sin_cos(s[2] - state_[2]);
-  const SinCos steering = steering_ + small_sin_cos(s[4] - state_[4]);
-  chain_->rates(s, bodies_, control_, heading, steering, turned_hitch, ds.data());
+  turned_rates(
+      s, [](float x) { return small_sin_cos(x); }, turned_hitch, ds.data());
 }
 #endif
 

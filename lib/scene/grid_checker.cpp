@@ -243,8 +243,8 @@ bool SceneChecker::clearance_steps(const Scene& s, const CellSquares& cells) {
   return true;
 }
 
-// A bound lies within a cell or a neighbour only in the first and the last columns and rows: in the last but two if the
-// last are a margin narrow.
+// Only in the three outermost columns and rows can a bound lie within a cell or a neighbour: in the innermost of them
+// where the outermost reaches no further over the bound than the margin by which cells are widened.
 bool SceneChecker::clearance_to_bounds(const Scene& s, const CellSquares& cells) {
   constexpr std::int32_t kNear = 3;
   const std::int32_t unit = cells.size() / format::kClearanceUnits;

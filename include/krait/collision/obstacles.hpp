@@ -39,6 +39,7 @@ class Obstacles {
   static constexpr float kRelativeRounding = 1e-6F;  // of a piece's largest coordinate seen from the body
 
   float room_to_bounds(const Box& box) const;
+  // As room, to one piece.
   float room_to_piece(const PlacedBody& body, Index piece, float reach) const;
   template <class Visit>
   void pieces_around(const Box& box, float around, Visit visit) const;

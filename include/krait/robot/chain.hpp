@@ -77,6 +77,8 @@ class Chain {
     template <class Turn>
     void derivative(StateView s, Turn turn, StateRef ds) const;
     void derivative_in_lanes(StateView s, StateRef ds) const;
+    template <class Turn, class Hitch>
+    void turned_rates(const float* s, Turn turn, Hitch hitch, float* ds) const;
     SinCos hitch(int i) const { return {hitch_sines_[i - 1], hitch_cosines_[i - 1]}; }
 
     const Chain* chain_;
