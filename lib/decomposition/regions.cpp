@@ -131,27 +131,29 @@ void Regions::settle() {
 }
 
 // Finds what comes next on the triangle's path, the edge to argmin over the neighbours of (h + C, region), a pure
-// function of h and C: all that could come next are settled. And relaxes the edges to those that are not.
+// function of h and C: who is further from the goal cannot come next. And relaxes the edges to those that are.
 void Regions::settle(Index triangle) {
   const float distance = h_[triangle];
   std::uint8_t best = kNoEdge;
   float least = distance > 0.0F ? kInfinity : -kInfinity;  // a goal has no next
-  Index best_region = kNone;
+  Index best_neighbor = kNone;
   for (std::uint8_t edge = 0; edge < 3; ++edge) {
     const Index n = scene_->neighbor(triangle, edge);
     if (n == kNone) continue;
     const float cost = portal_costs_[scene_->portal(triangle, edge)];
-    const float back = h_[n] + cost;
-    if (distance + cost < h_[n]) {
-      h_[n] = distance + cost;
-      heap_.push(n);
+    if (h_[n] > distance) {
+      if (distance + cost < h_[n]) {
+        h_[n] = distance + cost;
+        heap_.push(n);
+      }
+      continue;
     }
+    const float back = h_[n] + cost;
     if (back == kInfinity || back > least) continue;
-    const Index candidate = region(n);
-    if (back == least && candidate >= best_region) continue;
+    if (back == least && region(n) >= region(best_neighbor)) continue;
     least = back;
     best = edge;
-    best_region = candidate;
+    best_neighbor = n;
   }
   next_[triangle] = best;
 }

@@ -120,6 +120,78 @@ TEST(MotionCheck, AcceptedStepsOfALongSnakeDoNotCrossItself) {
   EXPECT_GT(tally.rejected, 2);
 }
 
+// Bodies shorter than their steps, so that several may jump over a pin at once.
+TEST(MotionCheck, AcceptedStepsOfShortBodiesJumpOverNoPin) {
+  ChainParameters p;
+  p.trailers = 6;
+  p.body_length = 0.1F;
+  p.body_width = 0.4F;
+  const Snake snake(p);
+  Tally all;
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    std::mt19937 random(seed);
+    Room room;
+    room.bounds = {0, 0, 12, 12};
+    room.clearance_cell = 0.25;
+    for (int i = 0; i < 120; ++i) {
+      const double x = uniform(random, 0.5, 11.5);
+      const double y = uniform(random, 0.5, 11.5);
+      room.loose_pieces.push_back({{snap(x), snap(y)}, {snap(x + 0.03), snap(y)}, {snap(x), snap(y + 0.03)}});
+    }
+    const OpenScene open(room);
+    const Tally tally = expect_sound(snake, open.scene, 1e-3F, 0.2F, 40, seed);
+    all.accepted += tally.accepted;
+    all.rejected += tally.rejected;
+  }
+  EXPECT_GT(all.accepted, 100);
+  EXPECT_GT(all.rejected, 50);
+}
+
+// Steps whose hitch angles crowd at their limit, some of which leave it on the way.
+TEST(MotionCheck, AcceptedStepsKeepTheLimitsInBetween) {
+  ChainParameters p;
+  p.trailers = 3;
+  const Snake snake(p);
+  const double limit = wide(p.max_hitch_angle);
+  Room room;
+  room.bounds = {0, 0, 20, 20};
+  const OpenScene open(room);
+  MotionCheck<Snake> check;
+  check.assign(snake, open.scene, 0.0F, 16, true);
+  std::mt19937 random(3);
+  int broken = 0, unproven_whole = 0;
+  for (int n = 0; n < 40000; ++n) {
+    std::vector<float> s = {10, 10, 0, uniform_float(random, 0, 2.5), uniform_float(random, -1, 1)};
+    while (s.size() < 8) {
+      const float most = n % 2 == 0 ? p.max_hitch_angle : 1.0F;
+      const float size =
+          most * (uniform(random, 0, 1) < 0.5 ? 1.0F - uniform_float(random, 0, 0.05) : uniform_float(random, 0, 1));
+      s.push_back((s.size() == 5 ? s[2] : s.back()) + (uniform(random, 0, 1) < 0.5 ? size : -size));
+    }
+    const auto u = random_control(snake, s, 0.1F, random);
+    const auto next = step(snake, s, u, 0.1F);
+    const StateView before(s.data(), 8), after(next.data(), 8);
+    if (!snake.within_limits(before) || !snake.within_limits(after) || !check.free(s.data())) continue;
+    const bool whole = check.keeps_limits(s.data(), u.data(), 0.1F, next.data());
+    const bool accepted = check.step_free(s.data(), u.data(), 0.1F, next.data());
+    Numbers fine = doubles(s);
+    double largest = 0;
+    for (int i = 0; i < 64; ++i) {
+      fine = rk4(snake, fine, doubles(u), 0.1 / 64);
+      for (std::size_t k = 5; k < fine.size(); ++k) {
+        largest = std::max(largest, std::abs((k == 5 ? fine[2] : fine[k - 1]) - fine[k]));
+      }
+    }
+    broken += largest > limit + 1e-3 ? 1 : 0;
+    unproven_whole += accepted && !whole ? 1 : 0;
+    if (accepted) {
+      ASSERT_LE(largest, limit + 1e-3) << "step " << n;
+    }
+  }
+  EXPECT_GT(broken, 0);
+  EXPECT_GT(unproven_whole, 10);
+}
+
 TEST(MotionCheck, AcceptedStepsOfATruckWhoseCarIsOffItsAxleTouchNothing) {
   ChainParameters p;
   p.trailers = 3;

@@ -5,7 +5,8 @@
 // a(k) + b(k) > t(k). Near obstacles, by the body itself: its vertices stay within e(k) of the straight lines between
 // their places at the ends, so that it never leaves the hull of both, grown by e(k); the hull must keep away by more.
 // Where that is not so, or the robot's limits are not proven to hold in between, the step is halved, down to one part
-// of max_substeps; what is then still unproven counts as a collision.
+// of max_substeps, and what was left to prove of the whole is proven of the parts; what is then still unproven counts
+// as a collision.
 #pragma once
 
 #include "krait/collision/obstacles.hpp"
@@ -59,9 +60,10 @@ class MotionCheck {
   bool step_free(const float* state, const float* control, float dt, const float* next) {
     const Step step{state, control, dt, next};
     place(next, right());
-    const Outcome whole = judge(step);
+    Unproven unproven{true, true, ~0U};
+    const Outcome whole = judge(step, unproven);
     if (whole == Outcome::hit) return false;
-    if (whole == Outcome::unproven && !march(step)) return false;
+    if (whole == Outcome::unproven && !march(step, unproven)) return false;
     left_ = 1 - left_;
     return true;
   }
@@ -72,6 +74,7 @@ class MotionCheck {
  private:
   enum class Outcome { free, unproven, hit };
 
+  static_assert(R::kMaxBodies <= 32, "bodies are marked by the bits of a word");
   static constexpr float kReach = 1e-3F;  // metres: how far obstacles are looked for beyond what must be free
 
   // From `state` under `control` for dt seconds to `next`.
@@ -80,6 +83,13 @@ class MotionCheck {
     const float* control;
     float dt;
     const float* next;
+  };
+
+  // What is to be proven of a step, or what is left of that.
+  struct Unproven {
+    bool limits;           // that the robot's hold all the way
+    bool self;             // that bodies keep away from each other
+    std::uint32_t bodies;  // which keep away from obstacles, a bit each
   };
 
   struct Placement {
@@ -224,19 +234,22 @@ class MotionCheck {
     return room > stray(k);
   }
 
-  // Judges the step from left to right.
-  Outcome judge(const Step& step) {
-    bool proven = bound(step);
+  // Judges the step from left to right by what is to be proven of it, of which it leaves what is not.
+  Outcome judge(const Step& step, Unproven& unproven) {
+    const Unproven asked = unproven;
+    const bool limited = bound(step);
+    unproven = {asked.limits && !limited, false, 0};
     for (int k = next_near(0); k < bodies_; k = next_near(k + 1)) {
-      if (proven && hull_free(step, k)) continue;
+      if ((asked.bodies >> k & 1U) == 0 || hull_free(step, k)) continue;
       if (!clear(right(), k)) return Outcome::hit;
-      proven = false;
+      unproven.bodies |= 1U << k;
     }
-    return proven && self_free(step) ? Outcome::free : Outcome::unproven;
+    unproven.self = asked.self && !self_free(step);
+    return unproven.limits || unproven.self || unproven.bodies != 0 ? Outcome::unproven : Outcome::free;
   }
 
-  // Halves the step from left to right until every part is proven free. False when one is not.
-  bool march(const Step& step) {
+  // Halves the step from left to right until what is left to prove is proven of every part. False when it is not.
+  bool march(const Step& step, const Unproven& whole) {
     for (int i = 0; i < robot_->state_size(); ++i) middle_[0][i] = step.state[i];
     int here = 0;
     int done = 0;  // in parts of 1 / max_substeps
@@ -252,7 +265,8 @@ class MotionCheck {
         propagate(*robot_, from, poses(), step.control, duration, to);
       }
       place(to, right());
-      const Outcome outcome = judge({from, step.control, duration, to});
+      Unproven unproven = whole;
+      const Outcome outcome = judge({from, step.control, duration, to}, unproven);
       if (outcome == Outcome::hit) return false;
       if (outcome == Outcome::unproven) {
         part /= 2;

@@ -45,7 +45,7 @@ struct Steering {
 };
 
 // A robot is a value with these members, none of which has side effects or depends on anything but its arguments.
-//   kMaxState, kMaxControl, kMaxBodies   compile-time limits of the sizes below
+//   kMaxState, kMaxControl, kMaxBodies   compile-time limits of the sizes below; kMaxBodies is at most 32
 //   state_size(), control_size(), body_count()
 //   derivative(s, u, ds)         the dynamics ds = f(s, u) (Eqn 2)
 //   steer(s, target, steering, u)  the control that steers s toward the target, inside its limits and such
@@ -54,8 +54,8 @@ struct Steering {
 //   body(k)                      convex polygon of 3 to 8 vertices, counter-clockwise, in body k's frame, metres
 //   place(s, poses)              writes the frame of every body; body 0's origin is the position
 //   travel(s, u, dt, next, travel)  bounds the motion of every body while u is held for dt from s to next, what proves
-//                                that nothing is jumped over between two states; false when it is not proven that the
-//                                limits, which s and next keep, hold all the way
+//                                that nothing is jumped over between two states, whatever it gives: false when it is
+//                                not proven that the limits, which s and next keep, hold all the way
 // It may also have
 //   near(s, poses, u, dt)        given the frames of s, an object with derivative(ds), the dynamics at s under u, and
 //                                derivative(s', ds), those at a state s' that Runge-Kutta comes to in a step of dt:
