@@ -170,7 +170,7 @@ def _flatness(results, name):
         return []
     lowest, highest = (choose(means, key=lambda figure: figure.value) for choose in (min, max))
     here = ratio(highest, lowest)
-    theirs = [value for value, _ in paper.PARAMETERS[name]]
+    theirs = [mean for mean, _ in paper.PARAMETERS[name].values()]
     there = max(theirs) / min(theirs)
     first, *_, last = PARAMETERS[name]
     text = f"{name} from {first} to {last}: means differ by no more than the paper's {there:.2g} ×"

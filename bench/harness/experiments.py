@@ -14,11 +14,11 @@ SCALES = ("0.75", "1", "2", "3", "4")
 SCALED_SCENE = "comb"  # the paper's figure 3(c)
 PARAMETERS = {
     "alpha": ("2", "4", "8", "12", "16"),
-    "beta": ("0.5", "0.65", "0.75", "0.85", "0.9", "0.95"),
-    "gamma": ("15", "25", "50", "75", "100"),
+    "beta": ("0.5", "0.65", "0.75", "0.85", "0.95"),
+    "gamma": ("15", "20", "25", "50", "75", "100"),
     "kappa": ("1", "5", "10", "20", "30"),
 }
-DEFAULTS = {"alpha": "8", "beta": "0.9", "gamma": "50", "kappa": "20"}
+DEFAULTS = {"alpha": "8", "beta": "0.85", "gamma": "20", "kappa": "10"}
 PARAMETERS_SCENE = "rooms"  # the paper's figure 3(b)
 
 STEERED_PEERS = ("RRT", "KPIECE1", "EST", "PDST", "SST", "SyclopRRT", "SyclopEST", "SyclopRRT-grid", "SyclopEST-grid")

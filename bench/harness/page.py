@@ -219,13 +219,20 @@ def scale_section(results):
     return text + "\n![](results/scale-growth.svg)\n"
 
 
+def _paper_parameter(name, value):
+    if value not in paper.PARAMETERS[name]:
+        return ""
+    mean, deviation = paper.PARAMETERS[name][value]
+    return f"{mean:.2f} ({deviation:.2f})"
+
+
 def parameters_section(results):
     rows = []
     for name, values in PARAMETERS.items():
-        for value, (mean, deviation) in zip(values, paper.PARAMETERS[name]):
+        for value in values:
             if summary := results.summary(with_setting(name, value)):
                 bold = "**" if experiments.DEFAULTS[name] == value else ""
-                rows.append([name, f"{bold}{value}{bold}", *figures(summary)[:6], f"{mean:.2f} ({deviation:.2f})"])
+                rows.append([name, f"{bold}{value}{bold}", *figures(summary)[:6], _paper_parameter(name, value)])
     if not rows:
         return ""
     title = f"## Parameters (table 2): {experiments.PARAMETERS_SCENE}, {ROBOT}\n"

@@ -14,7 +14,7 @@ using firmware::Board;
 using firmware::Request;
 
 constexpr std::uint64_t kBlock = 416 * 1024;
-constexpr std::uint64_t kSeeds = 2;
+constexpr std::uint64_t kSeeds = 10;
 constexpr std::uint32_t kSteps = 256;
 
 // Instructions so far, under an emulator that counts them: exactly on RISC-V, else to within a tick of the clock.

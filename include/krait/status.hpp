@@ -49,6 +49,7 @@ enum class Argument : std::uint8_t {
   clearance,
   stray_share,
   gentle_share,
+  doomed_steps,
   restart_unit,
   slowest,
   reverse_share,

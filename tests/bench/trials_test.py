@@ -84,7 +84,7 @@ class Trials(unittest.TestCase):
         trial = [{"trial": 1, "seed": 7}]
         usual, same, other = (
             self.answers(SEARCH, "adaptive", trial, *files, *setting)[0]["hash"]
-            for setting in ((), ("--set", "beta=0.9"), ("--set", "beta=0.1"))
+            for setting in ((), ("--set", "beta=0.85"), ("--set", "beta=0.1"))
         )
         self.assertEqual(usual, same)
         self.assertNotEqual(usual, other)

@@ -306,6 +306,8 @@ TEST(PlannerParameters, DefaultsAndThePapersAreInRange) {
   EXPECT_EQ(Parameters::paper().beta, 0.85F);
   EXPECT_EQ(Parameters::paper().gamma, 50.0F);
   EXPECT_EQ(Parameters::paper().kappa, 20U);
+  EXPECT_EQ(Parameters::paper().path_regions, 8U);
+  EXPECT_EQ(Parameters::paper().doomed_steps, 0U);
 }
 
 TEST(PlannerParameters, EachFloatIsCheckedAtBothEnds) {
@@ -334,6 +336,7 @@ TEST(PlannerParameters, EachCountIsCheckedAtBothEnds) {
     std::uint32_t Parameters::*member;
   } ranges[] = {{Argument::group_sample, 1, 65535, &Parameters::group_sample},
                 {Argument::kappa, 1, 10000, &Parameters::kappa},
+                {Argument::doomed_steps, 0, 3, &Parameters::doomed_steps},
                 {Argument::restart_unit, 0, 1'000'000'000, &Parameters::restart_unit},
                 {Argument::max_steps, 1, 1000, &Parameters::max_steps},
                 {Argument::path_regions, 1, 64, &Parameters::path_regions},

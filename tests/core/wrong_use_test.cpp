@@ -150,6 +150,8 @@ TYPED_TEST(WrongUse, ParametersAtTheEndsOfTheirRangesPlanOrEnd) {
                                                        [](Parameters& p) { p.near_radius = 10; },
                                                        [](Parameters& p) { p.stray_share = 1; },
                                                        [](Parameters& p) { p.gentle_share = 1; },
+                                                       [](Parameters& p) { p.doomed_steps = 0; },
+                                                       [](Parameters& p) { p.doomed_steps = 3; },
                                                        [](Parameters& p) { p.restart_unit = 0; },
                                                        [](Parameters& p) { p.restart_unit = 1; },
                                                        [](Parameters& p) { p.slowest = 0.05F; },

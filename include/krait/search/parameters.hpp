@@ -8,7 +8,7 @@
 namespace krait {
 
 // What the planner of prior work adds ([18], PriorPlanner); it has no use for group_sample, epsilon, gamma,
-// cost_length, kappa, raise_goal, path_regions, stray_share and restart_unit.
+// cost_length, kappa, raise_goal, path_regions, stray_share, doomed_steps and restart_unit.
 struct PriorParameters {
   float epsilon = 1e-11F;           // 1e-30 … 1: keeps every weight positive
   std::uint32_t path_regions = 10;  // 1 … 64: as Parameters::path_regions
@@ -23,24 +23,27 @@ struct RrtParameters {
 };
 
 struct Parameters {
+  static constexpr std::uint32_t kMostDoomedSteps = 3;
+
   // Eqns 5 and 6.
   std::uint32_t group_sample = 12;  // 1 … 65535: states that a group keeps to grow from, a random sample of all
   // Eqn 7.
   float alpha = 8.0F;     // 1 … 64: strength of the heuristic
-  float beta = 0.9F;      // above 0, below 1: a group's weight shrinks by this with each selection
+  float beta = 0.85F;     // above 0, below 1: a group's weight shrinks by this with each selection
   float epsilon = 0.01F;  // above 0, up to 1: keeps every weight positive
   // Eqn 9.
-  float gamma = 50.0F;       // 0 … 1e6: how much a failure raises edge costs; 0: costs never change
+  float gamma = 20.0F;       // 0 … 1e6: how much a failure raises edge costs; 0: costs never change
   float cost_length = 1.0F;  // 0 … 10, in lengths of body 0: C += gamma l^2 / max(C, l), l this length; 0: gamma / C
-  std::uint32_t kappa = 20;  // 1 … 10000: expansions between updates of the heuristic costs
+  std::uint32_t kappa = 10;  // 1 … 10000: expansions between updates of the heuristic costs
   bool raise_goal = false;   // whether a failure right before the goal raises the goal's edges as well
   // Algorithm 2.
   float dt = 0.1F;                 // 0.001 … 1 s: a time step
   std::uint32_t max_steps = 40;    // 1 … 1000: of one expansion
-  std::uint32_t path_regions = 8;  // 1 … 64: targets come from that many regions after the group's own
+  std::uint32_t path_regions = 6;  // 1 … 64: targets come from that many regions after the group's own
   float near_radius = 0.7F;        // 0 … 10, in lengths of body 0: a target so near is reached
   float stray_share = 0.1F;        // 0 … 1: share of expansions toward a random point of the workspace instead
   float gentle_share = 0.35F;      // 0 … 1: share of expansions from a group that was often selected that turn gently
+  std::uint32_t doomed_steps = 2;  // 0 … 3: so many states before a collision are not kept to grow from
   std::uint32_t restart_unit = 4000;  // expansions, 0 … 1e9: tries last 1, 1, 2, 1, 1, 2, 4, … of it; 0: one for ever
   float slowest = 0.75F;       // 0.05 … 1: speed set-points are uniform from this share of the top speed to all of it
   float reverse_share = 0.2F;  // 0 … 1: share of expansions that drive backwards, of a robot that can

@@ -19,6 +19,7 @@ class Planner : public GroupedSearch<Planner<R>, R> {
     raised_ = false;
   }
   std::uint32_t restart_unit() const { return this->parameters_.restart_unit; }
+  std::uint32_t doomed_steps() const { return this->parameters_.doomed_steps; }
 
   // Algorithm 1, lines 4 to 13.
   template <class Watch>

@@ -17,6 +17,7 @@ class PriorPlanner : public GroupedSearch<PriorPlanner<R>, R> {
   static constexpr int kMaxTries = 16;  // at a point outside obstacles
 
   static std::uint32_t restart_unit() { return 0; }
+  static std::uint32_t doomed_steps() { return 0; }
 
   void reset_guide() {
     const Parameters& parameters = this->parameters_;

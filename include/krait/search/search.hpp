@@ -30,8 +30,10 @@ struct Query {
 // `Derived` is the planner, which has
 //   reset_guide()                  the guide as new
 //   restart_unit()                 as Restarts::begin has it
+//   doomed_steps()                 Parameters::doomed_steps or 0
 //   iterate(watch)                 one expansion
-//   keep(region, branch, state)    hears of every new state, and may keep it as a vertex; false when it cannot go on
+//   keep(region, branch, state)    hears of every new state that is not doomed, and may keep it as a vertex; false when
+//                                  it cannot go on
 template <class Derived, Robot R, class Guide>
 class Search {
  public:
@@ -166,6 +168,10 @@ class Search {
     if (expanded.result == Expansion::goal_reached) {
       if (finish_solved(expanded.last)) return expanded;
       expanded.result = Expansion::target_not_reached;
+    } else if (expanded.result != Expansion::collision) {
+      for (std::uint32_t back = derived().doomed_steps(); back-- > 0;) {
+        if (!keep_recent(expanded.last, back)) expanded.result = Expansion::tree_full;
+      }
     }
     tree_.end_expansion(expansion, expanded.last.step);
     if (expanded.result == Expansion::tree_full) finish(Status::tree_full);
@@ -213,11 +219,17 @@ class Search {
   float robot_length_ = 1.0F;
 
  private:
+  static constexpr std::uint32_t kRecent = Parameters::kMostDoomedSteps + 1;
   static constexpr float kGentlest = 0.15F;       // of the sharpest turn
   static constexpr float kReachRounding = 1e-2F;  // metres
   static constexpr float kLeastCost = 0.05F;      // of an edge, in robot lengths: keeps h + C above h
   static constexpr float kMostDrift = 0.04F;      // metres, of a plan's open-loop end from its last state
   static constexpr float kDepthKept = 0.1F;       // share of the goal's margin that the open-loop end keeps
+
+  struct NewState {
+    Index region;
+    float state[R::kMaxState];
+  };
 
   static Failure bad_argument(Argument argument) {
     return {Status::bad_argument, 0, static_cast<std::uint32_t>(argument)};
@@ -340,9 +352,24 @@ class Search {
     const Vec2 at{drive_.state()[0], drive_.state()[1]};
     expanded.region = region_of(at, expanded.region);
     if (goal_.contains(*scene_, at, goal_depth_)) return Expansion::goal_reached;
-    if (!derived().keep(expanded.region, expanded.last, drive_.state())) return Expansion::tree_full;
+    remember(expanded.last.step, expanded.region);
+    if (!keep_recent(expanded.last, derived().doomed_steps())) return Expansion::tree_full;
     const bool near = length(drive_.target().point - at) <= parameters_.near_radius * robot_length_;
     return near ? Expansion::target_reached : Expansion::target_not_reached;
+  }
+
+  void remember(std::uint32_t step, Index region) {
+    NewState& recent = recent_[step % kRecent];
+    recent.region = region;
+    for (int i = 0; i < robot_->state_size(); ++i) recent.state[i] = drive_.state()[i];
+  }
+
+  // Has the state `back` steps before the expansion's last kept, if there is one.
+  bool keep_recent(Branch last, std::uint32_t back) {
+    if (last.step <= back) return true;
+    const std::uint32_t step = last.step - back;
+    const NewState& recent = recent_[step % kRecent];
+    return derived().keep(recent.region, {last.expansion, step}, recent.state);
   }
 
   // CONTROLLER, MOTION and COLLISION (lines 5 and 6). False when the step is not free or leaves the robot's limits.
@@ -402,6 +429,7 @@ class Search {
   Goal goal_ = Goal::named(0);
   float goal_depth_ = 0.0F;
   Restarts restarts_;
+  NewState recent_[kRecent];  // the last of the expansion
   Index root_region_ = kNone;
   Index path_ = kNone;  // the plan's first expansion
   OpenLoop<R> open_loop_;

@@ -191,9 +191,9 @@ void add_plan(CLI::App& app) {
   command->add_option("--time-limit", o->time_limit,
                       "seconds (default: none; a limit makes the result depend on the machine)");
   command->add_option("--alpha", o->alpha, "strength of the heuristic, 1 to 64 (default 8)");
-  command->add_option("--beta", o->beta, "penalty of a selection, between 0 and 1 (default 0.9)");
-  command->add_option("--gamma", o->gamma, "how much failures raise edge costs, 0 (never) to 1e6 (default 50)");
-  command->add_option("--kappa", o->kappa, "expansions between updates of the costs, 1 to 10000 (default 20)")
+  command->add_option("--beta", o->beta, "penalty of a selection, between 0 and 1 (default 0.85)");
+  command->add_option("--gamma", o->gamma, "how much failures raise edge costs, 0 (never) to 1e6 (default 20)");
+  command->add_option("--kappa", o->kappa, "expansions between updates of the costs, 1 to 10000 (default 10)")
       ->check(whole_number(UINT32_MAX));
   command->add_option("--clearance", o->clearance,
                       "metres kept to obstacles on top of rounding, 0 to 10 (default 0.001)");
