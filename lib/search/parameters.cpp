@@ -22,43 +22,39 @@ struct Range {
   Number high;
 };
 
-#define KRAIT_PLACE(parameter) offsetof(Parameters, parameter), Argument::parameter
-#define KRAIT_PLACE_OF(planner, parameter) offsetof(Parameters, planner.parameter), Argument::planner##_##parameter
-
 constexpr float kAboveZero = std::numeric_limits<float>::denorm_min();
 constexpr float kBelowOne = 1.0F - 0.5F * std::numeric_limits<float>::epsilon();
 
-constexpr Range<float> kNumbers[] = {{KRAIT_PLACE(alpha), 1.0F, 64.0F},
-                                     {KRAIT_PLACE(beta), kAboveZero, kBelowOne},
-                                     {KRAIT_PLACE(epsilon), kAboveZero, 1.0F},
-                                     {KRAIT_PLACE(gamma), 0.0F, 1e6F},
-                                     {KRAIT_PLACE(cost_length), 0.0F, 10.0F},
-                                     {KRAIT_PLACE(dt), 0.001F, 1.0F},
-                                     {KRAIT_PLACE(near_radius), 0.0F, 10.0F},
-                                     {KRAIT_PLACE(stray_share), 0.0F, 1.0F},
-                                     {KRAIT_PLACE(gentle_share), 0.0F, 1.0F},
-                                     {KRAIT_PLACE(slowest), 0.05F, 1.0F},
-                                     {KRAIT_PLACE(reverse_share), 0.0F, 1.0F},
-                                     {KRAIT_PLACE(clearance), 0.0F, 10.0F},
-                                     {KRAIT_PLACE(goal_margin), 0.0F, 10.0F},
-                                     {KRAIT_PLACE_OF(prior, epsilon), 1e-30F, 1.0F},
-                                     {KRAIT_PLACE_OF(prior, path_share), 0.0F, 1.0F},
-                                     {KRAIT_PLACE_OF(prior, goal_share), 0.0F, 1.0F},
-                                     {KRAIT_PLACE_OF(prior, nearest_share), 0.0F, 1.0F},
-                                     {KRAIT_PLACE_OF(rrt, goal_share), 0.0F, 1.0F}};
+constexpr Range<float> kNumbers[] = {
+    {offsetof(Parameters, alpha), Argument::alpha, 1.0F, 64.0F},
+    {offsetof(Parameters, beta), Argument::beta, kAboveZero, kBelowOne},
+    {offsetof(Parameters, epsilon), Argument::epsilon, kAboveZero, 1.0F},
+    {offsetof(Parameters, gamma), Argument::gamma, 0.0F, 1e6F},
+    {offsetof(Parameters, cost_length), Argument::cost_length, 0.0F, 10.0F},
+    {offsetof(Parameters, dt), Argument::dt, 0.001F, 1.0F},
+    {offsetof(Parameters, near_radius), Argument::near_radius, 0.0F, 10.0F},
+    {offsetof(Parameters, stray_share), Argument::stray_share, 0.0F, 1.0F},
+    {offsetof(Parameters, gentle_share), Argument::gentle_share, 0.0F, 1.0F},
+    {offsetof(Parameters, slowest), Argument::slowest, 0.05F, 1.0F},
+    {offsetof(Parameters, reverse_share), Argument::reverse_share, 0.0F, 1.0F},
+    {offsetof(Parameters, clearance), Argument::clearance, 0.0F, 10.0F},
+    {offsetof(Parameters, goal_margin), Argument::goal_margin, 0.0F, 10.0F},
+    {offsetof(Parameters, prior.epsilon), Argument::prior_epsilon, 1e-30F, 1.0F},
+    {offsetof(Parameters, prior.path_share), Argument::prior_path_share, 0.0F, 1.0F},
+    {offsetof(Parameters, prior.goal_share), Argument::prior_goal_share, 0.0F, 1.0F},
+    {offsetof(Parameters, prior.nearest_share), Argument::prior_nearest_share, 0.0F, 1.0F},
+    {offsetof(Parameters, rrt.goal_share), Argument::rrt_goal_share, 0.0F, 1.0F}};
 
-constexpr Range<std::uint32_t> kCounts[] = {{KRAIT_PLACE(group_sample), 1, kUnboundedSample},
-                                            {KRAIT_PLACE(kappa), 1, 10000},
-                                            {KRAIT_PLACE(max_steps), 1, 1000},
-                                            {KRAIT_PLACE(path_regions), 1, 64},
-                                            {KRAIT_PLACE(doomed_steps), 0, Parameters::kMostDoomedSteps},
-                                            {KRAIT_PLACE(restart_unit), 0, 1'000'000'000},
-                                            {KRAIT_PLACE(max_substeps), 1, 64},
-                                            {KRAIT_PLACE_OF(prior, path_regions), 1, 64}};
+constexpr Range<std::uint32_t> kCounts[] = {
+    {offsetof(Parameters, group_sample), Argument::group_sample, 1, kUnboundedSample},
+    {offsetof(Parameters, kappa), Argument::kappa, 1, 10000},
+    {offsetof(Parameters, max_steps), Argument::max_steps, 1, 1000},
+    {offsetof(Parameters, path_regions), Argument::path_regions, 1, 64},
+    {offsetof(Parameters, doomed_steps), Argument::doomed_steps, 0, Parameters::kMostDoomedSteps},
+    {offsetof(Parameters, restart_unit), Argument::restart_unit, 0, 1'000'000'000},
+    {offsetof(Parameters, max_substeps), Argument::max_substeps, 1, 64},
+    {offsetof(Parameters, prior.path_regions), Argument::prior_path_regions, 1, 64}};
 static_assert(MotionTree::kMostSteps >= 1000);
-
-#undef KRAIT_PLACE
-#undef KRAIT_PLACE_OF
 
 // NaN is outside.
 template <class Number, std::size_t count>
