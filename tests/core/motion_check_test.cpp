@@ -43,6 +43,12 @@ std::vector<float> somewhere(const R& robot, const Scene& scene, std::mt19937& r
 }
 
 struct Tally {
+  Tally& operator+=(const Tally& other) {
+    accepted += other.accepted;
+    rejected += other.rejected;
+    return *this;
+  }
+
   int accepted = 0;
   int rejected = 0;
 };
@@ -94,10 +100,7 @@ TYPED_TEST(MotionCheckSound, AcceptedStepsTouchNothingInBetween) {
       const OpenScene open(crowded(seed));
       const int walks = robot.body_count() == 1 ? 24 : 14;
       for (const bool shortcuts : {true, false}) {
-        const Tally tally =
-            expect_sound(robot, open.scene, 1e-3F, 0.1F, shortcuts ? walks : walks / 2, seed, shortcuts);
-        all.accepted += tally.accepted;
-        all.rejected += tally.rejected;
+        all += expect_sound(robot, open.scene, 1e-3F, 0.1F, shortcuts ? walks : walks / 2, seed, shortcuts);
       }
     }
   }
@@ -139,57 +142,10 @@ TEST(MotionCheck, AcceptedStepsOfShortBodiesJumpOverNoPin) {
       room.loose_pieces.push_back({{snap(x), snap(y)}, {snap(x + 0.03), snap(y)}, {snap(x), snap(y + 0.03)}});
     }
     const OpenScene open(room);
-    const Tally tally = expect_sound(snake, open.scene, 1e-3F, 0.2F, 40, seed);
-    all.accepted += tally.accepted;
-    all.rejected += tally.rejected;
+    all += expect_sound(snake, open.scene, 1e-3F, 0.2F, 40, seed);
   }
   EXPECT_GT(all.accepted, 100);
   EXPECT_GT(all.rejected, 50);
-}
-
-// Steps whose hitch angles crowd at their limit, some of which leave it on the way.
-TEST(MotionCheck, AcceptedStepsKeepTheLimitsInBetween) {
-  ChainParameters p;
-  p.trailers = 3;
-  const Snake snake(p);
-  const double limit = wide(p.max_hitch_angle);
-  Room room;
-  room.bounds = {0, 0, 20, 20};
-  const OpenScene open(room);
-  MotionCheck<Snake> check;
-  check.assign(snake, open.scene, 0.0F, 16, true);
-  std::mt19937 random(3);
-  int broken = 0, unproven_whole = 0;
-  for (int n = 0; n < 40000; ++n) {
-    std::vector<float> s = {10, 10, 0, uniform_float(random, 0, 2.5), uniform_float(random, -1, 1)};
-    while (s.size() < 8) {
-      const float most = n % 2 == 0 ? p.max_hitch_angle : 1.0F;
-      const float size =
-          most * (uniform(random, 0, 1) < 0.5 ? 1.0F - uniform_float(random, 0, 0.05) : uniform_float(random, 0, 1));
-      s.push_back((s.size() == 5 ? s[2] : s.back()) + (uniform(random, 0, 1) < 0.5 ? size : -size));
-    }
-    const auto u = random_control(snake, s, 0.1F, random);
-    const auto next = step(snake, s, u, 0.1F);
-    const StateView before(s.data(), 8), after(next.data(), 8);
-    if (!snake.within_limits(before) || !snake.within_limits(after) || !check.free(s.data())) continue;
-    const bool whole = check.keeps_limits(s.data(), u.data(), 0.1F, next.data());
-    const bool accepted = check.step_free(s.data(), u.data(), 0.1F, next.data());
-    Numbers fine = doubles(s);
-    double largest = 0;
-    for (int i = 0; i < 64; ++i) {
-      fine = rk4(snake, fine, doubles(u), 0.1 / 64);
-      for (std::size_t k = 5; k < fine.size(); ++k) {
-        largest = std::max(largest, std::abs((k == 5 ? fine[2] : fine[k - 1]) - fine[k]));
-      }
-    }
-    broken += largest > limit + 1e-3 ? 1 : 0;
-    unproven_whole += accepted && !whole ? 1 : 0;
-    if (accepted) {
-      ASSERT_LE(largest, limit + 1e-3) << "step " << n;
-    }
-  }
-  EXPECT_GT(broken, 0);
-  EXPECT_GT(unproven_whole, 10);
 }
 
 TEST(MotionCheck, AcceptedStepsOfATruckWhoseCarIsOffItsAxleTouchNothing) {
@@ -199,9 +155,7 @@ TEST(MotionCheck, AcceptedStepsOfATruckWhoseCarIsOffItsAxleTouchNothing) {
   Tally all;
   for (unsigned seed = 1; seed <= 4; ++seed) {
     const OpenScene open(crowded(seed));
-    const Tally tally = expect_sound(Truck(p), open.scene, 1e-3F, 0.1F, 10, seed);
-    all.accepted += tally.accepted;
-    all.rejected += tally.rejected;
+    all += expect_sound(Truck(p), open.scene, 1e-3F, 0.1F, 10, seed);
   }
   EXPECT_GT(all.accepted, 20);
   EXPECT_GT(all.rejected, 5);

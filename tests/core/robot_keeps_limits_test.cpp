@@ -1,5 +1,8 @@
-// A step that a chain calls within its limits is so all the way, by the same motion in small steps of double precision.
+// A step that a chain calls within its limits, or a collision check free, keeps them all the way, by the same motion in
+// small steps of double precision.
+#include "krait/collision/motion_check.hpp"
 #include "robot_oracle.hpp"
+#include "scene_builder.hpp"
 
 namespace krait::test {
 namespace {
@@ -36,8 +39,9 @@ struct Tally {
   int broken_between = 0;  // inside at both ends, outside on the way
 };
 
-template <class R>
-Tally try_steps(const R& robot, float dt, int count) {
+// Of the steps that `is_kept` none may pass the limit by more than `error`.
+template <class R, class IsKept>
+Tally try_steps(const R& robot, float dt, int count, IsKept is_kept, double error) {
   const double limit = wide(robot.parameters().max_hitch_angle);
   Random random(11);
   Tally tally;
@@ -55,11 +59,19 @@ Tally try_steps(const R& robot, float dt, int count) {
       largest = std::max(largest, largest_hitch(fine));
     }
     tally.broken_between += largest > limit + 1e-4 ? 1 : 0;
-    if (!bounds_of(robot, s, u, dt, next).limited) continue;
+    if (!is_kept(s, u, next)) continue;
     ++tally.kept;
-    EXPECT_LE(largest, limit + 1e-5) << "step " << n;
+    EXPECT_LE(largest, limit + error) << "step " << n;
   }
   return tally;
+}
+
+template <class R>
+Tally try_steps(const R& robot, float dt, int count) {
+  const auto limited = [&](const auto& s, const auto& u, const auto& next) {
+    return bounds_of(robot, s, u, dt, next).limited;
+  };
+  return try_steps(robot, dt, count, limited, 1e-5);
 }
 
 ChainParameters train(int trailers) {
@@ -74,6 +86,28 @@ TEST(RobotKeepsLimits, NoHitchPassesItsLimitInAStepThatIsCalledKept) {
   EXPECT_GT(snake.broken_between, 0);  // else the states do not try it
   const auto truck = try_steps(Truck(train(3)), kDt, 20000);
   EXPECT_GT(truck.kept, 100);
+}
+
+// Also where the whole step was not proven to, but its parts were.
+TEST(RobotKeepsLimits, NoHitchPassesItsLimitInAStepThatIsFree) {
+  const Snake snake(train(3));
+  Room room;
+  room.bounds = {-10, -10, 10, 10};
+  const OpenScene open(room);
+  MotionCheck<Snake> check;
+  check.assign(snake, open.scene, 0.0F, 16, true);
+  int by_parts = 0;
+  const auto is_free = [&](const auto& s, const auto& u, const auto& next) {
+    if (!check.free(s.data())) return false;
+    const bool whole = check.keeps_limits(s.data(), u.data(), kDt, next.data());
+    const bool free = check.step_free(s.data(), u.data(), kDt, next.data());
+    by_parts += free && !whole ? 1 : 0;
+    return free;
+  };
+  const auto tally = try_steps(snake, kDt, 40000, is_free, 1e-3);
+  EXPECT_GT(tally.kept, 100);
+  EXPECT_GT(tally.broken_between, 0);
+  EXPECT_GT(by_parts, 10);
 }
 
 TEST(RobotKeepsLimits, ShortStepsAreKeptUpToTheLimit) {
