@@ -168,6 +168,13 @@ std::string defaults_table() {
   return text + "Ends: solved (exit 0); no_route, budget_used, tree_full, time_used (exit 1); bad input (exit 2).";
 }
 
+template <class Number>
+std::string with_default(const char* text, Number value) {
+  char line[128];
+  std::snprintf(line, sizeof line, "%s (default %.7g)", text, static_cast<double>(value));
+  return line;
+}
+
 }  // namespace
 
 void add_plan(CLI::App& app) {
@@ -190,13 +197,16 @@ void add_plan(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--time-limit", o->time_limit,
                       "seconds (default: none; a limit makes the result depend on the machine)");
-  command->add_option("--alpha", o->alpha, "strength of the heuristic, 1 to 64 (default 8)");
-  command->add_option("--beta", o->beta, "penalty of a selection, between 0 and 1 (default 0.85)");
-  command->add_option("--gamma", o->gamma, "how much failures raise edge costs, 0 (never) to 1e6 (default 20)");
-  command->add_option("--kappa", o->kappa, "expansions between updates of the costs, 1 to 10000 (default 10)")
+  command->add_option("--alpha", o->alpha, with_default("strength of the heuristic, 1 to 64", defaults.alpha));
+  command->add_option("--beta", o->beta, with_default("penalty of a selection, between 0 and 1", defaults.beta));
+  command->add_option("--gamma", o->gamma,
+                      with_default("how much failures raise edge costs, 0 (never) to 1e6", defaults.gamma));
+  command
+      ->add_option("--kappa", o->kappa,
+                   with_default("expansions between updates of the costs, 1 to 10000", defaults.kappa))
       ->check(whole_number(UINT32_MAX));
   command->add_option("--clearance", o->clearance,
-                      "metres kept to obstacles on top of rounding, 0 to 10 (default 0.001)");
+                      with_default("metres kept to obstacles on top of rounding, 0 to 10", defaults.clearance));
   command->add_flag("--paper", o->paper,
                     "Algorithms 1 and 2 with the paper's constants: states are checked, steps between them are not");
   command->add_option("-o,--output", o->json, "write the plan as JSON");
