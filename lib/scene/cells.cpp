@@ -50,17 +50,12 @@ CellSpan CellSquares::span(std::int32_t low, std::int32_t high, std::int32_t cel
           least(cells - 1, floor_divided(high + kMargin, size_))};
 }
 
-CellSpan CellSquares::rows_of(Polygon polygon) const {
-  const Box box = bounding_box(polygon);
-  return rows_between(to_grid(box.min.y), to_grid(box.max.y));
-}
-
-CellSpan CellSquares::columns_of(Polygon polygon, std::int32_t row) const {
+CellSpan CellSquares::columns_of(const GridPolygon& polygon, std::int32_t row) const {
   const GridBox strip = square(0, row);
   Extent extent;
   for (int i = 0; i < polygon.count; ++i) {
-    GridPoint from = to_grid(polygon[i]);
-    GridPoint to = to_grid(polygon[(i + 1) % polygon.count]);
+    GridPoint from = polygon[i];
+    GridPoint to = polygon.after(i);
     if (from.y > to.y) {
       const GridPoint upper = from;
       from = to;

@@ -19,6 +19,21 @@ struct GridBox {
   GridPoint max;
 };
 
+// A triangle or a piece in grid coordinates, and the box around it.
+struct GridPolygon {
+  GridPoint vertices[format::kMaxPieceVertices];
+  int count;
+  GridBox box;
+
+  explicit GridPolygon(Polygon polygon) : count(polygon.count) {
+    for (int i = 0; i < count; ++i) vertices[i] = to_grid(polygon[i]);
+    const Box around = bounding_box(polygon);
+    box = {to_grid(around.min), to_grid(around.max)};
+  }
+  GridPoint operator[](int i) const { return vertices[i]; }
+  GridPoint after(int i) const { return vertices[i + 1 < count ? i + 1 : 0]; }
+};
+
 // Square cells from the bounds' minimum, each widened by format::kCellMargin; all in grid coordinates.
 class CellSquares {
  public:
@@ -47,9 +62,8 @@ class CellSquares {
     return span(low - bounds_.min.y, high - bounds_.min.y, rows_);
   }
 
-  // The rows that a polygon meets, and the columns of `row` where its squares meet the convex polygon. O(vertices).
-  CellSpan rows_of(Polygon polygon) const;
-  CellSpan columns_of(Polygon polygon, std::int32_t row) const;
+  // The columns of `row` where its squares meet the convex polygon. O(vertices).
+  CellSpan columns_of(const GridPolygon& polygon, std::int32_t row) const;
 
   // Grid steps from the squares of a column or a row to the nearer of the two bounds beside it; not above 0 where they
   // reach one.

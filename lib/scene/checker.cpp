@@ -1,6 +1,8 @@
 #include "scene/checker.hpp"
 
 #include <array>
+#include <iterator>
+#include <utility>
 
 namespace krait {
 namespace {
@@ -12,45 +14,59 @@ constexpr std::uint32_t kMaxCount = 1U << 27U;  // of any element: keeps every p
 constexpr double kMaxOrigin = 1e9;
 constexpr std::size_t kCrcStart = 16;
 
-// [k][n]: what the half-byte n does to the CRC when k half-bytes follow it.
-using CrcTables = std::array<std::array<std::uint32_t, 16>, 16>;
+// So many bits are looked up at once, in 16 tables: they take 16 KB for whole bytes, 1 KB for half ones.
+#if defined(__OPTIMIZE_SIZE__) || UINTPTR_MAX < UINT64_MAX
+constexpr std::uint32_t kBitsAtOnce = 4;
+#else
+constexpr std::uint32_t kBitsAtOnce = 8;
+#endif
+constexpr std::uint32_t kBitsMask = (1U << kBitsAtOnce) - 1;
+constexpr std::size_t kCrcTables = 16;
+constexpr std::size_t kTablesOfWord = 32 / kBitsAtOnce;
+
+// [k][n]: what the bits n do to the CRC when k as many follow them.
+using CrcTable = std::array<std::uint32_t, kBitsMask + 1>;
+using CrcTables = std::array<CrcTable, kCrcTables>;
 
 constexpr CrcTables crc_tables() {
   CrcTables tables{};
-  for (std::uint32_t n = 0; n < 16; ++n) {
+  for (std::uint32_t n = 0; n <= kBitsMask; ++n) {
     std::uint32_t c = n;
-    for (int bit = 0; bit < 4; ++bit) c = (c & 1U) != 0 ? 0xEDB88320U ^ (c >> 1U) : c >> 1U;
+    for (std::uint32_t bit = 0; bit < kBitsAtOnce; ++bit) c = (c & 1U) != 0 ? 0xEDB88320U ^ (c >> 1U) : c >> 1U;
     tables[0][n] = c;
   }
-  for (std::size_t k = 1; k < 16; ++k) {
-    for (std::uint32_t n = 0; n < 16; ++n) {
+  for (std::size_t k = 1; k < kCrcTables; ++k) {
+    for (std::uint32_t n = 0; n <= kBitsMask; ++n) {
       const std::uint32_t before = tables[k - 1][n];
-      tables[k][n] = before >> 4U ^ tables[0][before & 15U];
+      tables[k][n] = before >> kBitsAtOnce ^ tables[0][before & kBitsMask];
     }
   }
   return tables;
 }
 
-// What a word does to the CRC when as many half-bytes follow as `tables` lies behind the first table.
-std::uint32_t crc_of_word(std::uint32_t word, const std::array<std::uint32_t, 16>* tables) {
-  return tables[7][word & 15U] ^ tables[6][word >> 4U & 15U] ^ tables[5][word >> 8U & 15U] ^
-         tables[4][word >> 12U & 15U] ^ tables[3][word >> 16U & 15U] ^ tables[2][word >> 20U & 15U] ^
-         tables[1][word >> 24U & 15U] ^ tables[0][word >> 28U];
+// What a word does to the CRC when as many bits follow as the tables before `tables` stand for.
+template <std::size_t... k>
+std::uint32_t crc_of_word(std::uint32_t word, const CrcTable* tables, std::index_sequence<k...>) {
+  return (... ^ tables[kTablesOfWord - 1 - k][word >> (k * kBitsAtOnce) & kBitsMask]);
 }
 
-// Eight bytes at a time, whose look-ups do not wait for each other.
+// As many words at a time as the tables suffice for, whose look-ups do not wait for each other.
 std::uint32_t crc32(const std::byte* bytes, std::size_t size) {
   static constexpr CrcTables tables = crc_tables();
   std::uint32_t crc = 0xFFFFFFFFU;
-  for (; size >= 8; bytes += 8, size -= 8) {
-    std::uint32_t words[2];
+  std::uint32_t words[kCrcTables / kTablesOfWord];
+  for (; size >= sizeof words; bytes += sizeof words, size -= sizeof words) {
     std::memcpy(words, bytes, sizeof words);
-    crc = crc_of_word(crc ^ words[0], &tables[8]) ^ crc_of_word(words[1], &tables[0]);
+    words[0] ^= crc;
+    crc = 0;
+    const CrcTable* table = tables.data();
+    for (std::size_t i = std::size(words); i-- > 0; table += kTablesOfWord) {
+      crc ^= crc_of_word(words[i], table, std::make_index_sequence<kTablesOfWord>());
+    }
   }
   for (; size > 0; ++bytes, --size) {
     crc ^= static_cast<std::uint32_t>(*bytes);
-    crc = crc >> 4U ^ tables[0][crc & 15U];
-    crc = crc >> 4U ^ tables[0][crc & 15U];
+    for (std::uint32_t bit = 0; bit < 8; bit += kBitsAtOnce) crc = crc >> kBitsAtOnce ^ tables[0][crc & kBitsMask];
   }
   return crc ^ 0xFFFFFFFFU;
 }

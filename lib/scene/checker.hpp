@@ -51,19 +51,19 @@ class SceneChecker {
   bool bucket_pieces(const Scene& s, const CellSquares& cells);
   bool ascending(const Lists& lists, std::size_t buckets);
   bool longest(const std::uint32_t* offsets, std::size_t buckets, std::uint32_t most, std::uint32_t field);
-  // The lists of `rows(element)` and `columns(element, row)` must name the element, and no others.
-  template <class Rows, class Columns>
-  bool complete(const Lists& lists, const CellSquares& cells, Rows rows, Columns columns);
-  template <class Rows, class Columns>
-  static std::uint32_t misplaced(const Lists& lists, const CellSquares& cells, Rows rows, Columns columns);
+  // The lists of the cells in rows() and columns(row) of cells_of(element) must name the element, and no others.
+  template <class CellsOf>
+  bool complete(const Lists& lists, const CellSquares& cells, CellsOf cells_of);
+  template <class CellsOf>
+  static std::uint32_t misplaced(const Lists& lists, const CellSquares& cells, CellsOf cells_of);
   bool holds(const Lists& lists, std::size_t bucket, Index element);
 
   bool clearance(const Scene& s);
   bool clearance_steps(const Scene& s, const CellSquares& cells);
   bool clearance_to_bounds(const Scene& s, const CellSquares& cells);
   bool clearance_to_pieces(const Scene& s, const CellSquares& cells);
-  bool row_clear_of(const Scene& s, const CellSquares& cells, Polygon piece, std::int32_t row, const CellSpan& met,
-                    const CellSpan& columns);
+  bool row_clear_of(const Scene& s, const CellSquares& cells, const GridPolygon& piece, std::int32_t row,
+                    const CellSpan& met, const CellSpan& columns);
 
   const std::byte* bytes_;
   std::size_t size_;

@@ -9,32 +9,55 @@ namespace {
 using format::Header;
 using format::Section;
 
-struct Triangle {
-  Vec2 corners[3];
+// The cells that a triangle meets.
+class TriangleCells {
+ public:
+  TriangleCells(const CellSquares& cells, const Scene& scene, Index triangle)
+      : cells_(cells), triangle_(polygon(scene, triangle)) {}
 
-  Triangle(const Scene& scene, Index triangle)
-      : corners{scene.corner(triangle, 0), scene.corner(triangle, 1), scene.corner(triangle, 2)} {}
-  Polygon polygon() const { return {corners, 3}; }
+  CellSpan rows() const { return cells_.rows_between(triangle_.box.min.y, triangle_.box.max.y); }
+  CellSpan columns(std::int32_t row) const { return cells_.columns_of(triangle_, row); }
+
+ private:
+  static GridPolygon polygon(const Scene& scene, Index triangle) {
+    const Vec2 corners[] = {scene.corner(triangle, 0), scene.corner(triangle, 1), scene.corner(triangle, 2)};
+    return GridPolygon({corners, 3});
+  }
+
+  const CellSquares& cells_;
+  GridPolygon triangle_;
 };
 
-CellSpan columns_of(const CellSquares& cells, const Box& box) {
-  return cells.columns_between(to_grid(box.min.x), to_grid(box.max.x));
-}
-CellSpan rows_of(const CellSquares& cells, const Box& box) {
-  return cells.rows_between(to_grid(box.min.y), to_grid(box.max.y));
+// The cells that a box meets.
+class BoxCells {
+ public:
+  BoxCells(const CellSquares& cells, const Box& box)
+      : rows_(cells.rows_between(to_grid(box.min.y), to_grid(box.max.y))),
+        columns_(cells.columns_between(to_grid(box.min.x), to_grid(box.max.x))) {}
+
+  CellSpan rows() const { return rows_; }
+  CellSpan columns(std::int32_t) const { return columns_; }
+
+ private:
+  CellSpan rows_;
+  CellSpan columns_;
+};
+
+// Between two intervals.
+std::int64_t gap(std::int32_t low, std::int32_t high, std::int32_t other_low, std::int32_t other_high) {
+  if (high < other_low) return std::int64_t{other_low} - high;
+  return other_high < low ? std::int64_t{low} - other_high : 0;
 }
 
-std::int64_t gap(std::int32_t at, std::int32_t low, std::int32_t high) {
-  if (at < low) return std::int64_t{low} - at;
-  return at > high ? std::int64_t{at} - high : 0;
+bool box_within(const GridBox& box, const GridBox& square, std::int64_t reach) {
+  const std::int64_t dx = gap(box.min.x, box.max.x, square.min.x, square.max.x);
+  const std::int64_t dy = gap(box.min.y, box.max.y, square.min.y, square.max.y);
+  return dx * dx + dy * dy < reach * reach;
 }
 
-bool vertex_within(Polygon piece, const GridBox& square, std::int64_t reach) {
+bool vertex_within(const GridPolygon& piece, const GridBox& square, std::int64_t reach) {
   for (int i = 0; i < piece.count; ++i) {
-    const GridPoint p = to_grid(piece[i]);
-    const std::int64_t dx = gap(p.x, square.min.x, square.max.x);
-    const std::int64_t dy = gap(p.y, square.min.y, square.max.y);
-    if (dx * dx + dy * dy < reach * reach) return true;
+    if (box_within({piece[i], piece[i]}, square, reach)) return true;
   }
   return false;
 }
@@ -53,21 +76,22 @@ bool beside_within(GridPoint p, GridPoint from, GridPoint to, float reach) {
   return static_cast<float>(-area) * kRounding < reach * std::sqrt(static_cast<float>(square));
 }
 
-bool edge_within(Polygon piece, const GridBox& square, std::int32_t reach) {
-  const GridPoint corners[] = {square.min, {square.max.x, square.min.y}, square.max, {square.min.x, square.max.y}};
+// Asks each edge for the corner that is nearest to its line. Where two are, and only the other one is beside the edge,
+// one of the edge's ends is as near to the square.
+bool edge_within(const GridPolygon& piece, const GridBox& square, std::int32_t reach) {
   for (int i = 0; i < piece.count; ++i) {
-    const GridPoint from = to_grid(piece[i]);
-    const GridPoint to = to_grid(piece[(i + 1) % piece.count]);
-    for (const GridPoint corner : corners) {
-      if (beside_within(corner, from, to, static_cast<float>(reach))) return true;
-    }
+    const GridPoint from = piece[i];
+    const GridPoint to = piece.after(i);
+    const GridPoint corner{to.y < from.y ? square.max.x : square.min.x, to.x > from.x ? square.max.y : square.min.y};
+    if (beside_within(corner, from, to, static_cast<float>(reach))) return true;
   }
   return false;
 }
 
 // Whether a piece that does not meet the square comes nearer to it than `reach` grid steps.
-bool within(Polygon piece, const GridBox& square, std::int32_t reach) {
-  return vertex_within(piece, square, reach) || edge_within(piece, square, reach);
+bool within(const GridPolygon& piece, const GridBox& square, std::int32_t reach) {
+  return box_within(piece.box, square, reach) &&
+         (vertex_within(piece, square, reach) || edge_within(piece, square, reach));
 }
 
 std::uint8_t difference(std::uint8_t a, std::uint8_t b) {
@@ -122,32 +146,33 @@ struct Neighborhood {
 
 // Entries ascend, so none is there twice; if every element is found wherever it belongs and there are no more entries
 // than that, none is out of place.
-template <class Rows, class Columns>
-bool SceneChecker::complete(const Lists& lists, const CellSquares& cells, Rows rows, Columns columns) {
+template <class CellsOf>
+bool SceneChecker::complete(const Lists& lists, const CellSquares& cells, CellsOf cells_of) {
   std::uint64_t found = 0;
   for (Index element = 0; element < lists.elements; ++element) {
-    const CellSpan across = rows(element);
+    const auto met = cells_of(element);
+    const CellSpan across = met.rows();
     for (std::int32_t row = across.first; row <= across.last; ++row) {
-      const CellSpan along = columns(element, row);
+      const CellSpan along = met.columns(row);
       for (std::int32_t column = along.first; column <= along.last; ++column) {
         if (!holds(lists, cells.number(column, row), element)) return false;
       }
       found += along.count();
     }
   }
-  return found == lists.total || fail(lists.section, misplaced(lists, cells, rows, columns));
+  return found == lists.total || fail(lists.section, misplaced(lists, cells, cells_of));
 }
 
 // The first entry that stands where its element does not belong.
-template <class Rows, class Columns>
-std::uint32_t SceneChecker::misplaced(const Lists& lists, const CellSquares& cells, Rows rows, Columns columns) {
+template <class CellsOf>
+std::uint32_t SceneChecker::misplaced(const Lists& lists, const CellSquares& cells, CellsOf cells_of) {
   std::uint32_t entry = 0;
   std::size_t bucket = 0;
   for (std::int32_t row = 0; row < cells.rows(); ++row) {
     for (std::int32_t column = 0; column < cells.columns(); ++column, ++bucket) {
       for (; entry < lists.offsets[bucket + 1]; ++entry) {
-        const Index element = lists.entries[entry];
-        if (!rows(element).holds(row) || !columns(element, row).holds(column)) return entry;
+        const auto met = cells_of(lists.entries[entry]);
+        if (!met.rows().holds(row) || !met.columns(row).holds(column)) return entry;
       }
     }
   }
@@ -205,17 +230,15 @@ bool SceneChecker::buckets(const Scene& s) {
 bool SceneChecker::bucket_triangles(const Scene& s, const CellSquares& cells) {
   const Lists lists{Section::bucket_triangles, s.bucket_triangles_, s.bucket_triangle_offsets_,
                     s.header_.bucket_triangles, s.header_.triangles};
-  const auto rows = [&](Index t) { return cells.rows_of(Triangle(s, t).polygon()); };
-  const auto columns = [&](Index t, std::int32_t row) { return cells.columns_of(Triangle(s, t).polygon(), row); };
-  return ascending(lists, cells.number(0, cells.rows())) && complete(lists, cells, rows, columns);
+  return ascending(lists, cells.number(0, cells.rows())) &&
+         complete(lists, cells, [&](Index triangle) { return TriangleCells(cells, s, triangle); });
 }
 
 bool SceneChecker::bucket_pieces(const Scene& s, const CellSquares& cells) {
   const Lists lists{Section::bucket_pieces, s.bucket_pieces_, s.bucket_piece_offsets_, s.header_.bucket_pieces,
                     s.header_.pieces};
-  const auto rows = [&](Index p) { return rows_of(cells, s.piece_box(p)); };
-  const auto columns = [&](Index p, std::int32_t) { return columns_of(cells, s.piece_box(p)); };
-  return ascending(lists, cells.number(0, cells.rows())) && complete(lists, cells, rows, columns);
+  return ascending(lists, cells.number(0, cells.rows())) &&
+         complete(lists, cells, [&](Index piece) { return BoxCells(cells, s.piece_box(piece)); });
 }
 
 // No cell claims more than there is, by induction over the distance. Where the nearest obstacle or bound of a cell
@@ -267,8 +290,8 @@ bool SceneChecker::clearance_to_bounds(const Scene& s, const CellSquares& cells)
 
 bool SceneChecker::clearance_to_pieces(const Scene& s, const CellSquares& cells) {
   for (Index p = 0; p < s.header_.pieces; ++p) {
-    const Polygon piece = s.piece(p);
-    const CellSpan rows = cells.rows_of(piece);
+    const GridPolygon piece(s.piece(p));
+    const CellSpan rows = cells.rows_between(piece.box.min.y, piece.box.max.y);
     Neighborhood near{{}, {}, cells.columns_of(piece, rows.first)};
     for (std::int32_t row = rows.first - 1; row <= rows.last + 1; ++row) {
       if (row >= 0 && row < cells.rows() &&
@@ -282,7 +305,7 @@ bool SceneChecker::clearance_to_pieces(const Scene& s, const CellSquares& cells)
   return true;
 }
 
-bool SceneChecker::row_clear_of(const Scene& s, const CellSquares& cells, Polygon piece, std::int32_t row,
+bool SceneChecker::row_clear_of(const Scene& s, const CellSquares& cells, const GridPolygon& piece, std::int32_t row,
                                 const CellSpan& met, const CellSpan& columns) {
   const std::int32_t unit = cells.size() / format::kClearanceUnits;
   for (std::int32_t column = columns.first; column <= columns.last; ++column) {
