@@ -1,6 +1,6 @@
 #include "krait/math.hpp"
 
-#include "krait/lanes.hpp"
+#include "lanes/angles.hpp"
 
 namespace krait {
 namespace {
@@ -18,39 +18,11 @@ float atan_unit(float x) {
   return offset + p;
 }
 
-#ifdef KRAIT_LANES
-// The scalar sin_cos, operation by operation.
-SinCosOf<Lanes> sin_cos(Lanes x) {
-  constexpr float kShift = 8192.0F;
-  const IntLanes inside = x * x <= all_lanes(kMaxAngle * kMaxAngle);
-  x = inside ? x : all_lanes(0.0F);
-  const auto quadrant = __builtin_convertvector(x * 0.636619772367581F + all_lanes(kShift + 0.5F), IntLanes);
-  const Lanes n = __builtin_convertvector(quadrant, Lanes) - all_lanes(kShift);
-  const Lanes r = ((x - n * 1.5703125F) - n * 4.837512969970703125e-4F) - n * 7.54978995489188216e-8F;
-  const Lanes z = r * r;
-  const Lanes s = ((-1.9515295891e-4F * z + 8.3321608736e-3F) * z - 1.6666654611e-1F) * z * r + r;
-  const Lanes c =
-      ((2.443315711809948e-5F * z - 1.388731625493765e-3F) * z + 4.166664568298827e-2F) * z * z - 0.5F * z + 1.0F;
-  const IntLanes swap = (quadrant & 1) != 0;
-  const Lanes sine = swap ? c : s;
-  const Lanes cosine = swap ? s : c;
-  const Lanes nan = all_lanes(std::numeric_limits<float>::quiet_NaN());
-  const Lanes signed_sine = (quadrant & 2) != 0 ? -sine : sine;
-  const Lanes signed_cosine = ((quadrant + 1) & 2) != 0 ? -cosine : cosine;
-  return {inside ? signed_sine : nan, inside ? signed_cosine : nan};
-}
-#endif
-
 }  // namespace
 
 void turn_to(const float* angles, int count, Pose* frames) {
 #ifdef KRAIT_LANES
-  if (count >= kLanes) {
-    return for_each_block(count, [=](int first) {
-      const SinCosOf<Lanes> result = sin_cos(load_lanes(angles + first));
-      for (int lane = 0; lane < kLanes; ++lane) frames[first + lane].heading = {result.sin[lane], result.cos[lane]};
-    });
-  }
+  if (count >= lanes::kLeastAngles) return lanes::turn_frames(angles, count, frames);
 #endif
   for (int i = 0; i < count; ++i) frames[i].heading = sin_cos(angles[i]);
 }

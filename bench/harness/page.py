@@ -42,7 +42,7 @@ REASONS = """
 **Where a goal is missed, why.**
 - **`prior` with our pruning.** Portals that are too narrow for the robot are cut off before any search, so that nothing impassable is left to run into: what raised costs save in the paper, geometry saves here
   before the first expansion. Against [18] as published, which has to find out (`prior-unpruned`), the paper's comparison stands.
-- **`plain`** is the same search to the bit and shares what costs most: a proof of the whole step for every vertex, one sine and cosine a body, four lanes, few vertices. Searches of some hundred expansions leave full
+- **`plain`** is the same search to the bit and shares what costs most: a proof of the whole step for every vertex, one sine and cosine a body, lanes, few vertices. Searches of some hundred expansions leave full
   Dijkstra and weights little to lose.
 - **The fastest peer**, where it is nearest to `adaptive`, has our triangles, our pruning, our steering and our proofs.
 - **The floor** leaves out steps that are tried and refused, the paths' repairs, the plan's second drive before it is given out, and the check of the scene's bytes (the parts below).

@@ -1,7 +1,7 @@
 #include "krait/robot/chain.hpp"
 
-#include "krait/lanes.hpp"
 #include "krait/robot/box.hpp"
+#include "lanes/angles.hpp"
 
 namespace krait {
 namespace {
@@ -192,7 +192,7 @@ void Chain::Near::derivative(StateRef ds) const {
 
 void Chain::Near::derivative(StateView s, StateRef ds) const {
 #ifdef KRAIT_LANES
-  if (small_ && bodies_ > kLanes) return derivative_in_lanes(s, ds);
+  if (small_ && bodies_ > lanes::kLeastAngles) return derivative_in_lanes(s, ds);
 #endif
   small_ ? derivative(
                s, [](float x) { return small_sin_cos(x); }, ds)
@@ -222,21 +222,14 @@ void Chain::Near::derivative(StateView state, Turn turn, StateRef ds) const {
 }
 
 #ifdef KRAIT_LANES
-// The same for small changes, the hitch angles four at a time.
+// The same for small changes, several hitch angles at a time.
 void Chain::Near::derivative_in_lanes(StateView state, StateRef ds) const {
   const float* const s = state.data();
   float sines[kMaxTrailers];
   float cosines[kMaxTrailers];
-  for_each_block(bodies_ - 1, [&](int first) {
-    const int ahead = first == 0 ? 2 : 4 + first;
-    const Lanes own = load_lanes(s + 5 + first) - load_lanes(state_ + 5 + first);
-    const Lanes before{s[ahead] - state_[ahead], own[0], own[1], own[2]};
-    const SinCosOf<Lanes> turn = small_sin_cos(before - own);
-    const Lanes sine = load_lanes(hitch_sines_ + first);
-    const Lanes cosine = load_lanes(hitch_cosines_ + first);
-    store(sine * turn.cos + cosine * turn.sin, sines + first);
-    store(cosine * turn.cos - sine * turn.sin, cosines + first);
-  });
+  const float car_turn = s[2] - state_[2];
+  lanes::turn_hitches({bodies_ - 1, s + kCarState, state_ + kCarState, car_turn, hitch_sines_, hitch_cosines_}, sines,
+                      cosines);
   const auto turned_hitch = [&](int i) -> SinCos { return {sines[i - 1], cosines[i - 1]}; };
   turned_rates(
       s, [](float x) { return small_sin_cos(x); }, turned_hitch, ds.data());

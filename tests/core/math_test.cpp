@@ -9,8 +9,6 @@
 #include <random>
 #include <vector>
 
-#include "krait/lanes.hpp"
-
 namespace krait {
 namespace {
 
@@ -135,31 +133,6 @@ TEST(Math, SmallSineAndCosineWithin1p1e7) {
     ASSERT_LT(std::abs(wide(small_sin_cos(x).cos) - std::cos(wide(x))), 1.1e-7) << x;
   });
 }
-
-#ifdef KRAIT_LANES
-TEST(MathArrays, SmallSinesAndCosinesAreTheScalarOnesBitForBit) {
-  sweep(-kSmallAngle, kSmallAngle, 500'000, [](float x) {
-    const float angles[kLanes] = {x, -x, 0.5F * x, 0.0F};
-    const SinCosOf<Lanes> lanes = small_sin_cos(load_lanes(angles));
-    for (int i = 0; i < kLanes; ++i) {
-      ASSERT_EQ(bits(lanes.sin[i]), bits(small_sin_cos(angles[i]).sin)) << angles[i];
-      ASSERT_EQ(bits(lanes.cos[i]), bits(small_sin_cos(angles[i]).cos)) << angles[i];
-    }
-  });
-}
-
-TEST(Lanes, BlocksCoverEveryCountAndNoMore) {
-  for (int count = kLanes; count < 40; ++count) {
-    std::vector<int> covered(static_cast<std::size_t>(count), 0);
-    for_each_block(count, [&](int first) {
-      ASSERT_GE(first, 0);
-      ASSERT_LE(first + kLanes, count);
-      for (int i = first; i < first + kLanes; ++i) ++covered[static_cast<std::size_t>(i)];
-    });
-    for (const int times : covered) ASSERT_TRUE(times == 1 || times == 2) << count;
-  }
-}
-#endif
 
 TEST(Math, Atan2Within4e7OnEveryScale) {
   double worst = 0;

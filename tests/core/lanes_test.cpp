@@ -1,0 +1,149 @@
+// The code for four and for eight lanes against the scalar code, whichever of them the library takes on this machine.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include "lanes/kernels.hpp"
+
+#ifndef KRAIT_LANES
+
+TEST(Lanes, AreNotOfThisProcessor) { GTEST_SKIP() << "only the scalar code runs here"; }
+
+#else
+
+namespace krait::test {
+namespace {
+
+const float kNan = std::numeric_limits<float>::quiet_NaN();
+
+struct Way {
+  const char* name;
+  int least;  // angles
+  void (*turn_frames)(const float*, int, Pose*);
+  void (*turn_hitches)(const lanes::NearHitches&, float*, float*);
+};
+
+std::vector<Way> ways() {
+  std::vector<Way> found{{"four lanes", 4, lanes::turn_frames_by<4>, lanes::turn_hitches_by<4>},
+                         {"the library's choice", 4, lanes::turn_frames, lanes::turn_hitches}};
+#ifdef KRAIT_AVX2
+  if (__builtin_cpu_supports("avx2")) {
+    found.push_back({"eight lanes", 8, lanes::avx2::turn_frames, lanes::avx2::turn_hitches});
+  }
+#endif
+  return found;
+}
+
+std::uint32_t bits(float x) { return std::bit_cast<std::uint32_t>(x); }
+
+// Of NaN only that it is one: IEEE-754 leaves its bits open.
+bool same(float a, float b) { return a != a ? b != b : bits(a) == bits(b); }
+bool same(SinCos a, SinCos b) { return same(a.sin, b.sin) && same(a.cos, b.cos); }
+
+float uniform(std::mt19937& random, float most) {
+  return most * static_cast<float>(static_cast<double>(random()) / 2147483648.0 - 1.0);
+}
+
+std::vector<float> draw(std::mt19937& random, int count, float most) {
+  std::vector<float> drawn;
+  for (int i = 0; i < count; ++i) drawn.push_back(uniform(random, most));
+  return drawn;
+}
+
+void expect_frames_as_scalar(const Way& way, const std::vector<float>& angles) {
+  const Pose untouched{{5.0F, 6.0F}, {7.0F, 7.0F}};
+  std::vector<Pose> frames(angles.size() + 1, untouched);
+  way.turn_frames(angles.data(), static_cast<int>(angles.size()), frames.data());
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    ASSERT_TRUE(same(frames[i].heading, sin_cos(angles[i]))) << way.name << ": " << angles[i];
+    ASSERT_EQ(frames[i].position.x, 5.0F) << way.name;
+  }
+  ASSERT_EQ(frames.back().heading.sin, 7.0F) << way.name << " wrote beyond the last";
+}
+
+TEST(Lanes, FramesTurnAsByTheScalarCode) {
+  std::mt19937 random(3);
+  for (const Way& way : ways()) {
+    for (int count = way.least; count < 40; ++count) {
+      for (const float most : {1e-3F, 8.0F, kMaxAngle}) {
+        for (int trial = 0; trial < 50; ++trial) expect_frames_as_scalar(way, draw(random, count, most));
+      }
+    }
+  }
+}
+
+TEST(Lanes, AnAngleOutOfRangeTouchesNoOther) {
+  for (const Way& way : ways()) {
+    for (int count = way.least; count < 18; ++count) {
+      for (std::size_t place = 0; place < static_cast<std::size_t>(count); ++place) {
+        for (const float x : {kNan, kInfinity, -kInfinity, std::nextafter(kMaxAngle, 1e9F), -3e38F, -0.0F, 1e-40F}) {
+          std::vector<float> angles(static_cast<std::size_t>(count), 1.25F);
+          angles[place] = x;
+          expect_frames_as_scalar(way, angles);
+        }
+      }
+    }
+  }
+}
+
+TEST(Lanes, HitchesTurnAsByTheScalarCode) {
+  std::mt19937 random(4);
+  for (const Way& way : ways()) {
+    for (int trailers = way.least; trailers <= 25; ++trailers) {
+      const auto count = static_cast<std::size_t>(trailers);
+      for (int trial = 0; trial < 200; ++trial) {
+        const std::vector<float> known = draw(random, trailers + 1, 3.0F);  // one before, which is no heading
+        std::vector<float> headings;
+        for (const float heading : known) headings.push_back(heading + uniform(random, 0.5F * kSmallAngle));
+        const float car_turn = uniform(random, 0.5F * kSmallAngle);
+        std::vector<SinCos> hitches;
+        std::vector<float> known_sines, known_cosines;
+        for (const float hitch : draw(random, trailers, 1.5F)) {
+          hitches.push_back(sin_cos(hitch));
+          known_sines.push_back(hitches.back().sin);
+          known_cosines.push_back(hitches.back().cos);
+        }
+        std::vector<float> sines(count + 1, 7.0F), cosines(count + 1, 7.0F);
+        way.turn_hitches({trailers, &headings[1], &known[1], car_turn, known_sines.data(), known_cosines.data()},
+                         sines.data(), cosines.data());
+        float ahead = car_turn;
+        for (std::size_t i = 0; i < count; ++i) {
+          const float own = headings[i + 1] - known[i + 1];
+          const SinCos expected = hitches[i] + small_sin_cos(ahead - own);
+          ASSERT_TRUE(same({sines[i], cosines[i]}, expected)) << way.name << ": trailer " << i << " of " << count;
+          ahead = own;
+        }
+        ASSERT_EQ(sines[count], 7.0F) << way.name << " wrote beyond the last";
+        ASSERT_EQ(cosines[count], 7.0F) << way.name << " wrote beyond the last";
+      }
+    }
+  }
+}
+
+template <int n>
+void expect_blocks_cover() {
+  for (int count = n; count < 40; ++count) {
+    std::vector<int> covered(static_cast<std::size_t>(count), 0);
+    for_each_block<n>(count, [&](int first) {
+      ASSERT_GE(first, 0);
+      ASSERT_LE(first + n, count);
+      for (int i = first; i < first + n; ++i) ++covered[static_cast<std::size_t>(i)];
+    });
+    for (const int times : covered) ASSERT_TRUE(times == 1 || times == 2) << count;
+  }
+}
+
+TEST(Lanes, BlocksCoverEveryCountAndNoMore) {
+  expect_blocks_cover<4>();
+  expect_blocks_cover<8>();
+}
+
+}  // namespace
+}  // namespace krait::test
+
+#endif
