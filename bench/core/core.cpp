@@ -165,17 +165,33 @@ void steps_of_vertices(benchmark::State& state, const Workload& work) {
   }
 }
 
+// The frames at the beginning of every step that was tried, one step's after the other's.
+std::vector<Pose> frames_of_attempts(const Workload& work) {
+  std::vector<Pose> frames;
+  const int bodies = work.robot().body_count();
+  work.for_each_expansion([&](const Expansion& expansion) {
+    for (const Attempt& attempt : expansion.attempts) {
+      frames.resize(frames.size() + static_cast<std::size_t>(bodies));
+      work.robot().place(StateView(attempt.state.data(), work.robot().state_size()), &frames.back() + 1 - bodies);
+    }
+  });
+  return frames;
+}
+
 // The controller, for every step that was tried.
-void steer(benchmark::State& state, const Workload& work) {
+void steer_steps(benchmark::State& state, const Workload& work) {
+  const std::vector<Pose> frames = frames_of_attempts(work);
   float control[Snake::kMaxControl];
   const Snake& robot = work.robot();
   for (auto _ : state) {
+    const Pose* at = frames.data();
     work.for_each_expansion([&](const Expansion& expansion) {
       Steering steering;
       for (const Attempt& attempt : expansion.attempts) {
-        robot.steer(StateView(attempt.state.data(), robot.state_size()), expansion.target, steering,
-                    ControlRef(control, robot.control_size()));
+        steer(robot, StateView(attempt.state.data(), robot.state_size()), at, expansion.target, steering,
+              ControlRef(control, robot.control_size()));
         benchmark::DoNotOptimize(control);
+        at += robot.body_count();
       }
     });
   }
@@ -183,22 +199,15 @@ void steer(benchmark::State& state, const Workload& work) {
 
 // Runge-Kutta, for every step that was tried.
 void propagate_steps(benchmark::State& state, const Workload& work) {
-  std::vector<Pose> poses;
-  const int bodies = work.robot().body_count();
-  work.for_each_expansion([&](const Expansion& expansion) {
-    for (const Attempt& attempt : expansion.attempts) {
-      poses.resize(poses.size() + static_cast<std::size_t>(bodies));
-      work.robot().place(StateView(attempt.state.data(), work.robot().state_size()), &poses.back() + 1 - bodies);
-    }
-  });
+  const std::vector<Pose> frames = frames_of_attempts(work);
   float next[Snake::kMaxState];
   for (auto _ : state) {
-    const Pose* at = poses.data();
+    const Pose* at = frames.data();
     work.for_each_expansion([&](const Expansion& expansion) {
       for (const Attempt& attempt : expansion.attempts) {
         propagate(work.robot(), attempt.state.data(), at, attempt.control.data(), work.parameters().dt, next);
         benchmark::DoNotOptimize(next);
-        at += bodies;
+        at += work.robot().body_count();
       }
     });
   }
@@ -249,7 +258,7 @@ void register_all(Workload& work) {
   add("set_up", set_up);
   add("plan", plan);
   add("floor", steps_of_vertices);
-  add("steer", steer);
+  add("steer", steer_steps);
   add("propagate", propagate_steps);
   add("check", check_steps);
   add("shortest_paths", shortest_paths);

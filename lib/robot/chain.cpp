@@ -87,8 +87,13 @@ float Chain::steering_limit(StateView s, float heading_error, float speed) const
 }
 
 void Chain::steer(StateView s, const Target& target, Steering& steering, ControlRef u) const {
+  const Pose at{position(s), sin_cos(s[2])};
+  steer(s, &at, target, steering, u);
+}
+
+void Chain::steer(StateView s, const Pose* poses, const Target& target, Steering& steering, ControlRef u) const {
   const ChainParameters& p = parameters_;
-  const SinCos heading = sin_cos(s[2]);
+  const SinCos heading = poses[0].heading;
   const Vec2 to{target.point.x - s[0], target.point.y - s[1]};
   const Vec2 along{heading.cos, heading.sin};
   const bool backward = target.speed < 0.0F;

@@ -63,6 +63,27 @@ TYPED_TEST(RobotLimits, HoldUnderSteeringFromRandomStates) {
   }
 }
 
+// Bit for bit, whoever finds the frames.
+TYPED_TEST(RobotLimits, SteeringByTheFramesGivesTheSameControl) {
+  std::mt19937 random(2);
+  for (const TypeParam& robot : instances<TypeParam>()) {
+    for (int i = 0; i < 2000; ++i) {
+      const auto s = random_state(robot, random);
+      const StateView view(s.data(), robot.state_size());
+      std::vector<Pose> poses(static_cast<std::size_t>(robot.body_count()));
+      robot.place(view, poses.data());
+      Target target;
+      target.point = {uniform_float(random, -10, 10), uniform_float(random, -10, 10)};
+      target.speed = uniform_float(random, reversible(robot) ? -1.0F : 0.05F, 1);
+      Steering fresh[2];
+      std::vector<float> alone(2), framed(2);
+      robot.steer(view, target, fresh[0], ControlRef(alone.data(), 2));
+      steer(robot, view, poses.data(), target, fresh[1], ControlRef(framed.data(), 2));
+      ASSERT_EQ(alone, framed) << i;
+    }
+  }
+}
+
 TYPED_TEST(RobotLimits, RestIsInsideThem) {
   for (const TypeParam& robot : instances<TypeParam>()) {
     std::vector<float> s(static_cast<std::size_t>(robot.state_size()), kNan);

@@ -24,7 +24,7 @@ class Drive {
   // Finds the control at state(), whose bodies' frames are `poses`, and where it leads.
   void step(const Pose* poses) {
     const StateView state(states_[here_], robot_->state_size());
-    robot_->steer(state, target_, steering_, ControlRef(control_, robot_->control_size()));
+    steer(*robot_, state, poses, target_, steering_, ControlRef(control_, robot_->control_size()));
     propagate(*robot_, states_[here_], poses, control_, target_.dt, states_[1 - here_]);
   }
 

@@ -56,6 +56,7 @@ class Chain {
   void rest(Vec2 position, float heading, const float* angles, float* state) const;
 
   void steer(StateView s, const Target& target, Steering& steering, ControlRef u) const;
+  void steer(StateView s, const Pose* poses, const Target& target, Steering& steering, ControlRef u) const;
   bool within_limits(StateView s) const;
   void place(StateView s, Pose* poses) const;
   bool travel(StateView s, ControlView u, float dt, StateView next, Travel* travel) const;

@@ -57,6 +57,8 @@ struct Steering {
 //                                that nothing is jumped over between two states, whatever it gives: false when it is
 //                                not proven that the limits, which s and next keep, hold all the way
 // It may also have
+//   steer(s, poses, target, steering, u)
+//                                the same control to the bit, given the frames of s as well; used instead
 //   near(s, poses, u, dt)        given the frames of s, an object with derivative(ds), the dynamics at s under u, and
 //                                derivative(s', ds), those at a state s' that Runge-Kutta comes to in a step of dt:
 //                                derivative's values but for rounding, at less cost; used instead of it throughout
@@ -78,6 +80,16 @@ concept Robot = requires(const R& robot, StateView s, StateRef ds, ControlView u
   {robot.place(s, poses)};
   { robot.travel(s, u, dt, s, travel) } -> std::same_as<bool>;
 };
+
+// The control that steers s, whose frames are `poses`, toward the target.
+template <Robot R>
+void steer(const R& robot, StateView s, const Pose* poses, const Target& target, Steering& steering, ControlRef u) {
+  if constexpr (requires { robot.steer(s, poses, target, steering, u); }) {
+    robot.steer(s, poses, target, steering, u);
+  } else {
+    robot.steer(s, target, steering, u);
+  }
+}
 
 // How many of the state's first components move by themselves; a robot may say.
 template <Robot R>
