@@ -80,7 +80,7 @@ def solved_of(summary):
     text = f"{summary.solved} of {summary.runs}"
     if summary.unverified:
         text += f", {summary.unverified} not verified"
-    return text + (", given up" if summary.given_up else "")
+    return text + (", given up" if summary.given_up else "") + (" †" if summary.earlier else "")
 
 
 def _median(summary, name, digits=3):
@@ -146,6 +146,9 @@ def machine_section(results):
     )
     if len(builds) > 1:
         text += f" Measured in {len(results.sessions)} sessions, of the commits {', '.join(sorted(builds))}."
+    summaries = [results.summary(cell) for cell in experiments.cells_of("all")]
+    if any(summary and summary.earlier for summary in summaries):
+        text += " Rows with a † were measured before, perhaps on another machine; nothing is held against them."
     return text + "\n"
 
 
@@ -153,11 +156,11 @@ HOLDS = {True: "yes", False: "**no**", None: "open"}
 
 
 def claims_section(results):
-    found = claims(results)
+    found = claims(results.of_journal())
     if not found:
         return ""
     rows = [[claim.text, claim.found, HOLDS[claim.holds]] for claim in found]
-    note = "Where passages are too narrow, the named peer is the fastest of OMPL's on that scene.\n\n"
+    note = "Where passages are too narrow, the named peer is the fastest of those of OMPL's on that scene that were measured beside `adaptive`.\n\n"
     return "## Goals, and what was measured\n" + note + markdown(["goal", "measured", "holds"], rows) + REASONS
 
 

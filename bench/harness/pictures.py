@@ -117,4 +117,4 @@ def draw_all(results, folder):
     links_bars(results, folder / "links.svg")
     links_growth(results, folder / "links-growth.svg")
     scale_growth(results, folder / "scale-growth.svg")
-    success_over_time(results, folder / "success.svg")
+    success_over_time(results.of_journal(), folder / "success.svg")

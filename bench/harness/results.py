@@ -1,19 +1,32 @@
-"""What the journal says about finished cells, and their files: JSON, CSV."""
+"""What the journal says about finished cells, and an earlier table about others; their files: JSON, CSV."""
 
+import copy
 import csv
 import io
 import json
 
+from harness.cells import Cell
 from harness.parts import parts_of
-from harness.statistics import summarise
+from harness.statistics import MEDIANS, Figure, Summary, summarise
+
+FIGURES = ("mean", "median", "p90", "p99")
 
 
 class Results:
-    def __init__(self, journal):
+    """`table`: rows() of an earlier journal, perhaps another machine's, for cells that this one does not have."""
+
+    def __init__(self, journal, table=()):
         self._runs = {}
         self._cells = {}
-        for record in journal.of_kind("cell"):
+        self._commits = {}
+        self._table = {_cell_of(row).key: row for row in table}
+        commit = None
+        for record in journal.of_kind("session", "cell"):
+            if record["kind"] == "session":
+                commit = record["commit"]
+                continue
             self._cells[record["cell"]] = record
+            self._commits[record["cell"]] = commit
         for key, cell in self._cells.items():
             runs = journal.runs(key, cell["build"]) | {}
             self._runs[key] = [runs[trial] for trial in cell["trials"] if trial in runs]
@@ -30,15 +43,24 @@ class Results:
     def summary(self, cell):
         """None where the cell has not been measured."""
         record = self._cells.get(cell.key)
-        if not record or not self.runs(cell):
-            return None
-        return summarise(self.runs(cell), record["asked"], record["limit_s"], record["given_up"])
+        if record and self.runs(cell):
+            return summarise(self.runs(cell), record["asked"], record["limit_s"], record["given_up"])
+        row = self._table.get(cell.key)
+        return _summary_of(row) if row else None
+
+    def of_journal(self):
+        """Without the earlier table: what may be held against each other."""
+        alone = copy.copy(self)
+        alone._table = {}
+        return alone
 
     def rows(self, cells):
         """A flat dict a cell, of those that were measured."""
         return [self._row(cell, summary) for cell in cells if (summary := self.summary(cell))]
 
     def _row(self, cell, summary):
+        if summary.earlier:
+            return self._table[cell.key]
         row = {
             "problem": cell.problem,
             "robot": cell.robot,
@@ -51,14 +73,36 @@ class Results:
             "unverified": summary.unverified,
             "limit_s": summary.limit,
         }
-        for name in ("mean", "median", "p90", "p99"):
+        for name in FIGURES:
             figure = getattr(summary, name)
             row |= {f"{name}_s": figure.value, f"{name}_at_least": figure.at_least}
         row["deviation_s"] = summary.deviation
         row |= {f"{name}_median": value for name, value in summary.medians.items()}
         row["statuses"] = summary.statuses
         row["compile_s"] = self.compile_s.get(cell.problem)
+        row["commit"] = self._commits[cell.key]
         return row
+
+
+def _cell_of(row):
+    return Cell(row["problem"], row["robot"], row["planner"], tuple(row["settings"].split()))
+
+
+def _summary_of(row):
+    figures = {name: Figure(row[f"{name}_s"], row[f"{name}_at_least"]) for name in FIGURES}
+    return Summary(
+        runs=row["runs"],
+        asked=row["asked"],
+        given_up=row["given_up"],
+        solved=row["solved"],
+        unverified=row["unverified"],
+        limit=row["limit_s"],
+        deviation=row["deviation_s"],
+        statuses=row["statuses"],
+        medians={name: row[f"{name}_median"] for name in MEDIANS if f"{name}_median" in row},
+        earlier=True,
+        **figures,
+    )
 
 
 def to_json(rows):

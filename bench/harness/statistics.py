@@ -82,6 +82,7 @@ class Summary:
     p99: Figure
     statuses: dict[str, int]
     medians: dict[str, float]  # over the solved runs: vertices, collision_checks, plan_duration_s, plan_length_m
+    earlier: bool = False  # known from an earlier table only, perhaps of another machine
 
     @property
     def success(self):

@@ -28,7 +28,7 @@ from harness.pool import Pool  # noqa: E402
 from harness.problems import Problem, movingai_queries, roomiest_heading  # noqa: E402
 from harness.progress import Progress  # noqa: E402
 from harness.protocol import Protocol, measure  # noqa: E402
-from harness.results import Results, to_csv  # noqa: E402
+from harness.results import Results, to_csv, to_json  # noqa: E402
 from harness.statistics import Figure, deviation, mean, quantile, rounded, summarise, times, trimmed  # noqa: E402
 from harness.stop import Stop, Stopped  # noqa: E402
 from harness.worker import BadInput, Worker, timing_cores  # noqa: E402
@@ -213,6 +213,28 @@ class JournalFile(unittest.TestCase):
         self.assertEqual((summary.runs, summary.given_up), (2, True))
         self.assertIsNone(Results(journal).summary(Cell("comb", "snake:15", "adaptive")))
         self.assertIn("rooms,snake:15,adaptive", to_csv(Results(journal).rows([cell])))
+        journal.close()
+
+    def test_results_know_what_is_not_in_the_journal_from_an_earlier_table(self):
+        measured, earlier = (Cell(scene, "snake:15", "adaptive") for scene in ("rooms", "gates"))
+        journal = Journal(self.path)
+        journal.append({"kind": "session", "commit": "abc"})
+        for trial, cell in enumerate((measured, earlier), 1):
+            journal.append(self.record(trial, **{"time_s": 0.5 * trial}) | {"cell": cell.key, "vertices": 7})
+            finished = {"kind": "cell", "cell": cell.key, "build": "b", "limit_s": LIMIT, "asked": 1}
+            journal.append(finished | {"given_up": False, "trials": [trial]})
+        table = json.loads(to_json(Results(journal).rows([measured, earlier])))
+        self.assertEqual({row["commit"] for row in table}, {"abc"})
+        table[0]["median_s"] = 99.0  # the journal knows better
+        journal.records = [record for record in journal.records if record.get("cell") != earlier.key]
+        results = Results(journal, table)
+        self.assertEqual(results.summary(measured).median, Figure(0.5))
+        self.assertFalse(results.summary(measured).earlier)
+        self.assertEqual(results.summary(earlier).median, Figure(1.0))
+        self.assertEqual(results.summary(earlier).medians, {"vertices": 7})
+        self.assertTrue(results.summary(earlier).earlier)
+        self.assertEqual(results.rows([earlier]), [table[1]])
+        self.assertIsNone(results.of_journal().summary(earlier))
         journal.close()
 
 
