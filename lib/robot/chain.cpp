@@ -1,5 +1,6 @@
 #include "krait/robot/chain.hpp"
 
+#include "krait/motion/rk4.hpp"
 #include "krait/robot/box.hpp"
 #include "lanes/angles.hpp"
 
@@ -34,6 +35,9 @@ float least_cosine(float x) {
 int bodies_of(const StateView& s) { return static_cast<int>(s.size()) + 1 - Chain::kCarState; }
 
 bool positive(float x) { return x > 0.0F && finite(x); }
+
+// Rarely wanted, so not inlined.
+[[gnu::noinline]] SinCos any_sin_cos(float angle) { return sin_cos(angle); }
 
 }  // namespace
 
@@ -140,10 +144,9 @@ void Chain::place(StateView s, Pose* poses) const {
   }
 }
 
-// The rates of a state of so many bodies; hitch(i) gives the hitch angle before trailer i, once each in order.
-template <class Hitch>
-void Chain::rates(const float* s, int bodies, const float* u, SinCos heading, SinCos steering, Hitch hitch,
-                  float* ds) const {
+// The rates of the car; gives the pull on the first trailer, its speed by the hitch's length. A trailer turns at the
+// pull on it times the sine of the hitch angle before it, and pulls on by as much of it as the cosine leaves.
+float Chain::car_rates(const float* s, const float* u, SinCos heading, SinCos steering, float* ds) const {
   const float v = s[3];
   const float axle_speed = v * steering.cos;
   ds[0] = axle_speed * heading.cos;
@@ -151,17 +154,17 @@ void Chain::rates(const float* s, int bodies, const float* u, SinCos heading, Si
   ds[2] = v * steering.sin / parameters_.wheelbase;
   ds[3] = u[0];
   ds[4] = u[1];
-  float pull = (slip_ ? v : axle_speed) / parameters_.hitch_length;
-  for (int i = 1; i < bodies; ++i) {
-    const SinCos angle = hitch(i);
-    ds[4 + i] = pull * angle.sin;
-    pull = pull * angle.cos;
-  }
+  return (slip_ ? v : axle_speed) / parameters_.hitch_length;
 }
 
 void Chain::derivative(StateView s, ControlView u, StateRef ds) const {
-  const auto hitch = [s](int i) { return sin_cos((i == 1 ? s[2] : s[3 + i]) - s[4 + i]); };
-  rates(s.data(), bodies_of(s), u.data(), sin_cos(s[2]), sin_cos(s[4]), hitch, ds.data());
+  const int bodies = bodies_of(s);
+  float pull = car_rates(s.data(), u.data(), sin_cos(s[2]), sin_cos(s[4]), ds.data());
+  for (int i = 1; i < bodies; ++i) {
+    const SinCos hitch = sin_cos((i == 1 ? s[2] : s[3 + i]) - s[4 + i]);
+    ds[4 + i] = pull * hitch.sin;
+    pull = pull * hitch.cos;
+  }
 }
 
 // Whether no angle of the dynamics changes by more than kSmallAngle. A hitch angle does at most at
@@ -175,71 +178,150 @@ bool Chain::changes_little(StateView s, ControlView u, float dt) const {
   return 1.42F * reach <= kSmallAngle && turn + reach <= kSmallAngle && dt * absolute(u[1]) <= kSmallAngle;
 }
 
-Chain::Near::Near(const Chain& chain, StateView s, const Pose* poses, ControlView u, float dt)
-    : chain_(&chain),
-      state_(s.data()),
-      bodies_(bodies_of(s)),
-      control_(u.data()),
-      small_(chain.changes_little(s, u, dt)),
-      heading_(poses[0].heading),
-      steering_(sin_cos(s[4])) {
-  for (int i = 1; i < bodies_; ++i) {
-    const SinCos angle = poses[i - 1].heading - poses[i].heading;
-    hitch_sines_[i - 1] = angle.sin;
-    hitch_cosines_[i - 1] = angle.cos;
+// A Runge-Kutta step from a state whose frames are known: turning a known sine and cosine by the little that the angle
+// changes costs less than finding new ones.
+class Chain::Integration {
+ public:
+  Integration(const Chain& chain, StateView s, const Pose* poses, ControlView u, float dt)
+      : chain_(chain),
+        s_(s),
+        bodies_(bodies_of(s)),
+        poses_(poses),
+        u_(u.data()),
+        dt_(dt),
+        half_(0.5F * dt),
+        sixth_(dt / 6.0F),
+        little_(chain.changes_little(s, u, dt)),
+        heading_(poses[0].heading),
+        steering_(sin_cos(s[4])) {}
+
+  // Writes what the step adds to the state.
+  void operator()(float* d) const {
+#ifdef KRAIT_LANES
+    if (little_ && bodies_ > lanes::kLeastAngles) return by_stages(d);
+#endif
+    by_bodies(d);
   }
-}
 
-void Chain::Near::derivative(StateRef ds) const {
-  chain_->rates(
-      state_, bodies_, control_, heading_, steering_, [this](int i) { return hitch(i); }, ds.data());
-}
+ private:
+  static constexpr int kStages = 4;
 
-void Chain::Near::derivative(StateView s, StateRef ds) const {
-#ifdef KRAIT_LANES
-  if (small_ && bodies_ > lanes::kLeastAngles) return derivative_in_lanes(s, ds);
-#endif
-  small_ ? derivative(
-               s, [](float x) { return small_sin_cos(x); }, ds)
-         : derivative(
-               s, [](float x) { return sin_cos(x); }, ds);
-}
-
-// hitch(i) gives the hitch angle before trailer i, once each in order.
-template <class Turn, class Hitch>
-void Chain::Near::turned_rates(const float* s, Turn turn, Hitch hitch, float* ds) const {
-  const SinCos heading = heading_ + turn(s[2] - state_[2]);
-  const SinCos steering = steering_ + turn(s[4] - state_[4]);
-  chain_->rates(s, bodies_, control_, heading, steering, hitch, ds);
-}
-
-template <class Turn>
-void Chain::Near::derivative(StateView state, Turn turn, StateRef ds) const {
-  const float* const s = state.data();
-  float ahead = s[2] - state_[2];
-  const auto turned_hitch = [&](int i) {
-    const float own = s[4 + i] - state_[4 + i];
-    const float change = ahead - own;
-    ahead = own;
-    return hitch(i) + turn(change);
+  // What a trailer must know of the body ahead of it, by stage.
+  struct Ahead {
+    float turn[kStages];  // radians, since the step began
+    float pull[kStages];  // radians a second: its speed along itself, by the hitch's length
   };
-  turned_rates(s, turn, turned_hitch, ds.data());
-}
+
+  // All stages of a body before the next body: a trailer depends on what is ahead of it only.
+  void by_bodies(float* d) const {
+    Ahead ahead;
+    car(ahead, d);
+    little_ ? trailers<true>(ahead, d) : trailers<false>(ahead, d);
+  }
 
 #ifdef KRAIT_LANES
-// The same for small changes, several hitch angles at a time.
-void Chain::Near::derivative_in_lanes(StateView state, StateRef ds) const {
-  const float* const s = state.data();
-  float sines[kMaxTrailers];
-  float cosines[kMaxTrailers];
-  const float car_turn = s[2] - state_[2];
-  lanes::turn_hitches({bodies_ - 1, s + kCarState, state_ + kCarState, car_turn, hitch_sines_, hitch_cosines_}, sines,
-                      cosines);
-  const auto turned_hitch = [&](int i) -> SinCos { return {sines[i - 1], cosines[i - 1]}; };
-  turned_rates(
-      s, [](float x) { return small_sin_cos(x); }, turned_hitch, ds.data());
-}
+  // The same bits, several trailers at a time, all of them before the next stage. For little changes.
+  void by_stages(float* d) const {
+    float sines[kMaxTrailers];  // of the known hitch angles
+    float cosines[kMaxTrailers];
+    for (int k = 1; k < bodies_; ++k) {
+      const SinCos hitch = known_hitch(k);
+      sines[k - 1] = hitch.sin;
+      cosines[k - 1] = hitch.cos;
+    }
+    const auto rates_here = [&](StateRef ds) {
+      const float pull = chain_.car_rates(s_.data(), u_, heading_, steering_, ds.data());
+      trailer_rates(pull, sines, cosines, ds);
+    };
+    const auto rates_at = [&](StateView s, StateRef ds) {
+      const float car_turn = s[2] - s_[2];
+      float turned_sines[kMaxTrailers];
+      float turned_cosines[kMaxTrailers];
+      lanes::turn_hitches({bodies_ - 1, s.data() + kCarState, s_.data() + kCarState, car_turn, sines, cosines},
+                          turned_sines, turned_cosines);
+      trailer_rates(car_rates_at(s.data(), ds.data()), turned_sines, turned_cosines, ds);
+    };
+    integrate_by_stages<kMaxState>(s_, dt_, rates_here, rates_at, d);
+  }
 #endif
+
+  template <bool little>
+  static SinCos turn(float angle) {
+    return little ? small_sin_cos(angle) : any_sin_cos(angle);
+  }
+  SinCos turn(float angle) const { return little_ ? turn<true>(angle) : turn<false>(angle); }
+  SinCos known_hitch(int k) const { return poses_[k - 1].heading - poses_[k].heading; }
+  float until(int stage) const { return stage == kStages - 1 ? dt_ : half_; }
+  float increment(float rate, float second, float third, float fourth) const {
+    return sixth_ * ((rate + fourth) + 2.0F * (second + third));
+  }
+
+  float car_rates_at(const float* s, float* ds) const {
+    const SinCos heading = heading_ + turn(s[2] - s_[2]);
+    return chain_.car_rates(s, u_, heading, steering_ + turn(s[4] - s_[4]), ds);
+  }
+
+  void car(Ahead& ahead, float* d) const {
+    float ds[kStages][kCarState];
+    ahead.turn[0] = 0.0F;
+    ahead.pull[0] = chain_.car_rates(s_.data(), u_, heading_, steering_, ds[0]);
+    for (int stage = 1; stage < kStages; ++stage) {
+      float s[kCarState];
+      for (int i = 0; i < kCarState; ++i) s[i] = s_[i] + until(stage) * ds[stage - 1][i];
+      ahead.turn[stage] = s[2] - s_[2];
+      ahead.pull[stage] = car_rates_at(s, ds[stage]);
+    }
+    for (int i = 0; i < kCarState; ++i) d[i] = increment(ds[0][i], ds[1][i], ds[2][i], ds[3][i]);
+  }
+
+  template <bool little>
+  void trailers(Ahead& ahead, float* d) const {
+    for (int k = 1; k < bodies_; ++k) {
+      const SinCos known = known_hitch(k);
+      const float heading = s_[4 + k];
+      const float first = ahead.pull[0] * known.sin;
+      ahead.pull[0] = ahead.pull[0] * known.cos;
+      // Gives the trailer's rate, and makes it what is ahead of the next.
+      const auto stage = [&](int i, float rate) __attribute__((always_inline)) {
+        const float own = (heading + until(i) * rate) - heading;
+        const SinCos hitch = known + turn<little>(ahead.turn[i] - own);
+        ahead.turn[i] = own;
+        const float pull = ahead.pull[i];
+        ahead.pull[i] = pull * hitch.cos;
+        return pull * hitch.sin;
+      };
+      const float second = stage(1, first);
+      const float third = stage(2, second);
+      d[4 + k] = increment(first, second, third, stage(3, third));
+    }
+  }
+
+#ifdef KRAIT_LANES
+  // By the sines and cosines of the hitch angles.
+  void trailer_rates(float pull, const float* sines, const float* cosines, StateRef& ds) const {
+    for (int k = 1; k < bodies_; ++k) {
+      ds[4 + k] = pull * sines[k - 1];
+      pull = pull * cosines[k - 1];
+    }
+  }
+#endif
+
+  const Chain& chain_;
+  StateView s_;
+  int bodies_;
+  const Pose* poses_;
+  const float* u_;
+  float dt_;
+  float half_;
+  float sixth_;
+  bool little_;  // whether no angle changes by more than kSmallAngle
+  SinCos heading_;
+  SinCos steering_;
+};
+
+void Chain::integrate(StateView s, const Pose* poses, ControlView u, float dt, float* d) const {
+  Integration(*this, s, poses, u, dt)(d);
+}
 
 // v and psi are linear in time, at most v^ and psi^. The car goes v^ dt and turns v^ psi^ dt / L. A truck's axles go
 // v^ dt. A snake's axle moves with v P e_i - v (1 - cos psi) e_0, where P is the product of the hitch angles' cosines

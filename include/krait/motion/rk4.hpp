@@ -5,53 +5,46 @@
 
 namespace krait {
 
-// What a robot says of its dynamics during a step from `state`, whose frames are `poses`; itself where it says nothing.
-template <Robot R>
-class Dynamics {
- public:
-  Dynamics(const R& robot, StateView state, ControlView u) : robot_(&robot), state_(state), control_(u) {}
-  void derivative(StateRef ds) const { robot_->derivative(state_, control_, ds); }
-  void derivative(StateView s, StateRef ds) const { robot_->derivative(s, control_, ds); }
-
- private:
-  const R* robot_;
-  StateView state_;
-  ControlView control_;
-};
-
-template <Robot R>
-auto dynamics_near(const R& robot, StateView state, const Pose* poses, ControlView u, float dt) {
-  if constexpr (requires { robot.near(state, poses, u, dt); }) {
-    return robot.near(state, poses, u, dt);
-  } else {
-    return Dynamics<R>(robot, state, u);
+// What dt seconds add to a state by the rates there and at three states that they lead to: d, as many floats as the
+// state has, of which kSize is no less. rates_here(ds) gives those at the state, rates_at(s, ds) those at another.
+template <int kSize, class RatesHere, class RatesAt>
+void integrate_by_stages(StateView state, float dt, RatesHere rates_here, RatesAt rates_at, float* d) {
+  const int n = static_cast<int>(state.size());
+  float k1[kSize];
+  float k23[kSize];
+  float k[kSize];
+  float middle[kSize];
+  const float half = 0.5F * dt;
+  rates_here(StateRef(k1, n));
+  for (int i = 0; i < n; ++i) middle[i] = state[i] + half * k1[i];
+  const StateView at(middle, n);
+  rates_at(at, StateRef(k23, n));
+  for (int i = 0; i < n; ++i) middle[i] = state[i] + half * k23[i];
+  rates_at(at, StateRef(k, n));
+  for (int i = 0; i < n; ++i) {
+    middle[i] = state[i] + dt * k[i];
+    k23[i] = k23[i] + k[i];
   }
+  rates_at(at, StateRef(k, n));
+  const float sixth = dt / 6.0F;
+  for (int i = 0; i < n; ++i) d[i] = sixth * ((k1[i] + k[i]) + 2.0F * k23[i]);
 }
 
 // What dt seconds add to a state, whose bodies' frames are `poses`, or to its leading components: calls
 // add(i, increment) for every one. Four derivatives.
 template <Robot R, class Add>
 void runge_kutta(const R& robot, StateView state, const Pose* poses, const float* control, float dt, Add add) {
-  const int n = static_cast<int>(state.size());
-  float k1[R::kMaxState];
-  float k23[R::kMaxState];
-  float k[R::kMaxState];
-  float middle[R::kMaxState];
-  const auto dynamics = dynamics_near(robot, state, poses, ControlView(control, robot.control_size()), dt);
-  const float half = 0.5F * dt;
-  dynamics.derivative(StateRef(k1, n));
-  for (int i = 0; i < n; ++i) middle[i] = state[i] + half * k1[i];
-  const StateView at(middle, n);
-  dynamics.derivative(at, StateRef(k23, n));
-  for (int i = 0; i < n; ++i) middle[i] = state[i] + half * k23[i];
-  dynamics.derivative(at, StateRef(k, n));
-  for (int i = 0; i < n; ++i) {
-    middle[i] = state[i] + dt * k[i];
-    k23[i] = k23[i] + k[i];
+  const ControlView u(control, robot.control_size());
+  float d[R::kMaxState];
+  if constexpr (requires { robot.integrate(state, poses, u, dt, d); }) {
+    robot.integrate(state, poses, u, dt, d);
+  } else {
+    const auto rates = [&](StateView s, StateRef ds) { robot.derivative(s, u, ds); };
+    integrate_by_stages<R::kMaxState>(
+        state, dt, [&](StateRef ds) { rates(state, ds); }, rates, d);
   }
-  dynamics.derivative(at, StateRef(k, n));
-  const float sixth = dt / 6.0F;
-  for (int i = 0; i < n; ++i) add(i, sixth * ((k1[i] + k[i]) + 2.0F * k23[i]));
+  const int n = static_cast<int>(state.size());
+  for (int i = 0; i < n; ++i) add(i, d[i]);
 }
 
 // next = the state after dt seconds; `next` may not overlap `state`.

@@ -66,41 +66,15 @@ class Chain {
   // they slip, else with v cos psi.
   void derivative(StateView s, ControlView u, StateRef ds) const;
 
-  // The dynamics near a state whose frames are known: angles change little in a step, and turning what is known by a
-  // little costs less than a sine. The chain, the state and the control must outlive it.
-  class Near {
-   public:
-    Near(const Chain& chain, StateView s, const Pose* poses, ControlView u, float dt);
-    void derivative(StateRef ds) const;
-    void derivative(StateView s, StateRef ds) const;
-
-   private:
-    template <class Turn>
-    void derivative(StateView s, Turn turn, StateRef ds) const;
-    void derivative_in_lanes(StateView s, StateRef ds) const;
-    template <class Turn, class Hitch>
-    void turned_rates(const float* s, Turn turn, Hitch hitch, float* ds) const;
-    SinCos hitch(int i) const { return {hitch_sines_[i - 1], hitch_cosines_[i - 1]}; }
-
-    const Chain* chain_;
-    const float* state_;
-    int bodies_;
-    const float* control_;
-    bool small_;  // whether no angle changes by more than kSmallAngle
-    SinCos heading_;
-    SinCos steering_;
-    float hitch_sines_[kMaxTrailers];  // of the angle before trailer i, at i - 1
-    float hitch_cosines_[kMaxTrailers];
-  };
-  Near near(StateView s, const Pose* poses, ControlView u, float dt) const { return {*this, s, poses, u, dt}; }
+  void integrate(StateView s, const Pose* poses, ControlView u, float dt, float* d) const;
 
  private:
-  template <class Hitch>
-  void rates(const float* s, int bodies, const float* u, SinCos heading, SinCos steering, Hitch hitch, float* ds) const;
+  class Integration;
   struct Body {
     Vec2 vertices[format::kMaxPieceVertices] = {};
     int count = 0;
   };
+  float car_rates(const float* s, const float* u, SinCos heading, SinCos steering, float* ds) const;
   bool changes_little(StateView s, ControlView u, float dt) const;
   float separation(float hitch, float spread) const;
   float steering_limit(StateView s, float heading_error, float speed) const;

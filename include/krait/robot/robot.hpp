@@ -59,11 +59,13 @@ struct Steering {
 // It may also have
 //   steer(s, poses, target, steering, u)
 //                                the same control to the bit, given the frames of s as well; used instead
-//   near(s, poses, u, dt)        given the frames of s, an object with derivative(ds), the dynamics at s under u, and
-//                                derivative(s', ds), those at a state s' that Runge-Kutta comes to in a step of dt:
-//                                derivative's values but for rounding, at less cost; used instead of it throughout
+//   integrate(s, poses, u, dt, d)
+//                                given the frames of s, writes to d, as many floats as s has, what a Runge-Kutta step
+//                                of dt under u adds to s: that by derivative but for rounding, at less cost; used
+//                                instead of derivative throughout
 //   leading_size()               how many of the first components, the position among them, depend on no others; place,
-//                                derivative and near then also take states of so many, and place writes body 0 only
+//                                derivative and integrate then also take states of so many, and place writes body 0
+//                                only
 template <class R>
 concept Robot = requires(const R& robot, StateView s, StateRef ds, ControlView u, ControlRef control,
                          Steering& steering, const Target& target, Pose* poses, Travel* travel, float dt, int k) {
