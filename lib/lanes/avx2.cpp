@@ -1,6 +1,7 @@
 // Compiled for AVX2 as no other file is: nothing here runs before the processor was asked.
 #include "lanes/kernels.hpp"
 
+#ifdef KRAIT_AVX2
 namespace krait::lanes::avx2 {
 
 void turn_frames(const float* angles, int count, Pose* frames) { turn_frames_by<kLeastAngles>(angles, count, frames); }
@@ -10,3 +11,4 @@ void turn_hitches(const NearHitches& near, float* sines, float* cosines) {
 }
 
 }  // namespace krait::lanes::avx2
+#endif

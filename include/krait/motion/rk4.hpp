@@ -13,7 +13,7 @@ void integrate_by_stages(StateView state, float dt, RatesHere rates_here, RatesA
   float k1[kSize];
   float k23[kSize];
   float k[kSize];
-  float middle[kSize];
+  float middle[kSize] = {};  // for compilers that doubt that n is above 0
   const float half = 0.5F * dt;
   rates_here(StateRef(k1, n));
   for (int i = 0; i < n; ++i) middle[i] = state[i] + half * k1[i];
