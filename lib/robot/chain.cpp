@@ -36,6 +36,17 @@ int bodies_of(const StateView& s) { return static_cast<int>(s.size()) + 1 - Chai
 
 bool positive(float x) { return x > 0.0F && finite(x); }
 
+// Of a chain by the pull on its first trailer; hitch(k) gives the hitch angle before trailer k. A trailer turns at the
+// pull on it times the angle's sine, and pulls on by as much of it as the cosine leaves.
+template <class Hitch>
+void trailer_rates(float pull, int bodies, const Hitch& hitch, float* ds) {
+  for (int k = 1; k < bodies; ++k) {
+    const SinCos angle = hitch(k);
+    ds[4 + k] = pull * angle.sin;
+    pull = pull * angle.cos;
+  }
+}
+
 // Rarely wanted, so not inlined.
 [[gnu::noinline]] SinCos any_sin_cos(float angle) { return sin_cos(angle); }
 
@@ -144,8 +155,7 @@ void Chain::place(StateView s, Pose* poses) const {
   }
 }
 
-// The rates of the car; gives the pull on the first trailer, its speed by the hitch's length. A trailer turns at the
-// pull on it times the sine of the hitch angle before it, and pulls on by as much of it as the cosine leaves.
+// The rates of the car; gives the pull on the first trailer, its speed by the hitch's length.
 float Chain::car_rates(const float* s, const float* u, SinCos heading, SinCos steering, float* ds) const {
   const float v = s[3];
   const float axle_speed = v * steering.cos;
@@ -158,13 +168,9 @@ float Chain::car_rates(const float* s, const float* u, SinCos heading, SinCos st
 }
 
 void Chain::derivative(StateView s, ControlView u, StateRef ds) const {
-  const int bodies = bodies_of(s);
-  float pull = car_rates(s.data(), u.data(), sin_cos(s[2]), sin_cos(s[4]), ds.data());
-  for (int i = 1; i < bodies; ++i) {
-    const SinCos hitch = sin_cos((i == 1 ? s[2] : s[3 + i]) - s[4 + i]);
-    ds[4 + i] = pull * hitch.sin;
-    pull = pull * hitch.cos;
-  }
+  const float pull = car_rates(s.data(), u.data(), sin_cos(s[2]), sin_cos(s[4]), ds.data());
+  const auto hitch = [s](int k) { return sin_cos((k == 1 ? s[2] : s[3 + k]) - s[4 + k]); };
+  trailer_rates(pull, bodies_of(s), hitch, ds.data());
 }
 
 // Whether no angle of the dynamics changes by more than kSmallAngle. A hitch angle does at most at
@@ -220,26 +226,30 @@ class Chain::Integration {
   }
 
 #ifdef KRAIT_LANES
+  struct Hitches {
+    float sines[kMaxTrailers];
+    float cosines[kMaxTrailers];
+    SinCos operator()(int k) const { return {sines[k - 1], cosines[k - 1]}; }
+  };
+
   // The same bits, several trailers at a time, all of them before the next stage. For little changes.
   void by_stages(float* d) const {
-    float sines[kMaxTrailers];  // of the known hitch angles
-    float cosines[kMaxTrailers];
+    Hitches known;
     for (int k = 1; k < bodies_; ++k) {
       const SinCos hitch = known_hitch(k);
-      sines[k - 1] = hitch.sin;
-      cosines[k - 1] = hitch.cos;
+      known.sines[k - 1] = hitch.sin;
+      known.cosines[k - 1] = hitch.cos;
     }
     const auto rates_here = [&](StateRef ds) {
       const float pull = chain_.car_rates(s_.data(), u_, heading_, steering_, ds.data());
-      trailer_rates(pull, sines, cosines, ds);
+      trailer_rates(pull, bodies_, known, ds.data());
     };
     const auto rates_at = [&](StateView s, StateRef ds) {
-      const float car_turn = s[2] - s_[2];
-      float turned_sines[kMaxTrailers];
-      float turned_cosines[kMaxTrailers];
-      lanes::turn_hitches({bodies_ - 1, s.data() + kCarState, s_.data() + kCarState, car_turn, sines, cosines},
-                          turned_sines, turned_cosines);
-      trailer_rates(car_rates_at(s.data(), ds.data()), turned_sines, turned_cosines, ds);
+      Hitches turned;
+      lanes::turn_hitches(
+          {bodies_ - 1, s.data() + kCarState, s_.data() + kCarState, s[2] - s_[2], known.sines, known.cosines},
+          turned.sines, turned.cosines);
+      trailer_rates(car_rates_at(s.data(), ds.data()), bodies_, turned, ds.data());
     };
     integrate_by_stages<kMaxState>(s_, dt_, rates_here, rates_at, d);
   }
@@ -295,16 +305,6 @@ class Chain::Integration {
       d[4 + k] = increment(first, second, third, stage(3, third));
     }
   }
-
-#ifdef KRAIT_LANES
-  // By the sines and cosines of the hitch angles.
-  void trailer_rates(float pull, const float* sines, const float* cosines, StateRef& ds) const {
-    for (int k = 1; k < bodies_; ++k) {
-      ds[4 + k] = pull * sines[k - 1];
-      pull = pull * cosines[k - 1];
-    }
-  }
-#endif
 
   const Chain& chain_;
   StateView s_;
