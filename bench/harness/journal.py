@@ -67,9 +67,9 @@ class Journal:
             os.fsync(self._file.fileno())
             self.records.append(record)
 
-    def of_kind(self, *kinds):
+    def of_kind(self, kind):
         with self._lock:
-            return [record for record in self.records if record["kind"] in kinds]
+            return [record for record in self.records if record["kind"] == kind]
 
     def runs(self, key, build):
         """A cell's runs of one build (of any, where build is None) by trial; the last one of each trial counts."""

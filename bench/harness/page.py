@@ -148,7 +148,7 @@ def machine_section(results):
         text += f" Measured in {len(results.sessions)} sessions, of the commits {', '.join(sorted(builds))}."
     summaries = [results.summary(cell) for cell in experiments.cells_of("all")]
     if any(summary and summary.earlier for summary in summaries):
-        text += " Rows with a † were measured before, perhaps on another machine; nothing is held against them."
+        text += " Rows with a †, which the pictures of links and scale show like the others, were measured before, perhaps on another machine; no goal is held against them."
     return text + "\n"
 
 

@@ -18,15 +18,9 @@ class Results:
     def __init__(self, journal, table=()):
         self._runs = {}
         self._cells = {}
-        self._commits = {}
         self._table = {_cell_of(row).key: row for row in table}
-        commit = None
-        for record in journal.of_kind("session", "cell"):
-            if record["kind"] == "session":
-                commit = record["commit"]
-                continue
+        for record in journal.of_kind("cell"):
             self._cells[record["cell"]] = record
-            self._commits[record["cell"]] = commit
         for key, cell in self._cells.items():
             runs = journal.runs(key, cell["build"]) | {}
             self._runs[key] = [runs[trial] for trial in cell["trials"] if trial in runs]
@@ -80,7 +74,7 @@ class Results:
         row |= {f"{name}_median": value for name, value in summary.medians.items()}
         row["statuses"] = summary.statuses
         row["compile_s"] = self.compile_s.get(cell.problem)
-        row["commit"] = self._commits[cell.key]
+        row["commit"] = self._cells[cell.key].get("commit")
         return row
 
 

@@ -31,7 +31,9 @@ class Session:
         self._problems = {}
         self._runs = {}  # by cell
         self._pool = Pool(cores)
-        journal.append({"kind": "session", **machine.describe(cores), "protocol": asdict(protocol)})
+        described = machine.describe(cores)
+        self._commit = described["commit"]
+        journal.append({"kind": "session", **described, "protocol": asdict(protocol)})
         self.files.mkdir(parents=True, exist_ok=True)
         problems.write_robots(self.files)
 
@@ -101,7 +103,8 @@ class Session:
     def _finish(self, cell, runs, asked, limit, build):
         given_up = len(runs) < asked
         trials = [run["trial"] for run in runs]
-        record = {"kind": "cell", "cell": cell.key, "build": build, "limit_s": limit, "asked": asked}
+        record = {"kind": "cell", "cell": cell.key, "build": build, "commit": self._commit}
+        record |= {"limit_s": limit, "asked": asked}
         self.journal.append(record | {"given_up": given_up, "trials": trials})
         summary = summarise(runs, asked, limit, given_up)
         note = f"{summary.solved} of {summary.runs} solved, median {summary.median.shown()} s"

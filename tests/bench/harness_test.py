@@ -218,10 +218,9 @@ class JournalFile(unittest.TestCase):
     def test_results_know_what_is_not_in_the_journal_from_an_earlier_table(self):
         measured, earlier = (Cell(scene, "snake:15", "adaptive") for scene in ("rooms", "gates"))
         journal = Journal(self.path)
-        journal.append({"kind": "session", "commit": "abc"})
         for trial, cell in enumerate((measured, earlier), 1):
             journal.append(self.record(trial, **{"time_s": 0.5 * trial}) | {"cell": cell.key, "vertices": 7})
-            finished = {"kind": "cell", "cell": cell.key, "build": "b", "limit_s": LIMIT, "asked": 1}
+            finished = {"kind": "cell", "cell": cell.key, "build": "b", "limit_s": LIMIT, "asked": 1, "commit": "abc"}
             journal.append(finished | {"given_up": False, "trials": [trial]})
         table = json.loads(to_json(Results(journal).rows([measured, earlier])))
         self.assertEqual({row["commit"] for row in table}, {"abc"})
@@ -342,7 +341,7 @@ class Sessions(unittest.TestCase):
         for where, name, stand_in in (
             (session, "BIN", self.folder),
             (session.problems, "prepare", self.prepare),
-            (session.machine, "describe", lambda cores: {"pinned_to_cores": cores}),
+            (session.machine, "describe", lambda cores: {"pinned_to_cores": cores, "commit": "abc"}),
         ):
             patch = mock.patch.object(where, name, stand_in)
             patch.start()
