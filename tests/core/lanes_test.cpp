@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "draws.hpp"
 #include "lanes/kernels.hpp"
 
 #ifndef KRAIT_LANES
@@ -45,13 +46,12 @@ std::uint32_t bits(float x) { return std::bit_cast<std::uint32_t>(x); }
 bool same(float a, float b) { return a != a ? b != b : bits(a) == bits(b); }
 bool same(SinCos a, SinCos b) { return same(a.sin, b.sin) && same(a.cos, b.cos); }
 
-float uniform(std::mt19937& random, float most) {
-  return most * static_cast<float>(static_cast<double>(random()) / 2147483648.0 - 1.0);
-}
+// Two of them differ by no more than kSmallAngle.
+float half_of_small(std::mt19937& random) { return uniform_float(random, -0.35, 0.35); }
 
-std::vector<float> draw(std::mt19937& random, int count, float most) {
+std::vector<float> draw(std::mt19937& random, int count, double most) {
   std::vector<float> drawn;
-  for (int i = 0; i < count; ++i) drawn.push_back(uniform(random, most));
+  for (int i = 0; i < count; ++i) drawn.push_back(uniform_float(random, -most, most));
   return drawn;
 }
 
@@ -70,7 +70,7 @@ TEST(Lanes, FramesTurnAsByTheScalarCode) {
   std::mt19937 random(3);
   for (const Way& way : ways()) {
     for (int count = way.least; count < 40; ++count) {
-      for (const float most : {1e-3F, 8.0F, kMaxAngle}) {
+      for (const double most : {1e-3, 8.0, double{kMaxAngle}}) {
         for (int trial = 0; trial < 50; ++trial) expect_frames_as_scalar(way, draw(random, count, most));
       }
     }
@@ -97,13 +97,13 @@ TEST(Lanes, HitchesTurnAsByTheScalarCode) {
     for (int trailers = way.least; trailers <= 25; ++trailers) {
       const auto count = static_cast<std::size_t>(trailers);
       for (int trial = 0; trial < 200; ++trial) {
-        const std::vector<float> known = draw(random, trailers + 1, 3.0F);  // one before, which is no heading
+        const std::vector<float> known = draw(random, trailers + 1, 3.0);  // one before, which is no heading
         std::vector<float> headings;
-        for (const float heading : known) headings.push_back(heading + uniform(random, 0.5F * kSmallAngle));
-        const float car_turn = uniform(random, 0.5F * kSmallAngle);
+        for (const float heading : known) headings.push_back(heading + half_of_small(random));
+        const float car_turn = half_of_small(random);
         std::vector<SinCos> hitches;
         std::vector<float> known_sines, known_cosines;
-        for (const float hitch : draw(random, trailers, 1.5F)) {
+        for (const float hitch : draw(random, trailers, 1.5)) {
           hitches.push_back(sin_cos(hitch));
           known_sines.push_back(hitches.back().sin);
           known_cosines.push_back(hitches.back().cos);
