@@ -14,14 +14,16 @@ constexpr std::uint32_t kMaxCount = 1U << 27U;  // of any element: keeps every p
 constexpr double kMaxOrigin = 1e9;
 constexpr std::size_t kCrcStart = 16;
 
-// So many bits are looked up at once, in 16 tables: they take 16 KB for whole bytes, 1 KB for half ones.
+// So many bits are looked up at once, in so many tables: whole bytes of four words take 16 KB, half ones of one 512
+// bytes.
 #if defined(__OPTIMIZE_SIZE__) || UINTPTR_MAX < UINT64_MAX
 constexpr std::uint32_t kBitsAtOnce = 4;
+constexpr std::size_t kCrcTables = 8;
 #else
 constexpr std::uint32_t kBitsAtOnce = 8;
+constexpr std::size_t kCrcTables = 16;
 #endif
 constexpr std::uint32_t kBitsMask = (1U << kBitsAtOnce) - 1;
-constexpr std::size_t kCrcTables = 16;
 constexpr std::size_t kTablesOfWord = 32 / kBitsAtOnce;
 
 // [k][n]: what the bits n do to the CRC when k as many follow them.
