@@ -62,7 +62,8 @@ class PlanCursor {
   void step() {
     Pose poses[R::kMaxBodies];
     robot_->place(StateView(drive_.state(), state_size()), poses);
-    drive_.step(poses);
+    drive_.lead(poses);
+    drive_.follow(poses);
   }
 
   const R* robot_;

@@ -11,11 +11,9 @@ inline constexpr int kLeastAngles = 4;
 
 // The trailers of a chain in a state near one whose hitch angles are known.
 struct NearHitches {
-  int count;                    // of trailers, at least kLeastAngles
-  const float* headings;        // radians; the float before them is read as well
-  const float* known_headings;  // likewise
-  float car_turn;               // by how much the car's heading differs from the known one
-  const float* known_sines;     // of the hitch angles before the trailers
+  int count;                 // of trailers, at least kLeastAngles
+  const float* turned;       // radians, count + 1: by how much the car's heading differs, then the trailers'
+  const float* known_sines;  // of the hitch angles before the trailers
   const float* known_cosines;
 };
 

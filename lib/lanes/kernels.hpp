@@ -43,12 +43,8 @@ void turn_frames_by(const float* angles, int count, Pose* frames) {
 template <int n>
 void turn_hitches_by(const NearHitches& near, float* sines, float* cosines) {
   for_each_block<n>(near.count, [=](int first) {
-    const float* const headings = near.headings + first;
-    const float* const known = near.known_headings + first;
-    const Lanes<n> own = load_lanes<n>(headings) - load_lanes<n>(known);
-    Lanes<n> ahead = load_lanes<n>(headings - 1) - load_lanes<n>(known - 1);
-    if (first == 0) ahead[0] = near.car_turn;
-    const SinCosOf<Lanes<n>> turn = small_sin_cos(ahead - own);
+    const float* const turned = near.turned + first;
+    const SinCosOf<Lanes<n>> turn = small_sin_cos(load_lanes<n>(turned) - load_lanes<n>(turned + 1));
     const Lanes<n> sine = load_lanes<n>(near.known_sines + first);
     const Lanes<n> cosine = load_lanes<n>(near.known_cosines + first);
     store_lanes(sine * turn.cos + cosine * turn.sin, sines + first);

@@ -1,6 +1,5 @@
 #include "krait/robot/chain.hpp"
 
-#include "krait/motion/rk4.hpp"
 #include "krait/robot/box.hpp"
 #include "lanes/angles.hpp"
 
@@ -36,19 +35,86 @@ int bodies_of(const StateView& s) { return static_cast<int>(s.size()) + 1 - Chai
 
 bool positive(float x) { return x > 0.0F && finite(x); }
 
-// Of a chain by the pull on its first trailer; hitch(k) gives the hitch angle before trailer k. A trailer turns at the
-// pull on it times the angle's sine, and pulls on by as much of it as the cosine leaves.
+// Rarely wanted, so not inlined.
+[[gnu::noinline]] SinCos any_sin_cos(float angle) { return sin_cos(angle); }
+
+// Of trailers by the pull on the first; hitch(k) gives the hitch angle before trailer k. A trailer turns at the pull on
+// it times the angle's sine, and pulls on by as much of it as the cosine leaves.
 template <class Hitch>
-void trailer_rates(float pull, int bodies, const Hitch& hitch, float* ds) {
-  for (int k = 1; k < bodies; ++k) {
+void trailer_rates(float pull, int trailers, const Hitch& hitch, float* ds) {
+  for (int k = 0; k < trailers; ++k) {
     const SinCos angle = hitch(k);
-    ds[4 + k] = pull * angle.sin;
+    ds[k] = pull * angle.sin;
     pull = pull * angle.cos;
   }
 }
 
-// Rarely wanted, so not inlined.
-[[gnu::noinline]] SinCos any_sin_cos(float angle) { return sin_cos(angle); }
+constexpr int kStages = Chain::Lead::kStages;
+
+// How far into a step of dt the rates of a stage hold, and what all of them add.
+float until(int stage, float dt) { return stage == kStages - 1 ? dt : 0.5F * dt; }
+float increment(float first, float second, float third, float fourth, float dt) {
+  return dt / 6.0F * ((first + fourth) + 2.0F * (second + third));
+}
+
+SinCos known_hitch(const Pose* poses, int k) { return poses[k].heading - poses[k + 1].heading; }
+
+// How trailers turn, all stages of one before the next: each depends on what is ahead of it only. `little` is ahead's.
+template <bool little>
+void integrate_by_bodies(const float* headings, int trailers, const Pose* poses, float dt, Chain::Lead ahead,
+                         float* turns) {
+  for (int k = 0; k < trailers; ++k) {
+    const SinCos known = known_hitch(poses, k);
+    const float heading = headings[k];
+    const float first = ahead.pull[0] * known.sin;
+    ahead.pull[0] = ahead.pull[0] * known.cos;
+    // Gives the trailer's rate, and makes it what is ahead of the next.
+    const auto stage = [&](int i, float rate) __attribute__((always_inline)) {
+      const float own = (heading + until(i, dt) * rate) - heading;
+      const float change = ahead.turn[i] - own;
+      const SinCos hitch = known + (little ? small_sin_cos(change) : any_sin_cos(change));
+      ahead.turn[i] = own;
+      const float pull = ahead.pull[i];
+      ahead.pull[i] = pull * hitch.cos;
+      return pull * hitch.sin;
+    };
+    const float second = stage(1, first);
+    const float third = stage(2, second);
+    turns[k] = increment(first, second, third, stage(3, third), dt);
+  }
+}
+
+#ifdef KRAIT_LANES
+struct Hitches {
+  float sines[kMaxTrailers];
+  float cosines[kMaxTrailers];
+  SinCos operator()(int k) const { return {sines[k], cosines[k]}; }
+};
+
+// The same bits, several trailers at a time, all of them before the next stage. For little changes.
+void integrate_by_stages(const float* headings, int trailers, const Pose* poses, float dt, const Chain::Lead& lead,
+                         float* turns) {
+  Hitches known;
+  for (int k = 0; k < trailers; ++k) {
+    const SinCos hitch = known_hitch(poses, k);
+    known.sines[k] = hitch.sin;
+    known.cosines[k] = hitch.cos;
+  }
+  float rates[kStages][kMaxTrailers];
+  trailer_rates(lead.pull[0], trailers, known, rates[0]);
+  for (int stage = 1; stage < kStages; ++stage) {
+    float turned[1 + kMaxTrailers];
+    turned[0] = lead.turn[stage];
+    for (int k = 0; k < trailers; ++k) {
+      turned[1 + k] = (headings[k] + until(stage, dt) * rates[stage - 1][k]) - headings[k];
+    }
+    Hitches hitches;
+    lanes::turn_hitches({trailers, turned, known.sines, known.cosines}, hitches.sines, hitches.cosines);
+    trailer_rates(lead.pull[stage], trailers, hitches, rates[stage]);
+  }
+  for (int k = 0; k < trailers; ++k) turns[k] = increment(rates[0][k], rates[1][k], rates[2][k], rates[3][k], dt);
+}
+#endif
 
 }  // namespace
 
@@ -169,14 +235,14 @@ float Chain::car_rates(const float* s, const float* u, SinCos heading, SinCos st
 
 void Chain::derivative(StateView s, ControlView u, StateRef ds) const {
   const float pull = car_rates(s.data(), u.data(), sin_cos(s[2]), sin_cos(s[4]), ds.data());
-  const auto hitch = [s](int k) { return sin_cos((k == 1 ? s[2] : s[3 + k]) - s[4 + k]); };
-  trailer_rates(pull, bodies_of(s), hitch, ds.data());
+  const auto hitch = [s](int k) { return sin_cos((k == 0 ? s[2] : s[4 + k]) - s[5 + k]); };
+  trailer_rates(pull, bodies_of(s) - 1, hitch, ds.data() + kCarState);
 }
 
 // Whether no angle of the dynamics changes by more than kSmallAngle. A hitch angle does at most at
 // (s / d) |sin a - cos a sin b| <= sqrt(2) s / d, a and b two in a row; the first, ahead of which the car turns, at
 // most as fast as that turns and s / d.
-bool Chain::changes_little(StateView s, ControlView u, float dt) const {
+bool Chain::changes_little(const float* s, const float* u, float dt) const {
   const float way = dt * largest(s[3], u[0], dt);
   const float steering = largest(s[4], u[1], dt);
   const float turn = way * (steering < 1.0F ? steering : 1.0F) / parameters_.wheelbase;
@@ -184,143 +250,38 @@ bool Chain::changes_little(StateView s, ControlView u, float dt) const {
   return 1.42F * reach <= kSmallAngle && turn + reach <= kSmallAngle && dt * absolute(u[1]) <= kSmallAngle;
 }
 
-// A Runge-Kutta step from a state whose frames are known: turning a known sine and cosine by the little that the angle
-// changes costs less than finding new ones.
-class Chain::Integration {
- public:
-  Integration(const Chain& chain, StateView s, const Pose* poses, ControlView u, float dt)
-      : chain_(chain),
-        s_(s),
-        bodies_(bodies_of(s)),
-        poses_(poses),
-        u_(u.data()),
-        dt_(dt),
-        half_(0.5F * dt),
-        sixth_(dt / 6.0F),
-        little_(chain.changes_little(s, u, dt)),
-        heading_(poses[0].heading),
-        steering_(sin_cos(s[4])) {}
-
-  // Writes what the step adds to the state.
-  void operator()(float* d) const {
-#ifdef KRAIT_LANES
-    if (little_ && bodies_ > lanes::kLeastAngles) return by_stages(d);
-#endif
-    by_bodies(d);
+// From known frames: turning a known sine and cosine by the little that the angle changes costs less than finding new
+// ones.
+void Chain::integrate_lead(StateView s, const Pose* poses, ControlView u, float dt, Lead& lead, float* d) const {
+  const SinCos heading = poses[0].heading;
+  const SinCos steering = sin_cos(s[4]);
+  const bool little = changes_little(s.data(), u.data(), dt);
+  lead.little = little;
+  const auto turn = [little](float angle) { return little ? small_sin_cos(angle) : any_sin_cos(angle); };
+  float ds[kStages][kCarState];
+  lead.turn[0] = 0.0F;
+  lead.pull[0] = car_rates(s.data(), u.data(), heading, steering, ds[0]);
+  for (int stage = 1; stage < kStages; ++stage) {
+    float at[kCarState];
+    for (int i = 0; i < kCarState; ++i) at[i] = s[i] + until(stage, dt) * ds[stage - 1][i];
+    lead.turn[stage] = at[2] - s[2];
+    lead.pull[stage] =
+        car_rates(at, u.data(), heading + turn(lead.turn[stage]), steering + turn(at[4] - s[4]), ds[stage]);
   }
+  for (int i = 0; i < kCarState; ++i) d[i] = increment(ds[0][i], ds[1][i], ds[2][i], ds[3][i], dt);
+}
 
- private:
-  static constexpr int kStages = 4;
-
-  // What a trailer must know of the body ahead of it, by stage.
-  struct Ahead {
-    float turn[kStages];  // radians, since the step began
-    float pull[kStages];  // radians a second: its speed along itself, by the hitch's length
-  };
-
-  // All stages of a body before the next body: a trailer depends on what is ahead of it only.
-  void by_bodies(float* d) const {
-    Ahead ahead;
-    car(ahead, d);
-    little_ ? trailers<true>(ahead, d) : trailers<false>(ahead, d);
-  }
-
+void Chain::integrate_rest(StateView s, const Pose* poses, float dt, const Lead& lead, float* d) const {
+  const int trailers = bodies_of(s) - 1;
+  const float* const headings = s.data() + kCarState;
+  float* const turns = d + kCarState;
 #ifdef KRAIT_LANES
-  struct Hitches {
-    float sines[kMaxTrailers];
-    float cosines[kMaxTrailers];
-    SinCos operator()(int k) const { return {sines[k - 1], cosines[k - 1]}; }
-  };
-
-  // The same bits, several trailers at a time, all of them before the next stage. For little changes.
-  void by_stages(float* d) const {
-    Hitches known;
-    for (int k = 1; k < bodies_; ++k) {
-      const SinCos hitch = known_hitch(k);
-      known.sines[k - 1] = hitch.sin;
-      known.cosines[k - 1] = hitch.cos;
-    }
-    const auto rates_here = [&](StateRef ds) {
-      const float pull = chain_.car_rates(s_.data(), u_, heading_, steering_, ds.data());
-      trailer_rates(pull, bodies_, known, ds.data());
-    };
-    const auto rates_at = [&](StateView s, StateRef ds) {
-      Hitches turned;
-      lanes::turn_hitches(
-          {bodies_ - 1, s.data() + kCarState, s_.data() + kCarState, s[2] - s_[2], known.sines, known.cosines},
-          turned.sines, turned.cosines);
-      trailer_rates(car_rates_at(s.data(), ds.data()), bodies_, turned, ds.data());
-    };
-    integrate_by_stages<kMaxState>(s_, dt_, rates_here, rates_at, d);
+  if (lead.little && trailers >= lanes::kLeastAngles) {
+    return integrate_by_stages(headings, trailers, poses, dt, lead, turns);
   }
 #endif
-
-  template <bool little>
-  static SinCos turn(float angle) {
-    return little ? small_sin_cos(angle) : any_sin_cos(angle);
-  }
-  SinCos turn(float angle) const { return little_ ? turn<true>(angle) : turn<false>(angle); }
-  SinCos known_hitch(int k) const { return poses_[k - 1].heading - poses_[k].heading; }
-  float until(int stage) const { return stage == kStages - 1 ? dt_ : half_; }
-  float increment(float rate, float second, float third, float fourth) const {
-    return sixth_ * ((rate + fourth) + 2.0F * (second + third));
-  }
-
-  float car_rates_at(const float* s, float* ds) const {
-    const SinCos heading = heading_ + turn(s[2] - s_[2]);
-    return chain_.car_rates(s, u_, heading, steering_ + turn(s[4] - s_[4]), ds);
-  }
-
-  void car(Ahead& ahead, float* d) const {
-    float ds[kStages][kCarState];
-    ahead.turn[0] = 0.0F;
-    ahead.pull[0] = chain_.car_rates(s_.data(), u_, heading_, steering_, ds[0]);
-    for (int stage = 1; stage < kStages; ++stage) {
-      float s[kCarState];
-      for (int i = 0; i < kCarState; ++i) s[i] = s_[i] + until(stage) * ds[stage - 1][i];
-      ahead.turn[stage] = s[2] - s_[2];
-      ahead.pull[stage] = car_rates_at(s, ds[stage]);
-    }
-    for (int i = 0; i < kCarState; ++i) d[i] = increment(ds[0][i], ds[1][i], ds[2][i], ds[3][i]);
-  }
-
-  template <bool little>
-  void trailers(Ahead& ahead, float* d) const {
-    for (int k = 1; k < bodies_; ++k) {
-      const SinCos known = known_hitch(k);
-      const float heading = s_[4 + k];
-      const float first = ahead.pull[0] * known.sin;
-      ahead.pull[0] = ahead.pull[0] * known.cos;
-      // Gives the trailer's rate, and makes it what is ahead of the next.
-      const auto stage = [&](int i, float rate) __attribute__((always_inline)) {
-        const float own = (heading + until(i) * rate) - heading;
-        const SinCos hitch = known + turn<little>(ahead.turn[i] - own);
-        ahead.turn[i] = own;
-        const float pull = ahead.pull[i];
-        ahead.pull[i] = pull * hitch.cos;
-        return pull * hitch.sin;
-      };
-      const float second = stage(1, first);
-      const float third = stage(2, second);
-      d[4 + k] = increment(first, second, third, stage(3, third));
-    }
-  }
-
-  const Chain& chain_;
-  StateView s_;
-  int bodies_;
-  const Pose* poses_;
-  const float* u_;
-  float dt_;
-  float half_;
-  float sixth_;
-  bool little_;  // whether no angle changes by more than kSmallAngle
-  SinCos heading_;
-  SinCos steering_;
-};
-
-void Chain::integrate(StateView s, const Pose* poses, ControlView u, float dt, float* d) const {
-  Integration(*this, s, poses, u, dt)(d);
+  lead.little ? integrate_by_bodies<true>(headings, trailers, poses, dt, lead, turns)
+              : integrate_by_bodies<false>(headings, trailers, poses, dt, lead, turns);
 }
 
 // v and psi are linear in time, at most v^ and psi^. The car goes v^ dt and turns v^ psi^ dt / L. A truck's axles go

@@ -97,10 +97,8 @@ TEST(Lanes, HitchesTurnAsByTheScalarCode) {
     for (int trailers = way.least; trailers <= 25; ++trailers) {
       const auto count = static_cast<std::size_t>(trailers);
       for (int trial = 0; trial < 200; ++trial) {
-        const std::vector<float> known = draw(random, trailers + 1, 3.0);  // one before, which is no heading
-        std::vector<float> headings;
-        for (const float heading : known) headings.push_back(heading + half_of_small(random));
-        const float car_turn = half_of_small(random);
+        std::vector<float> turned;
+        for (int i = 0; i <= trailers; ++i) turned.push_back(half_of_small(random));
         std::vector<SinCos> hitches;
         std::vector<float> known_sines, known_cosines;
         for (const float hitch : draw(random, trailers, 1.5)) {
@@ -109,14 +107,11 @@ TEST(Lanes, HitchesTurnAsByTheScalarCode) {
           known_cosines.push_back(hitches.back().cos);
         }
         std::vector<float> sines(count + 1, 7.0F), cosines(count + 1, 7.0F);
-        way.turn_hitches({trailers, &headings[1], &known[1], car_turn, known_sines.data(), known_cosines.data()},
-                         sines.data(), cosines.data());
-        float ahead = car_turn;
+        way.turn_hitches({trailers, turned.data(), known_sines.data(), known_cosines.data()}, sines.data(),
+                         cosines.data());
         for (std::size_t i = 0; i < count; ++i) {
-          const float own = headings[i + 1] - known[i + 1];
-          const SinCos expected = hitches[i] + small_sin_cos(ahead - own);
+          const SinCos expected = hitches[i] + small_sin_cos(turned[i] - turned[i + 1]);
           ASSERT_TRUE(same({sines[i], cosines[i]}, expected)) << way.name << ": trailer " << i << " of " << count;
-          ahead = own;
         }
         ASSERT_EQ(sines[count], 7.0F) << way.name << " wrote beyond the last";
         ASSERT_EQ(cosines[count], 7.0F) << way.name << " wrote beyond the last";

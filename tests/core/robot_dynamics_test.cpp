@@ -68,7 +68,10 @@ TYPED_TEST(RobotDynamics, TheFrontOfAChainMovesByItself) {
         robot.place(StateView(s.data(), robot.state_size()), poses);
         const auto moved = [&](int size) {
           std::vector<float> d(static_cast<std::size_t>(size));
-          robot.integrate(StateView(s.data(), size), poses, ControlView(u.data(), 2), dt, d.data());
+          const StateView front(s.data(), size);
+          Chain::Lead lead;
+          robot.integrate_lead(front, poses, ControlView(u.data(), 2), dt, lead, d.data());
+          robot.integrate_rest(front, poses, dt, lead, d.data());
           return d;
         };
         const std::vector<float> whole = moved(robot.state_size());

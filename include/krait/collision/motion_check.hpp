@@ -49,6 +49,21 @@ class MotionCheck {
     return R::kMaxBodies == 1 || bodies_ <= gap_ || still_apart();
   }
 
+  // Whether body 0 keeps the margin at the end of the step to be asked next, of which `next` has only the leading
+  // components: where it does not, the step is not free, and the rest need not be found.
+  bool lead_free(const float* state, const float* next) {
+    if constexpr (LeadingRobot<R>) {
+      if (bodies_ == 1 || !shortcuts_) return true;
+      if (left().circle_room[0] > length(Vec2{next[0], next[1]} - Vec2{state[0], state[1]})) return true;
+      robot_->place(StateView(next, robot_->leading_size()), right().poses);
+      find_room(right(), 0);
+      if (clear(right(), 0)) return true;
+      ++checks_;
+      return false;
+    }
+    return true;
+  }
+
   // Whether the robot's limits are proven to hold throughout the step, whose ends keep them.
   bool keeps_limits(const float* state, const float* control, float dt, const float* next) {
     return bound({state, control, dt, next});
@@ -134,16 +149,19 @@ class MotionCheck {
   void place(const float* state, Placement& placement) {
     robot_->place(StateView(state, robot_->state_size()), placement.poses);
     ++checks_;
-    const ClearanceGrid clearance = obstacles_.clearance();
-    const bool centered = centered_;
     SinCos headings{};  // sums: NaN where one is
     for (int k = 0; k < bodies_; ++k) {
-      const Pose& pose = placement.poses[k];
-      headings = {headings.sin + pose.heading.sin, headings.cos + pose.heading.cos};
-      const float room = clearance.at(centered ? pose.position : center(placement, k)) - needed_[k];
-      placement.circle_room[k] = room > 0.0F ? room : -kInfinity;
+      const SinCos heading = placement.poses[k].heading;
+      headings = {headings.sin + heading.sin, headings.cos + heading.cos};
+      find_room(placement, k);
     }
     if (!finite(headings.sin) || !finite(headings.cos)) placement.circle_room[0] = -kInfinity;
+  }
+
+  void find_room(Placement& placement, int k) const {
+    const Vec2 at = centered_ ? placement.poses[k].position : center(placement, k);
+    const float room = obstacles_.clearance().at(at) - needed_[k];
+    placement.circle_room[k] = room > 0.0F ? room : -kInfinity;
   }
 
   // Body k with its vertices relative to `at`.

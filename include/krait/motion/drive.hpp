@@ -21,14 +21,17 @@ class Drive {
     steering_ = {};
   }
 
-  // Finds the control at state(), whose bodies' frames are `poses`, and where it leads.
-  void step(const Pose* poses) {
+  // Finds the control at state(), whose bodies' frames are `poses`, and where it leads as far as Motion::lead tells.
+  void lead(const Pose* poses) {
     const StateView state(states_[here_], robot_->state_size());
     steer(*robot_, state, poses, target_, steering_, ControlRef(control_, robot_->control_size()));
-    propagate(*robot_, states_[here_], poses, control_, target_.dt, states_[1 - here_]);
+    motion_.lead(*robot_, states_[here_], poses, control_, target_.dt, states_[1 - here_]);
   }
 
-  // Goes where the step leads.
+  // The rest of where it leads.
+  void follow(const Pose* poses) { motion_.follow(*robot_, states_[here_], poses, target_.dt, states_[1 - here_]); }
+
+  // Goes there.
   void go() { here_ = 1 - here_; }
 
   const float* state() const { return states_[here_]; }
@@ -43,6 +46,7 @@ class Drive {
   float control_[R::kMaxControl];
   Target target_;
   Steering steering_;
+  Motion<R> motion_;
 };
 
 }  // namespace krait

@@ -25,7 +25,9 @@ class OpenLoop {
     for (int half = 0; half < 2; ++half) {
       const StateView state(state_, size_);
       robot_->place(state, poses_);
-      runge_kutta(*robot_, state, poses_, control, 0.5F * dt, [this](int i, float increment) { add(i, increment); });
+      float d[R::kMaxState];
+      motion_.integrate_lead(*robot_, state, poses_, control, 0.5F * dt, d);
+      for (int i = 0; i < size_; ++i) add(i, d[i]);
     }
   }
 
@@ -45,6 +47,7 @@ class OpenLoop {
   float state_[R::kMaxState];
   float rest_[R::kMaxState];
   Pose poses_[R::kMaxBodies];
+  Motion<R> motion_;
 };
 
 }  // namespace krait

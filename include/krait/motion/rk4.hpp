@@ -5,53 +5,74 @@
 
 namespace krait {
 
-// What dt seconds add to a state by the rates there and at three states that they lead to: d, as many floats as the
-// state has, of which kSize is no less. rates_here(ds) gives those at the state, rates_at(s, ds) those at another.
-template <int kSize, class RatesHere, class RatesAt>
-void integrate_by_stages(StateView state, float dt, RatesHere rates_here, RatesAt rates_at, float* d) {
+// What dt seconds add to a state, or to its leading components: d, as many floats. Four derivatives.
+template <Robot R>
+void runge_kutta(const R& robot, StateView state, ControlView u, float dt, float* d) {
   const int n = static_cast<int>(state.size());
-  float k1[kSize];
-  float k23[kSize];
-  float k[kSize];
-  float middle[kSize] = {};  // for compilers that doubt that n is above 0
+  float k1[R::kMaxState];
+  float k23[R::kMaxState];
+  float k[R::kMaxState];
+  float middle[R::kMaxState] = {};  // for compilers that doubt that n is above 0
   const float half = 0.5F * dt;
-  rates_here(StateRef(k1, n));
+  robot.derivative(state, u, StateRef(k1, n));
   for (int i = 0; i < n; ++i) middle[i] = state[i] + half * k1[i];
   const StateView at(middle, n);
-  rates_at(at, StateRef(k23, n));
+  robot.derivative(at, u, StateRef(k23, n));
   for (int i = 0; i < n; ++i) middle[i] = state[i] + half * k23[i];
-  rates_at(at, StateRef(k, n));
+  robot.derivative(at, u, StateRef(k, n));
   for (int i = 0; i < n; ++i) {
     middle[i] = state[i] + dt * k[i];
     k23[i] = k23[i] + k[i];
   }
-  rates_at(at, StateRef(k, n));
+  robot.derivative(at, u, StateRef(k, n));
   const float sixth = dt / 6.0F;
   for (int i = 0; i < n; ++i) d[i] = sixth * ((k1[i] + k[i]) + 2.0F * k23[i]);
 }
 
-// What dt seconds add to a state, whose bodies' frames are `poses`, or to its leading components: calls
-// add(i, increment) for every one. Four derivatives.
-template <Robot R, class Add>
-void runge_kutta(const R& robot, StateView state, const Pose* poses, const float* control, float dt, Add add) {
-  const ControlView u(control, robot.control_size());
-  float d[R::kMaxState];
-  if constexpr (requires { robot.integrate(state, poses, u, dt, d); }) {
-    robot.integrate(state, poses, u, dt, d);
-  } else {
-    const auto rates = [&](StateView s, StateRef ds) { robot.derivative(s, u, ds); };
-    integrate_by_stages<R::kMaxState>(
-        state, dt, [&](StateRef ds) { rates(state, ds); }, rates, d);
+// A step of dt seconds, whose leading components may be known before the rest.
+template <Robot R>
+class Motion {
+ public:
+  // What the step adds to a state, whose bodies' frames are `poses`, or to its leading components: writes to d those of
+  // a robot that integrates them first, else all.
+  void integrate_lead(const R& robot, StateView state, const Pose* poses, const float* control, float dt, float* d) {
+    const ControlView u(control, robot.control_size());
+    if constexpr (LeadingRobot<R>) {
+      robot.integrate_lead(state, poses, u, dt, lead_, d);
+    } else {
+      runge_kutta(robot, state, u, dt, d);
+    }
   }
-  const int n = static_cast<int>(state.size());
-  for (int i = 0; i < n; ++i) add(i, d[i]);
-}
 
-// next = the state after dt seconds; `next` may not overlap `state`.
+  // Where the step leads, as far as integrate_lead tells; `next` may not overlap `state`.
+  void lead(const R& robot, const float* state, const Pose* poses, const float* control, float dt, float* next) {
+    integrate_lead(robot, StateView(state, robot.state_size()), poses, control, dt, next);
+    for (int i = 0; i < first_of_rest(robot); ++i) next[i] = state[i] + next[i];
+  }
+
+  // The rest of it, by the same arguments.
+  void follow(const R& robot, const float* state, const Pose* poses, float dt, float* next) const {
+    if constexpr (LeadingRobot<R>) {
+      robot.integrate_rest(StateView(state, robot.state_size()), poses, dt, lead_, next);
+      for (int i = first_of_rest(robot); i < robot.state_size(); ++i) next[i] = state[i] + next[i];
+    }
+  }
+
+ private:
+  static int first_of_rest(const R& robot) {
+    if constexpr (LeadingRobot<R>) return robot.leading_size();
+    return robot.state_size();
+  }
+
+  LeadOf<R> lead_;
+};
+
+// next = the state after dt seconds; `next` may not overlap `state`, whose frames are `poses`.
 template <Robot R>
 void propagate(const R& robot, const float* state, const Pose* poses, const float* control, float dt, float* next) {
-  runge_kutta(robot, StateView(state, robot.state_size()), poses, control, dt,
-              [state, next](int i, float increment) { next[i] = state[i] + increment; });
+  Motion<R> motion;
+  motion.lead(robot, state, poses, control, dt, next);
+  motion.follow(robot, state, poses, dt, next);
 }
 
 // The same where the frames have yet to be found.

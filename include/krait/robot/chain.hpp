@@ -66,16 +66,23 @@ class Chain {
   // they slip, else with v cos psi.
   void derivative(StateView s, ControlView u, StateRef ds) const;
 
-  void integrate(StateView s, const Pose* poses, ControlView u, float dt, float* d) const;
+  // What the trailers' part of a Runge-Kutta step must know of the body ahead, by stage.
+  struct Lead {
+    static constexpr int kStages = 4;
+    float turn[kStages];  // radians, since the step began
+    float pull[kStages];  // radians a second: its speed along itself, by the hitch's length
+    bool little;          // whether no angle changes by more than kSmallAngle
+  };
+  void integrate_lead(StateView s, const Pose* poses, ControlView u, float dt, Lead& lead, float* d) const;
+  void integrate_rest(StateView s, const Pose* poses, float dt, const Lead& lead, float* d) const;
 
  private:
-  class Integration;
   struct Body {
     Vec2 vertices[format::kMaxPieceVertices] = {};
     int count = 0;
   };
   float car_rates(const float* s, const float* u, SinCos heading, SinCos steering, float* ds) const;
-  bool changes_little(StateView s, ControlView u, float dt) const;
+  bool changes_little(const float* s, const float* u, float dt) const;
   float separation(float hitch, float spread) const;
   float steering_limit(StateView s, float heading_error, float speed) const;
 

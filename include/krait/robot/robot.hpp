@@ -59,13 +59,14 @@ struct Steering {
 // It may also have
 //   steer(s, poses, target, steering, u)
 //                                the same control to the bit, given the frames of s as well; used instead
-//   integrate(s, poses, u, dt, d)
-//                                given the frames of s, writes to d, as many floats as s has, what a Runge-Kutta step
-//                                of dt under u adds to s: that by derivative but for rounding, at less cost; used
-//                                instead of derivative throughout
-//   leading_size()               how many of the first components, the position among them, depend on no others; place,
-//                                derivative and integrate then also take states of so many, and place writes body 0
-//                                only
+//   leading_size()               how many of the first components, the position among them, depend on no others; place
+//                                and derivative then also take states of so many, and place writes body 0 only
+//   Lead, integrate_lead(s, poses, u, dt, lead, d), integrate_rest(s, poses, dt, lead, d)
+//                                given the frames of s, write to d, as many floats as s has, what a Runge-Kutta step of
+//                                dt under u adds to s: that by derivative but for rounding, at less cost; used instead
+//                                of derivative throughout. First the leading components, which body 0 is checked by,
+//                                then the rest by what the first left in lead, a plain struct. The first also takes
+//                                states of leading_size()
 template <class R>
 concept Robot = requires(const R& robot, StateView s, StateRef ds, ControlView u, ControlRef control,
                          Steering& steering, const Target& target, Pose* poses, Travel* travel, float dt, int k) {
@@ -82,6 +83,27 @@ concept Robot = requires(const R& robot, StateView s, StateRef ds, ControlView u
   {robot.place(s, poses)};
   { robot.travel(s, u, dt, s, travel) } -> std::same_as<bool>;
 };
+
+// One that integrates its leading components first.
+template <class R>
+concept LeadingRobot = Robot<R> && requires(const R& robot, StateView s, const Pose* poses, ControlView u, float dt,
+                                            typename R::Lead& lead, float* d) {
+  { robot.leading_size() } -> std::same_as<int>;
+  {robot.integrate_lead(s, poses, u, dt, lead, d)};
+  {robot.integrate_rest(s, poses, dt, lead, d)};
+};
+
+struct NoLead {};
+template <class R>
+struct LeadOfRobot {
+  using Type = NoLead;
+};
+template <LeadingRobot R>
+struct LeadOfRobot<R> {
+  using Type = typename R::Lead;
+};
+template <class R>
+using LeadOf = typename LeadOfRobot<R>::Type;
 
 // The control that steers s, whose frames are `poses`, toward the target.
 template <Robot R>

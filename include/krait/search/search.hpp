@@ -374,9 +374,11 @@ class Search {
 
   // CONTROLLER, MOTION and COLLISION (lines 5 and 6). False when the step is not free or leaves the robot's limits.
   bool take_step() {
-    drive_.step(check_.poses());
+    drive_.lead(check_.poses());
     const float* const state = drive_.state();
     const float* const next = drive_.next();
+    if (!check_.lead_free(state, next)) return false;
+    drive_.follow(check_.poses());
     if (!robot_->within_limits(StateView(next, robot_->state_size()))) return false;
     if (!scene_->inside_bounds({next[0], next[1]})) return false;
     if (parameters_.continuous) return check_.step_free(state, drive_.control(), parameters_.dt, next);

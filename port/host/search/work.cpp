@@ -95,9 +95,10 @@ float largest_radius(Polygon body) {
 
 // A step is judged whole, then in halves of halves down to one part of max_substeps: every part of the binary tree at
 // most once, since the search for a free part goes on from where the last one ended. Judging looks at what every body
-// sweeps, and where it stands at the end, against the pieces near it, and at every pair of bodies. Each part but the
-// whole begins with a Runge-Kutta step of its own. A Dijkstra pops every region at most once and pushes each source,
-// and each region over each of its portals, at most once.
+// sweeps, and where it stands at the end, against the pieces near it, and at every pair of bodies; before that the
+// whole step's body 0 may have been looked at alone. Each part but the whole begins with a Runge-Kutta step of its own.
+// A Dijkstra pops every region at most once and pushes each source, and each region over each of its portals, at most
+// once.
 Work work_bound(const krait::Scene& scene, const RobotExtent& robot, const Parameters& parameters) {
   const std::uint64_t parts = parameters.continuous ? 2 * std::uint64_t{parameters.max_substeps} - 1 : 1;
   const std::uint64_t judged = parameters.max_steps * parts;
@@ -105,7 +106,8 @@ Work work_bound(const krait::Scene& scene, const RobotExtent& robot, const Param
   work.pieces_near = most_pieces_near(scene, search_radius(scene, robot, parameters));
   work.placements = judged + 1;
   work.runge_kutta_steps = judged;
-  work.polygon_distances = judged * (2 * robot.bodies * work.pieces_near + pairs(robot));
+  work.polygon_distances =
+      (2 * robot.bodies * judged + parameters.max_steps) * work.pieces_near + judged * pairs(robot);
   work.heap_operations = 2 * (std::uint64_t{scene.triangle_count()} + scene.portal_count());
   return work;
 }

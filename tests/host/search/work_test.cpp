@@ -70,8 +70,7 @@ struct SceneFile {
 // The most of each that one call of advance(1) did, over the first 400 calls of a search.
 template <Robot R>
 Work most_work(const krait::Scene& scene, const R& robot, std::uint64_t seed) {
-  using Step = void (*)(const R&, const float*, const Pose*, const float*, float, float*);
-  counters[0].function = reinterpret_cast<const void*>(static_cast<Step>(&propagate<R>));
+  counters[0].function = address_of(&Motion<R>::lead);
   counters[1].function = reinterpret_cast<const void*>(&polygon_distance);
   counters[2].function = address_of(&IndexedHeap::push);
   counters[3].function = address_of(&IndexedHeap::pop);
