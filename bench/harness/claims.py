@@ -7,6 +7,7 @@ from harness import paper
 from harness.cells import PEER, Cell
 from harness.experiments import (
     IMPASSABLE,
+    LONG_CHAIN,
     PARAMETERS,
     PEERS,
     ROBOT,
@@ -24,7 +25,6 @@ PAIRS = (  # the paper's comparison: what ships with [18] as published; then wit
     ("adaptive-unpruned", "prior-unpruned"),
     ("adaptive", "rrt"),
 )
-LONG_CHAIN = "snake:25"
 
 
 @dataclass(frozen=True)

@@ -10,6 +10,7 @@ RIVALS = ("adaptive", "prior", "rrt")
 VARIANTS = ("plain", "control", "adaptive-unpruned", "prior-unpruned", "paper")
 
 LINKS = (5, 10, 15, 20, 25)
+LONG_CHAIN = f"snake:{LINKS[-1]}"
 SCALES = ("0.75", "1", "2", "3", "4")
 SCALED_SCENE = "comb"  # the paper's figure 3(c)
 PARAMETERS = {
@@ -26,6 +27,11 @@ RANDOM_PEERS = tuple(
     f"{name}-random" for name in ("RRT", "KPIECE1", "EST", "PDST", "SST", "SyclopRRT", "SyclopEST")
 )
 PEERS = tuple(PEER + name for name in STEERED_PEERS + RANDOM_PEERS)
+
+# The fastest of them in each scene.
+FASTEST_PEERS = {
+    "openings": "SyclopEST", "gates": "SyclopEST", "rooms": "KPIECE1", "comb": "SyclopEST", "corridors": "KPIECE1"
+}
 
 DYNOBENCH = ("dynobench/bugtrap_0", "dynobench/parallelpark_0")
 MOVINGAI = ("movingai/arena", "movingai/den312d")
@@ -69,6 +75,15 @@ def foreign():
     ]
 
 
+def goals():
+    """What the goals over all scenes are held against, of the other experiments: few enough for many seeds at once."""
+    cells = [Cell(scene, ROBOT, planner) for scene in SCENES for planner in ("adaptive", "plain", "prior")]
+    cells += [Cell(scene, ROBOT, PEER + peer) for scene, peer in FASTEST_PEERS.items()]
+    cells += [Cell(scaled(scene, SCALES[-1]), ROBOT, "adaptive") for scene in SCENES]
+    cells += [Cell(scene, LONG_CHAIN, "adaptive") for scene in SCENES]
+    return cells + [with_setting("kappa", value) for value in ("1", "20")]
+
+
 EXPERIMENTS = {
     "scenes": scenes,
     "links": links,
@@ -76,6 +91,7 @@ EXPERIMENTS = {
     "parameters": parameters,
     "peers": peers,
     "foreign": foreign,
+    "goals": goals,
 }
 
 

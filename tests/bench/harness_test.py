@@ -652,6 +652,11 @@ class Experiments(unittest.TestCase):
         self.assertEqual(len(cells), len(set(cells)))
         self.assertTrue(all(cell.reference in cells for cell in cells))
 
+    def test_of_goals_are_cells_of_others(self):
+        others = {cell for name, cells in experiments.EXPERIMENTS.items() if name != "goals" for cell in cells()}
+        self.assertEqual(set(experiments.goals()) - others, set())
+        self.assertEqual(len(experiments.goals()), 5 * 6 + 2)
+
     def test_have_the_papers_cells(self):
         self.assertEqual(len(experiments.links()), 5 * 5 * 3)
         self.assertEqual(len(experiments.scale()), 5 * 3 + 4)  # and our other scenes
