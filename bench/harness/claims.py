@@ -10,6 +10,7 @@ from harness.experiments import (
     LONG_CHAIN,
     PARAMETERS,
     PEERS,
+    REPAIR_KAPPAS,
     ROBOT,
     SCALED_SCENE,
     SCENES,
@@ -118,7 +119,7 @@ def _same_at_any_scale(results, name, scenes):
 
 
 def _repairs_are_cheap(results):
-    one, usual = (results.summary(with_setting("kappa", value)) for value in ("1", "20"))
+    one, usual = (results.summary(with_setting("kappa", value)) for value in REPAIR_KAPPAS)
     if not one or not usual:
         return []
     times = ratio(one.median, usual.median)

@@ -49,8 +49,8 @@ class MotionCheck {
     return R::kMaxBodies == 1 || bodies_ <= gap_ || still_apart();
   }
 
-  // Whether body 0 keeps the margin at the end of the step to be asked next, of which `next` has only the leading
-  // components: where it does not, the step is not free, and the rest need not be found.
+  // False where body 0 does not keep the margin at the end of the step to be asked next, of which `next` has only the
+  // leading components: the step is not free then, and the rest need not be found. True promises nothing.
   bool lead_free(const float* state, const float* next) {
     if constexpr (LeadingRobot<R>) {
       if (bodies_ == 1 || !shortcuts_) return true;
