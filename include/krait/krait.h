@@ -44,6 +44,7 @@ typedef struct krait_failure {
   uint8_t section;       /* KRAIT_BAD_SCENE: of the file; 255 is its header */
   uint32_t element;      /* KRAIT_BAD_SCENE: in the section; KRAIT_BAD_ARGUMENT, KRAIT_BAD_ROBOT: krait_argument_name */
   uint64_t bytes_needed; /* KRAIT_ARENA_TOO_SMALL */
+  float most;            /* KRAIT_BAD_ARGUMENT, dt: the longest time step in seconds that the robot allows */
 } krait_failure;
 
 /* Lower-case names, in static storage. */
@@ -223,7 +224,8 @@ void krait_stop_for_time(krait_planner* planner);
 krait_failure krait_last_failure(const krait_planner* planner);
 
 typedef struct krait_statistics {
-  uint64_t iterations, restarts, vertices, recycled, collision_checks, dijkstra_runs, regions_repaired;
+  uint64_t iterations, restarts, vertices, recycled, collision_checks, dijkstra_runs, regions_repaired,
+      plans_refused;
   uint64_t bytes_used, bytes_given; /* of the block behind the planner itself: `krait plan --memory bytes_given` on the
                                        workstation finds the same plan */
   uint32_t plan_steps;

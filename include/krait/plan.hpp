@@ -1,9 +1,9 @@
-// A solved plan: driven again from the start by a cursor in O(1) memory, or copied.
+// A solved plan: driven again from the start by a cursor in O(1) memory, or copied. Its states are those of PlanDrive.
 #pragma once
 
 #include <cstdint>
 
-#include "krait/motion/drive.hpp"
+#include "krait/motion/plan_drive.hpp"
 #include "krait/search/motion_tree.hpp"
 
 namespace krait {
@@ -18,13 +18,44 @@ class Fnv {
   std::uint64_t value_ = 0xCBF29CE484222325ULL;
 };
 
+struct PlanMeasures {
+  std::uint32_t steps = 0;
+  float length = 0.0F;     // metres, of the line through the positions
+  std::uint64_t hash = 0;  // FNV-1a 64 over s0, u0, s1, u1, …, sL
+};
+
+// Measures a plan step by step, in the order in which it is driven.
+class PlanMeter {
+ public:
+  // One step; arrays of state_size and control_size floats.
+  void add(const float* state, int state_size, const float* control, int control_size, const float* next) {
+    hash_.add(state, state_size);
+    hash_.add(control, control_size);
+    ++measures_.steps;
+    measures_.length += krait::length(Vec2{next[0], next[1]} - Vec2{state[0], state[1]});
+  }
+
+  float length() const { return measures_.length; }  // metres, so far
+
+  // The measures of the plan that ends with `state`.
+  PlanMeasures end(const float* state, int state_size) {
+    hash_.add(state, state_size);
+    measures_.hash = hash_.value();
+    return measures_;
+  }
+
+ private:
+  PlanMeasures measures_;
+  Fnv hash_;
+};
+
 // Walks along a plan: s0 u0 s1 u1 … sL. Its memory is its own.
 template <Robot R>
 class PlanCursor {
  public:
   PlanCursor(const R& robot, const MotionTree& tree, Index first, const float* start, float dt)
-      : robot_(&robot), tree_(&tree), expansion_(first), dt_(dt) {
-    drive_.begin(robot, start);
+      : robot_(&robot), tree_(&tree), expansion_(first) {
+    drive_.begin(robot, dt, start);
     enter();
   }
 
@@ -37,8 +68,10 @@ class PlanCursor {
   const float* state() const { return drive_.state(); }
   // control_size() floats, held for dt from this state on; not when done.
   const float* control() const { return drive_.control(); }
+  // The state that the control leads to; not when done.
+  const float* next() const { return drive_.next(); }
 
-  // On to the next state; not when done. Work: one control and one RK4 step.
+  // On to the next state; not when done. Work: one control and the Runge-Kutta steps of a time step.
   void advance() {
     drive_.go();
     if (++step_ == tree_->steps(expansion_)) {
@@ -53,50 +86,22 @@ class PlanCursor {
   void enter() {
     step_ = 0;
     if (expansion_ == kNone) return;
-    Target target = tree_->target(expansion_);
-    target.dt = dt_;
-    drive_.aim(target);
+    drive_.aim(tree_->target(expansion_));
     step();
   }
 
   void step() {
     Pose poses[R::kMaxBodies];
     robot_->place(StateView(drive_.state(), state_size()), poses);
-    drive_.lead(poses);
-    drive_.follow(poses);
+    drive_.step(poses);
   }
 
   const R* robot_;
   const MotionTree* tree_;
   Index expansion_;
   std::uint32_t step_ = 0;
-  float dt_;
-  Drive<R> drive_;
+  PlanDrive<R> drive_;
 };
-
-struct PlanMeasures {
-  std::uint32_t steps = 0;
-  float length = 0.0F;     // metres, of the line through the positions
-  std::uint64_t hash = 0;  // FNV-1a 64 over s0, u0, s1, u1, …, sL
-};
-
-// Of the rest of a plan; the cursor goes to its end. Calls watch(control) at every step.
-template <Robot R, class Watch>
-PlanMeasures measure(PlanCursor<R>& at, Watch watch) {
-  PlanMeasures measures;
-  Fnv hash;
-  for (; !at.done(); ++measures.steps) {
-    hash.add(at.state(), at.state_size());
-    hash.add(at.control(), at.control_size());
-    watch(at.control());
-    const Vec2 before{at.state()[0], at.state()[1]};
-    at.advance();
-    measures.length += length(Vec2{at.state()[0], at.state()[1]} - before);
-  }
-  hash.add(at.state(), at.state_size());
-  measures.hash = hash.value();
-  return measures;
-}
 
 // What a search found, in the planner's memory: valid until its next start.
 template <Robot R>
@@ -139,8 +144,10 @@ class Plan {
 
  private:
   PlanMeasures measures() const {
+    PlanMeter meter;
     PlanCursor<R> at = cursor();
-    return measure(at, [](const float*) {});
+    for (; !at.done(); at.advance()) meter.add(at.state(), state_size(), at.control(), control_size(), at.next());
+    return meter.end(at.state(), state_size());
   }
 
   const R* robot_ = nullptr;

@@ -76,6 +76,7 @@ struct Failure {
   std::uint8_t section = 0;        // bad_scene: format::Section, or Scene::kHeaderSection
   std::uint32_t element = 0;       // bad_scene: index in the section; bad_argument, bad_robot: Argument
   std::uint64_t bytes_needed = 0;  // arena_too_small
+  float most = 0.0F;               // bad_argument, dt: the longest time step in seconds that the robot allows
 
   bool ok() const { return status == Status::solved; }
 };

@@ -95,10 +95,10 @@ krait_failure krait_init(krait_planner** planner, void* block, uint64_t bytes, c
   *planner = nullptr;
   const krait_model& model = *robot->model;
   if (bytes < model.front_bytes) {
-    return {KRAIT_ARENA_TOO_SMALL, 0, 0, krait_bytes_required(scene, robot, limits)};
+    return {KRAIT_ARENA_TOO_SMALL, 0, 0, krait_bytes_required(scene, robot, limits), 0.0F};
   }
   if (block == nullptr || reinterpret_cast<std::uintptr_t>(block) % krait::Arena::kAlignment != 0) {
-    return {KRAIT_BAD_ARGUMENT, 0, static_cast<std::uint32_t>(krait::Argument::block), 0};
+    return {KRAIT_BAD_ARGUMENT, 0, static_cast<std::uint32_t>(krait::Argument::block), 0, 0.0F};
   }
   const krait::Failure failure =
       model.init(block, bytes, view(scene), *robot, parameters_of(*parameters), convert<krait::Limits>(*limits));

@@ -1,6 +1,7 @@
 #include "krait/robot/chain.hpp"
 
 #include "krait/robot/box.hpp"
+#include "krait/robot/tracking.hpp"
 #include "lanes/angles.hpp"
 
 namespace krait {
@@ -13,6 +14,7 @@ constexpr float kTurnReserve = 1.1F;                   // truck: how much wider 
 constexpr float kUnfoldRate = 2.0F;                    // truck, 1/s: how fast a hitch may close in on its bound
 constexpr float kFoldBound = 1.2F;                     // truck, radians: the hitch angle that steering keeps clear of
 
+constexpr float kHitchReserve = 2e-3F;            // radians: the tree's hitch angles stay so far below their limit
 constexpr float kHitchError = 3e-4F;              // radians: what RK4 may be off by in a step
 constexpr float kNormError = 5.0F * kHitchError;  // of as many angles as there may be trailers, in the Euclidean norm
 
@@ -184,28 +186,66 @@ void Chain::steer(StateView s, const Pose* poses, const Target& target, Steering
   const float side = steering_limit(s, wanted, s[3]);
   const float psi =
       wanted < 0.0F ? clamp(wanted, -clamp(side, -lock, lock), lock) : clamp(wanted, -lock, clamp(side, -lock, lock));
-  u[1] = clamp((clamp(psi, -lock, lock) - s[4]) / target.dt, -p.max_steering_rate, p.max_steering_rate);
-
   const float set_point = target.speed * (backward ? -p.min_speed : p.max_speed);
   const float push = steering.speed(kSpeedGains, set_point - s[3], target.dt);
   const float gain = clamp(push, -p.max_acceleration, p.max_acceleration);
+  approach(s, s[3] + gain * target.dt, clamp(psi, -lock, lock), target.dt, u);
+}
+
+// The control that brings speed and steering angle as near to the wanted ones as the limits allow in a time step.
+void Chain::approach(StateView s, float speed, float psi, float dt, ControlRef u) const {
+  const ChainParameters& p = parameters_;
+  const float lock = p.max_steering * kInside;
   const float inset = (1.0F - kInside) * (p.max_speed - p.min_speed);
-  const float speed = clamp(s[3] + gain * target.dt, p.min_speed + inset, p.max_speed - inset);
-  u[0] = clamp((speed - s[3]) / target.dt, -p.max_acceleration, p.max_acceleration);
+  const float next = clamp(speed, p.min_speed + inset, p.max_speed - inset);
+  u[0] = clamp((next - s[3]) / dt, -p.max_acceleration, p.max_acceleration);
+  u[1] = clamp((clamp(psi, -lock, lock) - s[4]) / dt, -p.max_steering_rate, p.max_steering_rate);
+}
+
+// The car follows its reference's line; curvature changes by what turns it over within half a dozen wheelbases, and
+// the steering angle by the wheelbase times that.
+void Chain::track(StateView s, StateView reference, float dt, ControlRef u) const {
+  const ChainParameters& p = parameters_;
+  const float speed = reference[3];
+  const float distance = 4.0F * p.wheelbase;
+  const Correction change = correction(deviation(s, reference), speed, distance, dt);
+  const float way = absolute(speed) * dt;
+  const float bend = p.wheelbase * 4.0F * change.heading / (distance > 8.0F * way ? distance : 8.0F * way);
+  approach(s, speed + u[0] * dt + change.speed, reference[4] + u[1] * dt + (speed < 0.0F ? -bend : bend), dt, u);
 }
 
 bool Chain::within_limits(StateView s) const {
   const ChainParameters& p = parameters_;
-  const int size = state_size();
   if (!(s[3] >= p.min_speed && s[3] <= p.max_speed)) return false;
   if (!(s[4] >= -p.max_steering && s[4] <= p.max_steering)) return false;
-  float ahead = s[2];
-  for (int i = 5; i < size; ++i) {
-    if (!(absolute(ahead - s[i]) <= p.max_hitch_angle)) return false;
-    ahead = s[i];
-  }
+  if (!hitches_within(s, p.max_hitch_angle)) return false;
   constexpr float kMaxHeading = kMaxAngle - kPi * static_cast<float>(1 + kMaxTrailers);
   return finite(position(s)) && absolute(s[2]) <= kMaxHeading;
+}
+
+bool Chain::keeps_reserve(StateView s) const { return hitches_within(s, parameters_.max_hitch_angle - kHitchReserve); }
+
+bool Chain::hitches_within(StateView s, float most) const {
+  const int size = state_size();
+  float ahead = s[2];
+  for (int i = kCarState; i < size; ++i) {
+    if (!(absolute(ahead - s[i]) <= most)) return false;
+    ahead = s[i];
+  }
+  return true;
+}
+
+float Chain::fastest_rate(float dt) const {
+  const ChainParameters& p = parameters_;
+  const auto least = [](float a, float b) { return b < a ? b : a; };
+  const float arm = p.trailers > 0 ? least(p.wheelbase, p.hitch_length) : p.wheelbase;
+  const float speed = p.max_speed > -p.min_speed ? p.max_speed : -p.min_speed;
+  const float acceleration = least(p.max_acceleration, (p.max_speed - p.min_speed) / dt);
+  const float steering = least(p.max_steering_rate, 2.0F * p.max_steering / dt);
+  const float rates[] = {speed / arm, std::sqrt(acceleration / arm), 0.75F * steering};
+  float most = 0.0F;
+  for (const float rate : rates) most = rate > most ? rate : most;
+  return most;
 }
 
 void Chain::place(StateView s, Pose* poses) const {

@@ -1,5 +1,7 @@
 #include "krait/robot/differential_drive.hpp"
 
+#include "krait/robot/tracking.hpp"
+
 namespace krait {
 namespace {
 
@@ -27,15 +29,43 @@ void DifferentialDrive::steer(StateView s, const Target& target, Steering& steer
   const float room = most - absolute(half_turn);
   const float forward = clamp(target.speed * most * (along > 0.0F ? along : 0.0F), -room, room);
   const float wanted[2] = {forward - half_turn, forward + half_turn};
+  approach(s, wanted, target.dt, u);
+}
+
+// The control that brings the wheels' speeds as near to the wanted ones as the limits allow in a time step.
+void DifferentialDrive::approach(StateView s, const float* wanted, float dt, ControlRef u) const {
+  const DifferentialDriveParameters& p = parameters_;
+  const float most = p.max_wheel_speed * kInside;
   for (int wheel = 0; wheel < 2; ++wheel) {
-    u[wheel] = clamp((clamp(wanted[wheel], -most, most) - s[3 + wheel]) / target.dt, -p.max_wheel_acceleration,
+    u[wheel] = clamp((clamp(wanted[wheel], -most, most) - s[3 + wheel]) / dt, -p.max_wheel_acceleration,
                      p.max_wheel_acceleration);
   }
+}
+
+void DifferentialDrive::track(StateView s, StateView reference, float dt, ControlRef u) const {
+  constexpr float kShare = 0.2F;  // of a heading's error that a time step takes away
+  const DifferentialDriveParameters& p = parameters_;
+  const float speed = 0.5F * p.wheel_radius * (reference[3] + reference[4]);
+  const Correction change = correction(deviation(s, reference), speed, p.body_length, dt);
+  const float turn = 0.5F * p.track_width * kShare * change.heading / dt;
+  const float wanted[2] = {reference[3] + u[0] * dt + (change.speed - turn) / p.wheel_radius,
+                           reference[4] + u[1] * dt + (change.speed + turn) / p.wheel_radius};
+  approach(s, wanted, dt, u);
 }
 
 bool DifferentialDrive::within_limits(StateView s) const {
   const float most = parameters_.max_wheel_speed;
   return finite(position(s)) && absolute(s[2]) <= kMaxAngle && absolute(s[3]) <= most && absolute(s[4]) <= most;
+}
+
+float DifferentialDrive::fastest_rate(float dt) const {
+  const DifferentialDriveParameters& p = parameters_;
+  const float per_wheel = 2.0F * p.wheel_radius / p.track_width;  // of two wheels that turn against each other
+  const float whole = 2.0F * p.max_wheel_speed / dt;
+  const float acceleration = p.max_wheel_acceleration < whole ? p.max_wheel_acceleration : whole;
+  const float turning = 0.5F * per_wheel * p.max_wheel_speed;
+  const float twisting = std::sqrt(0.5F * per_wheel * acceleration);
+  return turning > twisting ? turning : twisting;
 }
 
 // Each wheel's rim moves at most at the larger of its two speeds; the axle's middle at their mean, the body turns at

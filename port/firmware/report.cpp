@@ -56,6 +56,7 @@ void add_statistics(JsonLine& line, const Report& report) {
       .add("collision_checks", s.collision_checks)
       .add("dijkstra_runs", s.dijkstra_runs)
       .add("regions_repaired", s.regions_repaired)
+      .add("plans_refused", s.plans_refused)
       .add("bytes_used", s.bytes_used)
       .add("bytes_given", s.bytes_given)
       .add("plan_steps", std::uint64_t{s.plan_steps})

@@ -99,9 +99,13 @@ TYPED_TEST(PlanOf, BeginsAtTheStartAndEndsInTheGoal) {
   EXPECT_LE(last[1], 7.47F);
 }
 
-TYPED_TEST(PlanOf, ReplaysBitForBit) {
+TYPED_TEST(PlanOf, StatesAreWhatTheControlsLeadTo) {
+  Numbers truth = doubles(this->start_);
   for (std::uint32_t i = 0; i < this->plan_.steps(); ++i) {
-    ASSERT_EQ(step(this->bench_.robot, this->state(i), this->control(i), this->plan_.dt()), this->state(i + 1)) << i;
+    for (int part = 0; part < 8; ++part) {
+      truth = rk4(this->bench_.robot, truth, doubles(this->control(i)), wide(this->plan_.dt()) / 8);
+    }
+    for (std::size_t k = 0; k < truth.size(); ++k) ASSERT_NEAR(wide(this->state(i + 1)[k]), truth[k], 5e-5) << i;
   }
 }
 
@@ -168,16 +172,19 @@ TYPED_TEST(PlanOf, LengthAndDurationAreThoseOfItsStates) {
   EXPECT_EQ(statistics.plan_duration, this->plan_.duration());
 }
 
-TYPED_TEST(PlanOf, EveryStepIsOneThatTheTreeGrewBy) {
-  std::set<std::pair<std::vector<float>, std::vector<float>>> grown;
-  const auto watch = [&](const float* from, const float* to) {
-    const auto n = this->start_.size();
-    grown.insert({{from, from + n}, {to, to + n}});
-  };
+TYPED_TEST(PlanOf, EveryStateIsBesideOneThatTheTreeGrewTo) {
+  std::vector<std::vector<float>> grown = {this->start_};
+  const auto n = this->start_.size();
+  const auto watch = [&](const float*, const float* to) { grown.emplace_back(to, to + n); };
   this->bench_.planner.start({this->start_.data()});
   ASSERT_EQ(this->bench_.planner.advance(1'000'000, watch), Status::solved);
-  for (std::uint32_t i = 0; i < this->plan_.steps(); ++i)
-    ASSERT_EQ(grown.count({this->state(i), this->state(i + 1)}), 1U) << i;
+  const auto beside = [](const std::vector<float>& a, const std::vector<float>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), [](float x, float y) { return std::abs(x - y) <= 2e-3F; });
+  };
+  for (std::uint32_t i = 0; i <= this->plan_.steps(); ++i) {
+    const auto near = [&](const std::vector<float>& state) { return beside(state, this->state(i)); };
+    ASSERT_TRUE(std::any_of(grown.begin(), grown.end(), near)) << i;
+  }
 }
 
 TYPED_TEST(PlanOf, CursorsAreIndependentOfEachOther) {
@@ -243,7 +250,7 @@ TYPED_TEST(PlanReplay, ThatEndsElsewhereIsAnInternalError) {
   }
   ASSERT_EQ(bench.planner.status(), Status::solved);
   const std::uint64_t hash = bench.planner.statistics().hash;
-  // The tree grows as before; the replay comes later than all of it, or in the middle of the last expansion.
+  // The tree grows as before; it is driven again later than all of that, or in the middle of the last expansion.
   after = growing;
   bench.robot.calls = 0;
   const Status status = bench.solve({start});

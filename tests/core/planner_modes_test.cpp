@@ -103,7 +103,7 @@ TEST(PlannerPaper, PlansThroughFreeStatesWithinTheLimits) {
   bench.parameters = Parameters::paper();
   ASSERT_TRUE(bench.init().ok());
   const float start[] = {2, 6, 0, 0, 0, 0, 0};
-  ASSERT_EQ(bench.solve({start}), Status::solved);
+  ASSERT_EQ(bench.solve({start, Goal::named(0), 2}), Status::solved);
   for (const auto& state : Path(bench.planner.plan()).states) {
     EXPECT_GT(separation_of_state(bench.robot, bench.open.scene, state), 0.0);
     EXPECT_LE(std::abs(state[2] - state[5]), 0.7F);

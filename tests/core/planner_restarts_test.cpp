@@ -87,6 +87,7 @@ TEST(PlannerRestarts, ForgetWhatTheTryHasLearnt) {
     if (bench.planner.advance(kUnit) != Status::searching || !differs()) continue;
     const std::uint32_t most = bench.planner.tree().most_vertices();
     ASSERT_EQ(bench.planner.advance(1), Status::searching);
+    if (bench.planner.statistics().iterations == kUnit) continue;  // a way to the goal is driven
     EXPECT_EQ(bench.planner.statistics().restarts, 1U);
     EXPECT_FALSE(differs());
     EXPECT_EQ(bench.planner.tree().vertices(), 1U);

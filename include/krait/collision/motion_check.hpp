@@ -23,13 +23,21 @@ class MotionCheck {
   // is compared with all obstacles, found by their boxes alone, and every pair of bodies with each other.
   void assign(const R& robot, const Scene& scene, float clearance, int max_substeps, bool shortcuts) {
     robot_ = &robot;
-    obstacles_ = Obstacles(scene, clearance, shortcuts);
+    scene_ = &scene;
     max_substeps_ = max_substeps;
     shortcuts_ = shortcuts;
     gap_ = krait::self_collision_gap(robot);
     bodies_ = robot.body_count();
-    measure_bodies();
     checks_ = 0;
+    keep(clearance, kInfinity);
+  }
+
+  // From now on bodies keep `clearance` metres on top of what rounding needs, and parts of a step are integrated by
+  // Runge-Kutta steps of at most `longest_step` seconds. O(bodies).
+  void keep(float clearance, float longest_step) {
+    obstacles_ = Obstacles(*scene_, clearance, shortcuts_);
+    longest_step_ = longest_step;
+    measure_bodies();
   }
 
   // Makes `state` the one that the next step begins from.
@@ -280,7 +288,8 @@ class MotionCheck {
       if (last) {
         for (int i = 0; i < robot_->state_size(); ++i) to[i] = step.next[i];
       } else {
-        propagate(*robot_, from, poses(), step.control, duration, to);
+        propagate_in_parts(*robot_, from, poses(), step.control, duration,
+                           parts_of(duration, longest_step_, 2 * kMostParts), to);
       }
       place(to, right());
       Unproven unproven = whole;
@@ -349,7 +358,9 @@ class MotionCheck {
   }
 
   const R* robot_ = nullptr;
+  const Scene* scene_ = nullptr;
   Obstacles obstacles_;
+  float longest_step_ = kInfinity;  // seconds
   int max_substeps_ = 16;
   int gap_ = 2;
   int bodies_ = 0;

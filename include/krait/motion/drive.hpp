@@ -5,31 +5,46 @@
 
 namespace krait {
 
-// Fully told by the state it begins from, the target and the number of steps: driven again, it gives the same bits.
+// Determined by the state where it begins, the target and the number of steps: driven again, it has the same bits.
 template <Robot R>
 class Drive {
  public:
-  // Where to start; copied. The robot must outlive this.
-  void begin(const R& robot, const float* state) {
+  // The robot must outlive this; time steps last dt seconds.
+  void assign(const R& robot, float dt) {
     robot_ = &robot;
-    for (int i = 0; i < robot.state_size(); ++i) states_[here_][i] = state[i];
+    dt_ = dt;
+    parts_ = parts_of(dt, longest_step(robot, dt, kStepRate), kMostParts);
   }
 
-  // Where to go from here, the controller as new.
+  // Where to start; copied.
+  void begin(const float* state) {
+    for (int i = 0; i < robot_->state_size(); ++i) states_[here_][i] = state[i];
+  }
+
+  // Where to go from here, with a fresh controller.
   void aim(const Target& target) {
     target_ = target;
+    target_.dt = dt_;
     steering_ = {};
   }
 
   // Finds the control at state(), whose bodies' frames are `poses`, and where it leads as far as Motion::lead tells.
   void lead(const Pose* poses) {
-    const StateView state(states_[here_], robot_->state_size());
-    steer(*robot_, state, poses, target_, steering_, ControlRef(control_, robot_->control_size()));
-    motion_.lead(*robot_, states_[here_], poses, control_, target_.dt, states_[1 - here_]);
+    const float* const state = states_[here_];
+    float* const next = states_[1 - here_];
+    const StateView view(state, robot_->state_size());
+    steer(*robot_, view, poses, target_, steering_, ControlRef(control_, robot_->control_size()));
+    if (parts_ == 1) {
+      motion_.lead(*robot_, state, poses, control_, dt_, next);
+    } else {
+      propagate_in_parts(*robot_, state, poses, control_, dt_, parts_, next);
+    }
   }
 
   // The rest of where it leads.
-  void follow(const Pose* poses) { motion_.follow(*robot_, states_[here_], poses, target_.dt, states_[1 - here_]); }
+  void follow(const Pose* poses) {
+    if (parts_ == 1) motion_.follow(*robot_, states_[here_], poses, dt_, states_[1 - here_]);
+  }
 
   // Goes there.
   void go() { here_ = 1 - here_; }
@@ -41,6 +56,8 @@ class Drive {
 
  private:
   const R* robot_ = nullptr;
+  float dt_ = 0.1F;
+  int parts_ = 1;  // Runge-Kutta steps of a time step
   int here_ = 0;
   float states_[2][R::kMaxState];
   float control_[R::kMaxControl];

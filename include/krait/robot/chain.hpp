@@ -57,10 +57,17 @@ class Chain {
 
   void steer(StateView s, const Target& target, Steering& steering, ControlRef u) const;
   void steer(StateView s, const Pose* poses, const Target& target, Steering& steering, ControlRef u) const;
+  void track(StateView s, StateView reference, float dt, ControlRef u) const;
   bool within_limits(StateView s) const;
+  // Whether the hitch angles stay 2 mrad below their limit.
+  bool keeps_reserve(StateView s) const;
   void place(StateView s, Pose* poses) const;
   bool travel(StateView s, ControlView u, float dt, StateView next, Travel* travel) const;
   QuickBound quick_bound(StateView s, ControlView u, float dt, StateView next) const;
+
+  // 1/s: the largest of speed over the shorter of wheelbase and hitch, the root of acceleration over that, and three
+  // quarters of the steering rate; as much of acceleration and steering rate as a time step of dt has room for.
+  float fastest_rate(float dt) const;
 
   // Eqn 1 with the hitch angle's sine as in LaValle, Planning Algorithms, 13.1.2.3: the trailers move with speed v if
   // they slip, else with v cos psi.
@@ -81,6 +88,8 @@ class Chain {
     Vec2 vertices[format::kMaxPieceVertices] = {};
     int count = 0;
   };
+  bool hitches_within(StateView s, float most) const;
+  void approach(StateView s, float speed, float psi, float dt, ControlRef u) const;
   float car_rates(const float* s, const float* u, SinCos heading, SinCos steering, float* ds) const;
   bool changes_little(const float* s, const float* u, float dt) const;
   float separation(float hitch, float spread) const;

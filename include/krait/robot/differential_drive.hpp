@@ -48,10 +48,16 @@ class DifferentialDrive : public PlanarBody {
     ds[4] = u[1];
   }
   void steer(StateView s, const Target& target, Steering& steering, ControlRef u) const;
+  void track(StateView s, StateView reference, float dt, ControlRef u) const;
   bool within_limits(StateView s) const;
   bool travel(StateView s, ControlView u, float dt, StateView next, Travel* travel) const;
+  // 1/s: half the largest turn rate, or the root of half the largest angular acceleration, as much of it as a time step
+  // of dt has room for.
+  float fastest_rate(float dt) const;
 
  private:
+  void approach(StateView s, const float* wanted, float dt, ControlRef u) const;
+
   DifferentialDriveParameters parameters_;
 };
 

@@ -57,6 +57,16 @@ struct Steering {
 //                                that nothing is jumped over between two states, whatever it gives: false when it is
 //                                not proven that the limits, which s and next keep, hold all the way
 // It may also have
+//   fastest_rate(dt)             1/s, at least 0: Runge-Kutta steps of h seconds with h fastest_rate(dt) <= kStepRate
+//                                (rk4.hpp) are accurate to its bounds, whatever state and control the limits allow in a
+//                                time step of dt. Without it, every time step is taken for short enough
+//   track(s, reference, dt, u)   changes u, the control of the state `reference` that s is very near to, to the one
+//   that
+//                                brings s back to the motion of the reference within some time steps of dt, inside the
+//                                limits as steer's. Without it, u stays, and a plan's error grows with its length
+//   keeps_reserve(s)             s is so far within the limits that a plan, which is driven a little beside the tree,
+//   keeps
+//                                them; without it, within_limits is all that the tree keeps
 //   steer(s, poses, target, steering, u)
 //                                the same control to the bit, given the frames of s as well; used instead
 //   leading_size()               how many of the first components, the position among them, depend on no others; place
@@ -115,6 +125,22 @@ void steer(const R& robot, StateView s, const Pose* poses, const Target& target,
   }
 }
 
+// Changes u, the reference's control, so that the robot comes back from s to the reference; a robot may say how.
+template <Robot R>
+void track(const R& robot, StateView s, StateView reference, float dt, ControlRef u) {
+  if constexpr (requires { robot.track(s, reference, dt, u); }) robot.track(s, reference, dt, u);
+}
+
+// Whether the state is far enough within the limits for the tree; a robot may say.
+template <Robot R>
+bool keeps_reserve(const R& robot, StateView s) {
+  if constexpr (requires {
+                  { robot.keeps_reserve(s) } -> std::same_as<bool>;
+                })
+    return robot.keeps_reserve(s);
+  return true;
+}
+
 // How many of the state's first components move by themselves; a robot may say.
 template <Robot R>
 int leading_size(const R& robot) {
@@ -160,6 +186,16 @@ QuickBound quick_bound(const R& robot, StateView s, ControlView u, float dt, Sta
                 })
     return robot.quick_bound(s, u, dt, next);
   return {};
+}
+
+// How fast the dynamics can change within a time step of dt seconds, 1/s; a robot may say.
+template <Robot R>
+float fastest_rate(const R& robot, float dt) {
+  if constexpr (requires {
+                  { robot.fastest_rate(dt) } -> std::same_as<float>;
+                })
+    return robot.fastest_rate(dt);
+  return 0.0F;
 }
 
 // Whether the robot can drive backwards; a robot may say.

@@ -42,8 +42,11 @@ class Unicycle : public PlanarBody {
     ds[2] = u[1];
   }
   void steer(StateView s, const Target& target, Steering& steering, ControlRef u) const;
+  void track(StateView s, StateView reference, float dt, ControlRef u) const;
   bool within_limits(StateView s) const;
   bool travel(StateView s, ControlView u, float dt, StateView next, Travel* travel) const;
+  // 1/s: half the largest turn rate; the position alone has an error, of four orders above that of a chain.
+  float fastest_rate(float) const { return 0.5F * parameters_.max_turn_rate; }
 
  private:
   UnicycleParameters parameters_;

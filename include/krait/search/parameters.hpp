@@ -48,7 +48,7 @@ struct Parameters {
   float slowest = 0.75F;       // 0.05 … 1: speed set-points are uniform from this share of the top speed to all of it
   float reverse_share = 0.2F;  // 0 … 1: share of expansions that drive backwards, of a robot that can
   // Collision.
-  float clearance = 1e-3F;          // 0 … 10 m: kept between bodies and everything, on top of rounding
+  float clearance = 1e-3F;          // 0 … 10 m: a plan keeps it between bodies and everything, on top of rounding
   bool continuous = true;           // whether whole steps are proven free, or states only
   std::uint32_t max_substeps = 16;  // 1 … 64, a power of two: how finely a step is cut to prove it
   bool prune_portals = true;        // whether portals too narrow for the robot are removed before the search
@@ -68,6 +68,10 @@ struct Parameters {
   // Argument::none, or the first parameter that is NaN or out of its range.
   Argument first_bad() const;
 };
+
+// In lengths of body 0: how much more than Parameters::clearance the tree keeps, so that a plan, which is driven a
+// little beside the tree, keeps that clearance.
+inline constexpr float kTreeSlack = 2e-3F;
 
 // What a search does when the memory for vertices or expansions is full.
 enum class WhenFull : std::uint8_t {

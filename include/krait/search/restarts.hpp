@@ -17,6 +17,9 @@ class Restarts {
     left_ = unit;
   }
 
+  // Lets the next expansion begin the next try, if there are tries.
+  void end_try() { left_ = 0; }
+
   // Counts an expansion; whether the try was over before it, so that the next one begins.
   bool due() {
     if (unit_ == 0) return false;

@@ -8,7 +8,7 @@
 #include "krait/decomposition/locate.hpp"
 #include "krait/decomposition/regions.hpp"
 #include "krait/motion/drive.hpp"
-#include "krait/motion/open_loop.hpp"
+#include "krait/motion/plan_drive.hpp"
 #include "krait/plan.hpp"
 #include "krait/random.hpp"
 #include "krait/robot/robot.hpp"
@@ -89,8 +89,9 @@ class Search {
     return begin(query);
   }
 
-  // At most `iterations` expansions more; returns at once when the search has ended. The result does not depend on how
-  // a search is cut into calls.
+  // At most `iterations` expansions more; returns at once when the search has ended. A way that has reached the goal is
+  // driven once more before it is given out as a plan: an expansion of it counts as one of `iterations` here, but not
+  // in Statistics and Limits. The result does not depend on how a search is cut into calls.
   Status advance(std::uint64_t iterations) {
     return advance(iterations, [](const float*, const float*) {});
   }
@@ -99,6 +100,10 @@ class Search {
   template <class Watch>
   Status advance(std::uint64_t iterations, Watch watch) {
     for (; iterations > 0 && status() == Status::searching; --iterations) {
+      if (driven_ != kNone) {
+        drive_plan();
+        continue;
+      }
       if (statistics_.iterations == limits_.iterations) return finish(Status::budget_used);
       ++statistics_.iterations;
       if (restarts_.due()) {
@@ -156,19 +161,18 @@ class Search {
   template <class Watch>
   Expanded expand(Index vertex, Index region, const Target& toward, Watch watch) {
     const Index expansion = tree_.begin_expansion(tree_.branch(vertex), toward);
-    drive_.begin(*robot_, tree_.state(vertex));
+    drive_.begin(tree_.state(vertex));
     check_.begin(drive_.state());
-    Target target = tree_.target(expansion);
-    target.dt = parameters_.dt;
-    drive_.aim(target);
+    drive_.aim(tree_.target(expansion));
     Expanded expanded{Expansion::target_not_reached, region, {expansion, 0}};
     while (expanded.result == Expansion::target_not_reached && expanded.last.step < parameters_.max_steps) {
       expanded.result = grow(expanded, watch);
     }
     if (expanded.result == Expansion::goal_reached) {
-      if (finish_solved(expanded.last)) return expanded;
-      expanded.result = Expansion::target_not_reached;
-    } else if (expanded.result != Expansion::collision) {
+      begin_plan(expanded.last);
+      return expanded;
+    }
+    if (expanded.result != Expansion::collision) {
       for (std::uint32_t back = derived().doomed_steps(); back-- > 0;) {
         if (!keep_recent(expanded.last, back)) expanded.result = Expansion::tree_full;
       }
@@ -223,8 +227,9 @@ class Search {
   static constexpr float kGentlest = 0.15F;       // of the sharpest turn
   static constexpr float kReachRounding = 1e-2F;  // metres
   static constexpr float kLeastCost = 0.05F;      // of an edge, in robot lengths: keeps h + C above h
-  static constexpr float kMostDrift = 0.04F;      // metres, of a plan's open-loop end from its last state
-  static constexpr float kDepthKept = 0.1F;       // share of the goal's margin that the open-loop end keeps
+  static constexpr float kDepthKept = 0.1F;       // share of the goal's margin that a plan keeps
+  static constexpr float kDriveError = 1e-4F;     // metres: how far the driven states may be off, and
+  static constexpr float kDriftShare = 1e-6F;     // by how much of the plan's length more
 
   struct NewState {
     Index region;
@@ -257,7 +262,13 @@ class Search {
     Argument bad = parameters.first_bad();
     if (bad == Argument::none) bad = limits.first_bad();
     if (bad != Argument::none) return failure_ = bad_argument(bad);
+    if (!can_integrate(robot, parameters.dt)) {
+      failure_ = bad_argument(Argument::dt);
+      failure_.most = longest_time_step(robot, parameters.dt);
+      return failure_;
+    }
     robot_length_ = krait::robot_length(robot);
+    drive_.assign(robot, parameters.dt);
     return failure_ = {};
   }
 
@@ -266,9 +277,10 @@ class Search {
   Status begin(const Query& query) {
     statistics_ = {};
     tree_.clear(scene_->bounds());
+    driven_ = kNone;
     random_ = Random(query.seed);
-    check_.assign(*robot_, *scene_, parameters_.clearance, static_cast<int>(parameters_.max_substeps),
-                  !parameters_.plain);
+    check_.assign(*robot_, *scene_, tree_clearance(), static_cast<int>(parameters_.max_substeps), !parameters_.plain);
+    keep_for_tree();
     goal_ = query.goal;
     failure_ = check_query(query);
     if (status() != Status::searching) return status();
@@ -288,7 +300,7 @@ class Search {
   // Forgets all but the start and where the random numbers have got to.
   void begin_anew() {
     ++statistics_.restarts;
-    drive_.begin(*robot_, tree_.state(kRoot));
+    drive_.begin(tree_.state(kRoot));
     tree_.empty();
     derived().reset_guide();
     find_paths();
@@ -314,10 +326,10 @@ class Search {
     root_region_ = regions_.region(triangle);
     statistics_.vertices = 1;
     if (regions_.cost(root_region_) == kInfinity) return finish(Status::no_route);
-    drive_.begin(*robot_, start);
+    drive_.begin(start);
     derived().keep(root_region_, {}, drive_.state());
     finish(fits ? Status::searching : Status::no_route);
-    if (goal_.contains(*scene_, at, 0.0F)) finish_solved({});
+    if (goal_.contains(*scene_, at, 0.0F)) begin_plan({});
     return status();
   }
 
@@ -379,10 +391,15 @@ class Search {
     const float* const next = drive_.next();
     if (!check_.lead_free(state, next)) return false;
     drive_.follow(check_.poses());
+    if (!keeps_reserve(*robot_, StateView(next, robot_->state_size()))) return false;
+    return step_holds(state, drive_.control(), next);
+  }
+
+  bool step_holds(const float* state, const float* control, const float* next) {
     if (!robot_->within_limits(StateView(next, robot_->state_size()))) return false;
     if (!scene_->inside_bounds({next[0], next[1]})) return false;
-    if (parameters_.continuous) return check_.step_free(state, drive_.control(), parameters_.dt, next);
-    return check_.keeps_limits(state, drive_.control(), parameters_.dt, next) && check_.free(next);
+    if (parameters_.continuous) return check_.step_free(state, control, parameters_.dt, next);
+    return check_.keeps_limits(state, control, parameters_.dt, next) && check_.free(next);
   }
 
   // The region of a position; where no triangle contains it (a reference point outside the body may stand on an
@@ -392,37 +409,80 @@ class Search {
     return triangle == kNone ? last : regions_.region(triangle);
   }
 
-  // Ends the search with the plan that leads to `last`, where drive_ stands. False, and the search goes on, where the
-  // robot that is driven by the plan's controls alone would end elsewhere.
-  bool finish_solved(Branch last) {
+  float tree_clearance() const { return parameters_.clearance + kTreeSlack * robot_length_; }
+
+  void keep_for_tree() { check_.keep(tree_clearance(), longest_step(*robot_, parameters_.dt, kStepRate)); }
+
+  // The way to `last` has reached the goal. It is driven once more from the start, expansion by expansion, as the
+  // plan's controls alone would drive the robot, and every step is proven again: what holds is the plan. Until then the
+  // tree is used for nothing else. O(expansions of the way).
+  void begin_plan(Branch last) {
+    reached_ = last;
     path_ = last.expansion == kNone ? kNone : tree_.turn_path(last);
-    const Plan<R> found = found_plan();
-    PlanCursor<R> at = found.cursor();
-    open_loop_.begin(*robot_, at.state());
-    const PlanMeasures measures = measure(at, [this](const float* u) { open_loop_.step(u, parameters_.dt); });
-    for (int i = 0; i < robot_->state_size(); ++i) {
-      if (at.state()[i] == drive_.state()[i]) continue;
-      finish(Status::internal);
-      return true;
+    driven_ = path_;
+    meter_ = {};
+    plan_drive_.begin(*robot_, parameters_.dt, tree_.state(kRoot));
+    if (driven_ == kNone) return finish_plan();
+    keep_for_plan();
+    check_.begin(plan_drive_.state());
+  }
+
+  void keep_for_plan() {
+    const float error = kDriveError + kDriftShare * meter_.length();
+    check_.keep(parameters_.clearance + error, longest_step(*robot_, parameters_.dt, kPlanStepRate));
+  }
+
+  // One expansion of the way.
+  void drive_plan() {
+    plan_drive_.aim(tree_.target(driven_));
+    for (std::uint32_t steps = tree_.steps(driven_); steps > 0; --steps) {
+      if (!drive_step()) return refuse_plan();
     }
-    if (!ends_there(open_loop_.position(), {at.state()[0], at.state()[1]})) {
-      tree_.turn_path_back(path_);
-      return false;
-    }
-    finish(Status::solved);
-    statistics_.plan_steps = measures.steps;
-    statistics_.plan_length = measures.length;
-    statistics_.plan_duration = found.duration();
-    statistics_.hash = measures.hash;
+    driven_ = tree_.next_of_path(driven_);
+    if (driven_ == kNone) return finish_plan();
+    keep_for_plan();
+  }
+
+  bool drive_step() {
+    plan_drive_.step(check_.poses());
+    const float* const state = plan_drive_.state();
+    const float* const control = plan_drive_.control();
+    if (!step_holds(state, control, plan_drive_.next())) return false;
+    meter_.add(state, robot_->state_size(), control, robot_->control_size(), plan_drive_.next());
+    plan_drive_.go();
     return true;
   }
 
-  Plan<R> found_plan() const { return {*robot_, tree_, path_, tree_.state(kRoot), parameters_.dt}; }
-
-  bool ends_there(Vec2 end, Vec2 planned) const {
-    return length(end - planned) <= kMostDrift &&
-           goal_.contains(*scene_, end, path_ == kNone ? 0.0F : kDepthKept * goal_depth_);
+  // Ends the search as solved where the way that was driven ends in the goal; as internal where the tree beside it was
+  // not the same as when it grew.
+  void finish_plan() {
+    const float* const end = plan_drive_.state();
+    for (int i = 0; i < robot_->state_size(); ++i) {
+      if (plan_drive_.tree_state()[i] == drive_.state()[i]) continue;
+      finish(Status::internal);
+      return;
+    }
+    const float depth = path_ == kNone ? 0.0F : kDepthKept * goal_depth_;
+    if (!goal_.contains(*scene_, {end[0], end[1]}, depth)) return refuse_plan();
+    finish(Status::solved);
+    const PlanMeasures measures = meter_.end(end, robot_->state_size());
+    statistics_.plan_steps = measures.steps;
+    statistics_.plan_length = measures.length;
+    statistics_.plan_duration = found_plan().duration();
+    statistics_.hash = measures.hash;
   }
+
+  // Goes on with the search; with its next try, since other ways to the goal would mostly begin as this one did.
+  void refuse_plan() {
+    ++statistics_.plans_refused;
+    tree_.turn_path_back(path_);
+    tree_.end_expansion(reached_.expansion, reached_.step);
+    driven_ = kNone;
+    keep_for_tree();
+    restarts_.end_try();
+  }
+
+  Plan<R> found_plan() const { return {*robot_, tree_, path_, tree_.state(kRoot), parameters_.dt}; }
 
   bool ready_ = false;
   Failure failure_ = bad_argument(Argument::block);  // until init has one
@@ -433,8 +493,11 @@ class Search {
   Restarts restarts_;
   NewState recent_[kRecent];  // the last of the expansion
   Index root_region_ = kNone;
-  Index path_ = kNone;  // the plan's first expansion
-  OpenLoop<R> open_loop_;
+  Index path_ = kNone;    // the plan's first expansion
+  Index driven_ = kNone;  // the expansion of the way to the goal that is driven next; kNone while the tree grows
+  Branch reached_;        // the state of the way that reached the goal
+  PlanDrive<R> plan_drive_;
+  PlanMeter meter_;
 };
 
 }  // namespace krait

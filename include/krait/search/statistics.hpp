@@ -13,6 +13,7 @@ struct Statistics {
   std::uint64_t collision_checks = 0;  // placements of the whole robot that were tested
   std::uint64_t dijkstra_runs = 0;
   std::uint64_t regions_repaired = 0;  // by a repair of the shortest paths in place of a run
+  std::uint64_t plans_refused = 0;     // ways to the goal that did not hold as driven
   std::uint64_t bytes_used = 0;        // of the block: tables, and what vertices and expansions took at most
   std::uint64_t bytes_given = 0;
   std::uint32_t plan_steps = 0;

@@ -41,6 +41,7 @@ nlohmann::ordered_json statistics_json(const Statistics& s, double seconds) {
           {"collision_checks", s.collision_checks},
           {"dijkstra_runs", s.dijkstra_runs},
           {"regions_repaired", s.regions_repaired},
+          {"plans_refused", s.plans_refused},
           {"bytes_used", s.bytes_used},
           {"bytes_given", s.bytes_given},
           {"plan_steps", s.plan_steps},

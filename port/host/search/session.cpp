@@ -1,10 +1,19 @@
 #include "host/search/session.hpp"
 
+#include <cstdio>
+
 #include "host/search/planner_session.hpp"
 #include "host/search/sessions.hpp"
 
 namespace krait::host {
 namespace {
+
+// The number with two digits.
+std::string shortest(float number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g", static_cast<double>(number));
+  return text;
+}
 
 std::string explanation(const Failure& failure, const SearchRequest& request) {
   const std::string argument = name(static_cast<Argument>(failure.element));
@@ -23,6 +32,7 @@ std::string explanation(const Failure& failure, const SearchRequest& request) {
       return argument + " cannot be used";
     case Status::bad_argument:
       if (argument == name(Argument::goal)) return "the goal's centre lies outside the workspace's bounds";
+      if (failure.most > 0) return "dt: at most " + shortest(failure.most) + " s for a robot so fast and so short";
       return argument + " is not finite or out of its range (krait plan --help has the ranges)";
     case Status::bad_arithmetic:
       return "the program was built with contracted or relaxed floating point";

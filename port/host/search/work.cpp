@@ -18,7 +18,7 @@ float farthest_of(const Chain& robot) {
 // moved further than the body, and it may stray from it by as much.
 float search_radius(const krait::Scene& scene, const RobotExtent& robot, const Parameters& parameters) {
   constexpr float kLeastReach = 1e-3F;
-  const float margin = Obstacles(scene, parameters.clearance).margin();
+  const float margin = Obstacles(scene, parameters.clearance + kTreeSlack * robot.length).margin();
   return robot.largest_radius + robot.longest_travel + kLeastReach + margin;
 }
 
@@ -93,10 +93,21 @@ float largest_radius(Polygon body) {
   return radius * (1.0F + 1e-6F);
 }
 
+// Runge-Kutta steps of a time step of a plan: those of the tree beside it, its own, and those of all parts that it may
+// be cut into, each at least one.
+std::uint64_t integrations(const RobotExtent& robot, const Parameters& parameters) {
+  const auto plan_parts = static_cast<std::uint64_t>(robot.plan_parts);
+  std::uint64_t steps = static_cast<std::uint64_t>(robot.tree_parts) + plan_parts;
+  for (std::uint64_t cut = 2; parameters.continuous && cut <= parameters.max_substeps; cut *= 2) {
+    steps += std::max(cut, plan_parts + cut - 1);
+  }
+  return steps;
+}
+
 // A step is judged whole, then in halves of halves down to one part of max_substeps: every part of the binary tree at
 // most once, since the search for a free part goes on from where the last one ended. Judging looks at what every body
 // sweeps, and where it stands at the end, against the pieces near it, and at every pair of bodies; before that the
-// whole step's body 0 may have been looked at alone. Each part but the whole begins with a Runge-Kutta step of its own.
+// whole step's body 0 may have been looked at alone.
 // A Dijkstra pops every region at most once and pushes each source, and each region over each of its portals, at most
 // once.
 Work work_bound(const krait::Scene& scene, const RobotExtent& robot, const Parameters& parameters) {
@@ -105,7 +116,7 @@ Work work_bound(const krait::Scene& scene, const RobotExtent& robot, const Param
   Work work;
   work.pieces_near = most_pieces_near(scene, search_radius(scene, robot, parameters));
   work.placements = judged + 1;
-  work.runge_kutta_steps = judged;
+  work.runge_kutta_steps = parameters.max_steps * integrations(robot, parameters);
   work.polygon_distances =
       (2 * robot.bodies * judged + parameters.max_steps) * work.pieces_near + judged * pairs(robot);
   work.heap_operations = 2 * (std::uint64_t{scene.triangle_count()} + scene.portal_count());

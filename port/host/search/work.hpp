@@ -11,7 +11,7 @@ namespace krait::host {
 
 struct Work {
   std::uint64_t placements = 0;         // of the whole robot that are judged
-  std::uint64_t runge_kutta_steps = 0;  // besides those of a plan's replay, one a step of it, in the call that solves
+  std::uint64_t runge_kutta_steps = 0;  // of the dearer: growing by an expansion, or driving one for the plan
   std::uint64_t polygon_distances = 0;  // of GJK, which takes at most 20 rounds
   std::uint64_t heap_operations = 0;    // pushes and pops of one Dijkstra
   std::uint64_t pieces_near = 0;        // obstacle pieces that a body can be tested against in one placement
@@ -23,6 +23,9 @@ struct RobotExtent {
   std::uint64_t gap = 2;        // bodies so far apart in the chain are tested against each other
   float largest_radius = 0.0F;  // metres, of the circle around a body's box
   float longest_travel = 0.0F;  // metres, of a body's point in a time step
+  float length = 0.0F;          // metres, of body 0
+  int tree_parts = 1;           // Runge-Kutta steps of a time step while the tree grows
+  int plan_parts = 1;           // and while a plan is driven
 };
 
 // At full speed and lock.
@@ -38,6 +41,9 @@ RobotExtent extent(const R& robot, const Parameters& parameters) {
   extent.bodies = static_cast<std::uint64_t>(robot.body_count());
   extent.gap = static_cast<std::uint64_t>(self_collision_gap(robot));
   extent.longest_travel = longest_travel(robot, parameters.dt);
+  extent.length = robot_length(robot);
+  extent.tree_parts = parts_of(parameters.dt, longest_step(robot, parameters.dt, kStepRate), kMostParts);
+  extent.plan_parts = parts_of(parameters.dt, longest_step(robot, parameters.dt, kPlanStepRate), 2 * kMostParts + 1);
   for (int k = 0; k < robot.body_count(); ++k) {
     extent.largest_radius = std::max(extent.largest_radius, largest_radius(robot.body(k)));
   }

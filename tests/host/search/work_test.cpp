@@ -70,7 +70,7 @@ struct SceneFile {
 // The most of each that one call of advance(1) did, over the first 400 calls of a search.
 template <Robot R>
 Work most_work(const krait::Scene& scene, const R& robot, std::uint64_t seed) {
-  counters[0].function = address_of(&Motion<R>::lead);
+  counters[0].function = address_of(&Motion<R>::integrate_lead);
   counters[1].function = reinterpret_cast<const void*>(&polygon_distance);
   counters[2].function = address_of(&IndexedHeap::push);
   counters[3].function = address_of(&IndexedHeap::pop);
@@ -91,7 +91,7 @@ Work most_work(const krait::Scene& scene, const R& robot, std::uint64_t seed) {
     planner->advance(1);
     const Statistics now = planner->statistics();
     most.placements = std::max(most.placements, now.collision_checks - placed);
-    most.runge_kutta_steps = std::max(most.runge_kutta_steps, counters[0].calls - now.plan_steps);
+    most.runge_kutta_steps = std::max(most.runge_kutta_steps, counters[0].calls);
     most.polygon_distances = std::max(most.polygon_distances, counters[1].calls);
     most.heap_operations = std::max(most.heap_operations, counters[2].calls + counters[3].calls);
     placed = now.collision_checks;

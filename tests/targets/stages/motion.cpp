@@ -1,4 +1,5 @@
-// Every robot: Runge-Kutta under random controls, and steering toward random targets with the bodies placed.
+// Every robot: Runge-Kutta under random controls, steering toward random targets with the bodies placed, and the motion
+// of a plan.
 #include "stages.hpp"
 
 namespace krait::stages {
@@ -85,10 +86,35 @@ void steering(const firmware::Board& board, const char* name, const R& robot) {
   report(board, {"bodies", name}, bodies);
 }
 
+// The motion of a plan.
 template <Robot R>
-void both(const firmware::Board& board, const char* name, const R& robot) {
+void driving(const firmware::Board& board, const char* name, const R& robot) {
+  static PlanDrive<R> drive;
+  const float start[R::kMaxState] = {};
+  Hash hash;
+  Random random(13);
+  drive.begin(robot, kStep, start);
+  for (int step = 0; step < kSteps / 3; ++step) {
+    if (step % kExpansion == 0) {
+      const float x = spread(random, 20.0F);
+      const float y = spread(random, 20.0F);
+      drive.aim({{x, y}, 0.75F + 0.25F * random.unit()});
+    }
+    Pose poses[R::kMaxBodies];
+    robot.place(StateView(drive.state(), robot.state_size()), poses);
+    drive.step(poses);
+    hash.add(drive.control(), robot.control_size());
+    drive.go();
+    hash.add(drive.state(), robot.state_size());
+  }
+  report(board, {"drive", name}, hash);
+}
+
+template <Robot R>
+void all(const firmware::Board& board, const char* name, const R& robot) {
   runge_kutta(board, name, robot);
   steering(board, name, robot);
+  driving(board, name, robot);
 }
 
 }  // namespace
@@ -100,12 +126,12 @@ void motion(const firmware::Board& board) {
   static const Car car(Car::defaults());
   static const Unicycle unicycle{UnicycleParameters{}};
   static const DifferentialDrive drive{DifferentialDriveParameters{}};
-  both(board, "unicycle", unicycle);
-  both(board, "diff_drive", drive);
-  both(board, "car", car);
-  both(board, "truck:2", towing);
-  both(board, "snake:5", short_snake);
-  both(board, "snake:15", long_snake);
+  all(board, "unicycle", unicycle);
+  all(board, "diff_drive", drive);
+  all(board, "car", car);
+  all(board, "truck:2", towing);
+  all(board, "snake:5", short_snake);
+  all(board, "snake:15", long_snake);
 }
 
 }  // namespace krait::stages

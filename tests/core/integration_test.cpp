@@ -1,0 +1,153 @@
+// How many Runge-Kutta steps a time step is divided into, and how far they are from the true motion, over the whole
+// range of parameters that init accepts (lib/DESIGN.md, "Integration").
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "krait/motion/rk4.hpp"
+#include "planner_fixture.hpp"
+#include "robot_oracle.hpp"
+
+namespace krait::test {
+namespace {
+
+float log_uniform(std::mt19937& random, double low, double high) {
+  return static_cast<float>(std::exp(wide(uniform_float(random, std::log(low), std::log(high)))));
+}
+
+template <class R>
+R random_robot(std::mt19937& random) {
+  if constexpr (std::is_base_of_v<Chain, R>) {
+    ChainParameters p;
+    p.trailers = static_cast<int>(below(random, 26));
+    p.wheelbase = log_uniform(random, 0.05, 5);
+    p.hitch_length = log_uniform(random, 0.05, 5);
+    p.max_speed = log_uniform(random, 0.05, 20);
+    p.min_speed = below(random, 2) == 0 ? 0.0F : -p.max_speed;
+    p.max_acceleration = log_uniform(random, 0.05, 50);
+    p.max_steering = log_uniform(random, 0.05, 1.5);
+    p.max_steering_rate = log_uniform(random, 0.05, 50);
+    return R(p);
+  } else if constexpr (std::is_same_v<R, Unicycle>) {
+    UnicycleParameters p;
+    p.max_speed = log_uniform(random, 0.05, 20);
+    p.max_turn_rate = log_uniform(random, 0.05, 50);
+    return R(p);
+  } else {
+    DifferentialDriveParameters p;
+    p.wheel_radius = log_uniform(random, 0.01, 1);
+    p.track_width = log_uniform(random, 0.05, 3);
+    p.max_wheel_speed = log_uniform(random, 0.5, 200);
+    p.max_wheel_acceleration = log_uniform(random, 0.5, 2000);
+    return R(p);
+  }
+}
+
+struct Errors {
+  double angle = 0;     // radians
+  double position = 0;  // of the way of a time step
+
+  void add(const Numbers& truth, const Numbers& s, double way) {
+    for (std::size_t i = 2; i < s.size(); ++i) angle = std::max(angle, std::abs(truth[i] - s[i]));
+    position = std::max(position, std::hypot(truth[0] - s[0], truth[1] - s[1]) / way);
+  }
+};
+
+double largest_speed(const Chain& robot) { return wide(robot.parameters().max_speed); }
+double largest_speed(const Unicycle& robot) { return wide(robot.parameters().max_speed); }
+double largest_speed(const DifferentialDrive& robot) {
+  return wide(robot.parameters().wheel_radius) * wide(robot.parameters().max_wheel_speed);
+}
+
+template <class R>
+class IntegrationOf : public ::testing::Test {
+ protected:
+  // The worst truncation of `draws` time steps whose Runge-Kutta steps are as long as step_rate allows.
+  static Errors worst(float step_rate, int draws) {
+    Errors errors;
+    std::mt19937 random(5);
+    for (int i = 0; i < draws; ++i) {
+      const R robot = random_robot<R>(random);
+      const float dt = log_uniform(random, 0.001, 1);
+      if (!can_integrate(robot, dt)) continue;
+      const std::vector<float> s = random_state(robot, random, 0.01);
+      const std::vector<float> u = random_control(robot, s, dt, random);
+      const int parts = parts_of(dt, longest_step(robot, dt, step_rate), 2 * kMostParts + 1);
+      const Numbers exact = truth(robot, s, u, dt, 8 * parts);
+      if (within_limits(robot, exact)) {
+        errors.add(exact, truth(robot, s, u, dt, parts), largest_speed(robot) * wide(dt));
+      }
+    }
+    return errors;
+  }
+
+ private:
+  static bool within_limits(const R& robot, const Numbers& state) {
+    const std::vector<float> rounded(state.begin(), state.end());
+    return robot.within_limits(StateView(rounded.data(), robot.state_size()));
+  }
+
+  static Numbers truth(const R& robot, const std::vector<float>& s, const std::vector<float>& u, float dt, int parts) {
+    Numbers state = doubles(s);
+    for (int part = 0; part < parts; ++part) state = rk4(robot, state, doubles(u), wide(dt) / parts);
+    return state;
+  }
+};
+TYPED_TEST_SUITE(IntegrationOf, Models, ModelNames);
+
+TYPED_TEST(IntegrationOf, KeepsItsBoundsOverAllParameters) {
+  const int draws = std::is_base_of_v<Chain, TypeParam> ? 2000 : 10'000;
+  const Errors tree = this->worst(kStepRate, draws);
+  EXPECT_LT(tree.angle, 2e-3);
+  EXPECT_LT(tree.position, 5e-4);
+  const Errors plan = this->worst(kPlanStepRate, draws);
+  EXPECT_LT(plan.angle, 1e-4);
+  EXPECT_LT(plan.position, 5e-5);
+  std::printf("tree %.2g rad, %.2g of the way; plan %.2g rad, %.2g of the way\n", tree.angle, tree.position, plan.angle,
+              plan.position);
+}
+
+// The default robots are accurate in one Runge-Kutta step of the default time step.
+TEST(IntegrationSteps, AreOneForTheDefaultRobots) {
+  const float dt = Parameters().dt;
+  const auto parts = [&](const auto& robot) { return parts_of(dt, longest_step(robot, dt, kStepRate), kMostParts); };
+  ChainParameters p;
+  p.trailers = 15;
+  EXPECT_EQ(parts(Snake(p)), 1);
+  EXPECT_EQ(parts(Truck(p)), 1);
+  EXPECT_EQ(parts(Car(Car::defaults())), 1);
+  EXPECT_EQ(parts(Unicycle({})), 1);
+  EXPECT_EQ(parts(DifferentialDrive({})), 1);
+  p.hitch_length = 0.15F;
+  EXPECT_EQ(parts(Truck(p)), 6);
+  EXPECT_EQ(parts(Slider(0.5F, 1.5F)), 1) << "a robot that does not state its rate";
+}
+
+TEST(IntegrationSteps, PartsAreAtMostTheLongestStep) {
+  EXPECT_EQ(parts_of(0.1F, kInfinity, 64), 1);
+  EXPECT_EQ(parts_of(0.1F, 0.1F, 64), 1);
+  EXPECT_EQ(parts_of(0.1F, 0.06F, 64), 2);
+  EXPECT_EQ(parts_of(1.0F, 0.01F, 64), 64);
+}
+
+// What would need more than kMostParts is refused, with the longest time step that would do.
+TEST(IntegrationSteps, ThatWouldBeTooManyAreRefused) {
+  ChainParameters p;
+  p.trailers = 1;
+  p.hitch_length = 0.01F;
+  p.max_speed = 5.0F;
+  Bench<Truck> bench(two_rooms(), Truck(p));
+  bench.parameters.dt = 0.5F;
+  const Failure failure = bench.init();
+  EXPECT_EQ(failure.status, Status::bad_argument);
+  EXPECT_EQ(failure.element, static_cast<std::uint32_t>(Argument::dt));
+  EXPECT_NEAR(wide(failure.most), 64 * 0.32 * 0.01 / 5, 1e-5);
+  bench.parameters.dt = failure.most;
+  EXPECT_TRUE(bench.init().ok());
+  p.hitch_length = 1e-5F;
+  bench.robot = Truck(p);
+  EXPECT_EQ(bench.init().most, 0.0F) << "no time step that is long enough would do";
+}
+
+}  // namespace
+}  // namespace krait::test

@@ -1,0 +1,169 @@
+// The motion of a plan, against double precision and against the tree's, and what becomes of ways that do not hold.
+#include "krait/motion/plan_drive.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "planner_fixture.hpp"
+#include "robot_oracle.hpp"
+#include "step_oracle.hpp"
+
+namespace krait::test {
+namespace {
+
+constexpr float kStep = 0.05F;  // seconds
+
+double distance(const Numbers& state, const float* other) {
+  return std::hypot(state[0] - wide(other[0]), state[1] - wide(other[1]));
+}
+
+// Drives a plan and the tree's way beside it, and what the plan's controls lead to in double precision.
+template <class R>
+class Drives {
+ public:
+  explicit Drives(const R& robot) : robot_(robot), poses_(static_cast<std::size_t>(robot.body_count())) {
+    const std::vector<float> start(static_cast<std::size_t>(robot.state_size()), 0.0F);
+    plan_.begin(robot, kStep, start.data());
+    tree_.assign(robot, kStep);
+    tree_.begin(start.data());
+    truth_ = doubles(start);
+  }
+
+  void aim(const Target& target) {
+    plan_.aim(target);
+    tree_.aim(target);
+  }
+
+  void step() {
+    place(tree_.state());
+    tree_.lead(poses_.data());
+    tree_.follow(poses_.data());
+    place(plan_.state());
+    plan_.step(poses_.data());
+    const Numbers control(plan_.control(), plan_.control() + robot_.control_size());
+    const Numbers before = truth_;
+    for (int part = 0; part < 8; ++part) truth_ = rk4(robot_, truth_, control, wide(kStep) / 8);
+    path_ += std::hypot(truth_[0] - before[0], truth_[1] - before[1]);
+    plan_.go();
+    tree_.go();
+  }
+
+  double path() const { return path_; }
+  double error() const { return distance(truth_, plan_.state()); }
+  double error_of_tree() const { return distance(truth_, tree_.state()); }
+
+ private:
+  void place(const float* state) { robot_.place(StateView(state, robot_.state_size()), poses_.data()); }
+
+  const R& robot_;
+  PlanDrive<R> plan_;
+  Drive<R> tree_;
+  std::vector<Pose> poses_;
+  Numbers truth_;
+  double path_ = 0;
+};
+
+template <class R>
+class PlanDriveOf : public ::testing::Test {};
+TYPED_TEST_SUITE(PlanDriveOf, Models, ModelNames);
+
+// Eight minutes of driving: the states are those of the true motion, to a tenth of a millimetre and a millionth
+// of the path, and that motion stays beside the tree's.
+TYPED_TEST(PlanDriveOf, StaysWithTheTrueMotionAndBesideTheTree) {
+  for (const TypeParam& robot : instances<TypeParam>()) {
+    std::mt19937 random(1);
+    Drives<TypeParam> drives(robot);
+    Target target{{50, 50}, 0.9F};
+    for (int i = 0; i < 10'000; ++i) {
+      if (i % 40 == 0) {
+        target.point = {uniform_float(random, 0, 100), uniform_float(random, 0, 100)};
+        drives.aim(target);
+      }
+      drives.step();
+      ASSERT_LE(drives.error(), 1e-4 + 1e-6 * drives.path()) << "step " << i;
+      ASSERT_LE(drives.error_of_tree(), 0.01) << "step " << i;
+    }
+    EXPECT_GT(drives.path(), 50);
+  }
+}
+
+// A robot whose dynamics change too fast for its time step, which it does not state, and which does not keep to the
+// tree's way: its plans end elsewhere than the tree.
+class Whirl : public Unicycle {
+ public:
+  Whirl() : Unicycle(parameters()) {}
+  float fastest_rate(float) const = delete;
+  void track(StateView, StateView, float, ControlRef) const = delete;
+
+ private:
+  static UnicycleParameters parameters() {
+    UnicycleParameters p;
+    p.max_turn_rate = 2.0F;
+    return p;
+  }
+};
+
+TEST(PlanDriveOfWhirl, HasNoRateAndNoTracking) {
+  EXPECT_EQ(fastest_rate(Whirl(), 1.0F), 0.0F);
+  float u[] = {1, 1};
+  const float s[] = {0, 0, 0}, reference[] = {1, 1, 1};
+  track(Whirl(), StateView(s, 3), StateView(reference, 3), 1.0F, ControlRef(u, 2));
+  EXPECT_EQ(u[0], 1.0F);
+  EXPECT_EQ(u[1], 1.0F);
+}
+
+// Solves with a time step of a second; counts how many ways were refused, and holds what is solved to double precision.
+TEST(PlanDriveOfWhirl, IsNotGivenOutWhereItMissesOrCollides) {
+  const float start[] = {2, 6, 0};
+  std::uint64_t solved = 0, refused = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    Bench<Whirl> bench(two_rooms(), Whirl());
+    bench.parameters.dt = 1.0F;
+    bench.limits.iterations = 3000;
+    ASSERT_TRUE(bench.init().ok());
+    const Status status = bench.solve({start, Goal::named(0), seed});
+    refused += bench.planner.statistics().plans_refused;
+    if (status != Status::solved) continue;
+    ++solved;
+    const Path path(bench.planner.plan());
+    const Unicycle& robot = bench.robot;
+    const auto pieces = rings_of_pieces(bench.open.scene);
+    Numbers state = doubles(path.states.front());
+    for (std::size_t i = 0; i < path.controls.size(); ++i) {
+      const Numbers control = doubles(path.controls[i]);
+      for (int part = 0; part < 32; ++part) {
+        state = rk4(robot, state, control, 1.0 / 32);
+        ASSERT_GT(separation_of_state(robot, bench.open.scene, pieces, state), 0) << seed;
+      }
+    }
+    ASSERT_LE(distance(state, path.states.back().data()), 0.01) << seed;
+    const Vec2 end{static_cast<float>(state[0]), static_cast<float>(state[1])};
+    ASSERT_TRUE(Goal::named(0).contains(bench.open.scene, end, 0.0F)) << seed;
+  }
+  EXPECT_GT(solved, 100U);
+  EXPECT_GE(refused, 3U);
+}
+
+// The work of a call is bounded however long the plan is: what one call does is one expansion, of the tree or the way.
+TEST(PlanDriveCalls, DriveAnExpansionEach) {
+  const float start[] = {2, 6, 0};
+  Bench<Unicycle> bench(two_rooms(), small_unicycle());
+  bench.parameters.max_steps = 5;
+  ASSERT_TRUE(bench.init().ok());
+  bench.planner.start({start});
+  std::uint64_t placed = 0, driving = 0;
+  while (bench.planner.status() == Status::searching) {
+    const Statistics before = bench.planner.statistics();
+    bench.planner.advance(1);
+    const Statistics after = bench.planner.statistics();
+    driving += after.iterations == before.iterations ? 1 : 0;
+    placed = std::max(placed, after.collision_checks - before.collision_checks);
+  }
+  ASSERT_EQ(bench.planner.status(), Status::solved);
+  EXPECT_GE(driving * 5, bench.planner.statistics().plan_steps);
+  EXPECT_LE(placed, 5U * (2 * bench.parameters.max_substeps - 1) + 1);
+}
+
+}  // namespace
+}  // namespace krait::test
