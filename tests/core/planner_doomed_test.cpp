@@ -20,9 +20,11 @@ class Expansions {
   bool next() {
     states_.clear();
     kept_before_ = bench_.planner.tree().vertices();
-    return bench_.planner.advance(1, [&](const float*, const float* to) {
-      states_.push_back({to[0], to[1], to[2]});
-    }) == Status::searching;
+    return bench_.planner.advance(1,
+                                  [&](const float*, const float* to) {
+                                    states_.push_back({to[0], to[1], to[2]});
+                                  }) == Status::searching &&
+           !bench_.planner.driving();
   }
 
   std::size_t made() const { return states_.size(); }

@@ -26,7 +26,8 @@ class PlannerRecycling : public ::testing::Test {
     const auto& last = path.states.back();
     ASSERT_TRUE(Goal::named(0).contains(bench.open.scene, {last[0], last[1]}, 0.0F));
     for (std::size_t i = 0; i < path.controls.size(); ++i) {
-      ASSERT_EQ(step(bench.robot, path.states[i], path.controls[i], plan.dt()), path.states[i + 1]);
+      const auto next = step(bench.robot, path.states[i], path.controls[i], plan.dt());
+      for (std::size_t k = 0; k < next.size(); ++k) ASSERT_NEAR(wide(next[k]), wide(path.states[i + 1][k]), 1e-5);
       ASSERT_GT(separation_of_step(bench.robot, bench.open.scene, path.states[i], path.controls[i], plan.dt(), 10), 0);
     }
     ASSERT_EQ(plan.hash(), bench.planner.statistics().hash);

@@ -100,7 +100,7 @@ class Search {
   template <class Watch>
   Status advance(std::uint64_t iterations, Watch watch) {
     for (; iterations > 0 && status() == Status::searching; --iterations) {
-      if (driven_ != kNone) {
+      if (driving()) {
         drive_plan();
         continue;
       }
@@ -123,6 +123,9 @@ class Search {
   // Where the search stands; before the first start, bad_argument.
   Status status() const { return failure_.status; }
   const Failure& failure() const { return failure_; }
+
+  // Whether a way has reached the goal and is driven once more; the tree does not grow meanwhile.
+  bool driving() const { return driven_ != kNone; }
 
   // Ends the search as time_used, for a port whose clock says so. No effect once it has ended.
   void stop_for_time() {

@@ -129,10 +129,10 @@ TEST_F(CliPlan, HasTheStatisticsOfTheFormat) {
   const ordered_json plan = this->plan({"--robot", "car", "--memory", "1M"});
   const ordered_json& s = plan.at("statistics");
   EXPECT_THAT(keys(s), ElementsAre("time_s", "iterations", "restarts", "vertices", "recycled", "collision_checks",
-                                   "dijkstra_runs", "regions_repaired", "bytes_used", "bytes_given", "plan_steps",
-                                   "plan_length_m", "plan_duration_s", "hash"));
+                                   "dijkstra_runs", "regions_repaired", "plans_refused", "bytes_used", "bytes_given",
+                                   "plan_steps", "plan_length_m", "plan_duration_s", "hash"));
   for (const char* whole : {"iterations", "restarts", "vertices", "recycled", "collision_checks", "dijkstra_runs",
-                            "regions_repaired", "bytes_used", "bytes_given", "plan_steps"}) {
+                            "regions_repaired", "plans_refused", "bytes_used", "bytes_given", "plan_steps"}) {
     EXPECT_TRUE(s.at(whole).is_number_unsigned()) << whole;
   }
   EXPECT_GT(s.at("time_s").get<double>(), 0);
