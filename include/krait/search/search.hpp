@@ -95,7 +95,8 @@ class Search {
     return advance(iterations, [](const float*, const float*) {});
   }
 
-  // The same, and calls watch(from, to), states, for every step that the tree grows by.
+  // The same, and calls watch(from, to), states, for every step that the tree grows by; before an expansion
+  // watch.expands(vertex, target), where there is such a member.
   template <class Watch>
   Status advance(std::uint64_t iterations, Watch watch) {
     for (; iterations > 0 && status() == Status::searching; --iterations) {
@@ -160,6 +161,7 @@ class Search {
     check_.begin(drive_.state());
     Target target = tree_.target(expansion);
     target.dt = parameters_.dt;
+    if constexpr (requires { watch.expands(vertex, target); }) watch.expands(vertex, target);
     drive_.aim(target);
     Expanded expanded{Expansion::target_not_reached, region, {expansion, 0}};
     while (expanded.result == Expansion::target_not_reached && expanded.last.step < parameters_.max_steps) {
