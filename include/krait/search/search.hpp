@@ -96,7 +96,8 @@ class Search {
     return advance(iterations, [](const float*, const float*) {});
   }
 
-  // The same, and calls watch(from, to), states, for every step that the tree grows by.
+  // The same, and calls watch(from, to), states, for every step that the tree grows by; before an expansion
+  // watch.expands(vertex, target), where there is such a member.
   template <class Watch>
   Status advance(std::uint64_t iterations, Watch watch) {
     for (; iterations > 0 && status() == Status::searching; --iterations) {
@@ -167,6 +168,7 @@ class Search {
     drive_.begin(tree_.state(vertex));
     check_.begin(drive_.state());
     drive_.aim(tree_.target(expansion));
+    if constexpr (requires { watch.expands(vertex, toward); }) watch.expands(vertex, drive_.target());
     Expanded expanded{Expansion::target_not_reached, region, {expansion, 0}};
     while (expanded.result == Expansion::target_not_reached && expanded.last.step < parameters_.max_steps) {
       expanded.result = grow(expanded, watch);

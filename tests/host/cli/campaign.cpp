@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "host/cli/program.hpp"
+#include "host/search/session.hpp"
 
 namespace krait::host {
 namespace {
@@ -89,9 +90,10 @@ void expect_all_solved(const std::string& title, const Query& query, std::uint64
   const Asked asked = asked_of(workspace, query);
   const SceneBytes bytes = SceneBytes::read(query.compiled);
   Summary summary;
+  Block block = block_of(request_of(query, 1));
   for (std::uint64_t seed = 1; seed <= count; ++seed) {
     SCOPED_TRACE(title + ", seed " + std::to_string(seed));
-    const SearchResult result = run_search(query.compiled, bytes, request_of(query, seed), {});
+    const SearchResult result = run_search(query.compiled, bytes, request_of(query, seed), block, {});
     summary.seconds.push_back(result.seconds);
     summary.vertices.push_back(result.plan.statistics.at("vertices").get<double>());
     EXPECT_EQ(result.plan.status, "solved");

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "host/compiler/compiler.hpp"
+#include "host/search/session.hpp"
 #include "random_workspace.hpp"
 
 namespace krait::host::test {
@@ -51,8 +52,10 @@ std::string name_of(const RobotSpec& robot) {
 
 void plan(const Workspace& workspace, const SceneBytes& bytes, const SearchRequest& request, const std::string& label,
           Tally& tally) {
+  static Block block;
   try {
-    const SearchResult result = run_search("scene", bytes, request, {});
+    if (8 * block.size() < request.memory) block = block_of(request);
+    const SearchResult result = run_search("scene", bytes, request, block, {});
     ++tally.ends[result.plan.status];
     if (result.plan.status == "internal") ++tally.failed;
     if (result.plan.status != "solved") return;

@@ -169,10 +169,13 @@ TEST_P(SceneTest, WithoutItsPassablePassagesTheGoalIsOutOfReach) {
   }
 }
 
-TEST_P(SceneTest, TheShortestWayLeadsThroughTooNarrowPassages) {
-  if (scene_.passages.empty()) GTEST_SKIP() << "nothing is too narrow";
-  EXPECT_GE(passages(false).size(), 2U);
-  EXPECT_LT(length(0.1) + 5 * scale(), length(kInradius));
+TEST_P(SceneTest, TheShortestWayLeadsThroughTooNarrowPassagesIfThereAreAny) {
+  if (scene_.passages.empty()) {
+    EXPECT_GT(length(0.1) + 5 * scale(), length(kInradius));
+  } else {
+    EXPECT_GE(passages(false).size(), 2U);
+    EXPECT_LT(length(0.1) + 5 * scale(), length(kInradius));
+  }
 }
 
 // Independent of the list of passages: the free width is measured from the obstacles.

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whether searches cost what budgets.txt says that they cost: effort [--update] [SCENE…]. Vertices and placements of
+// the robot, median and 90th percentile over fixed seeds: the same on every machine. A tenth more or less is a failure,
+// since a budget that is too large sees nothing; --update writes the file anew. Exits 1 when a budget does not hold.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "host/compiler/compiler.hpp"
+#include "host/scenes/scenes.hpp"
+#include "host/search/session.hpp"
+
+namespace krait::host {
+namespace {
+
+constexpr std::uint64_t kSeeds = 20;
+constexpr std::uint64_t kIterations = 20'000;  // of a search; one that uses them up costs what it has cost
+constexpr std::uint64_t kMemory = 8U << 20U;   // bytes; enough that nothing is given up
+constexpr const char* kBudgets = KRAIT_SOURCE_DIR "/tests/host/effort/budgets.txt";
+constexpr const char* kAbout =
+    "# What searches cost, over seeds 1 to 20: how many were solved, vertices and placements of the robot.\n"
+    "# Written by build/host/bin/effort --update.\n"
+    "# scene, scale, robot, planner: solved, vertices (median, 90 %), placements (median, 90 %)\n";
+
+struct Kind {
+  double scale;
+  const char* robot;
+  const char* planner;  // or "paper": adaptive with the paper's parameters
+};
+
+constexpr Kind kKinds[] = {{1, "snake:15", "adaptive"}, {1, "snake:5", "adaptive"},     {1, "truck:2", "adaptive"},
+                           {1, "car", "adaptive"},      {1, "unicycle", "adaptive"},    {1, "diff_drive", "adaptive"},
+                           {2, "snake:15", "adaptive"}, {0.75, "snake:15", "adaptive"}, {1, "snake:5", "paper"},
+                           {1, "unicycle", "prior"}};
+
+struct Cost {
+  std::uint64_t solved = 0;
+  std::uint64_t numbers[4] = {};  // vertices, median and 90 %; placements, the same
+};
+
+using Costs = std::map<std::string, Cost>;
+
+std::uint64_t quantile(std::vector<std::uint64_t> values, std::size_t tenths) {
+  std::sort(values.begin(), values.end());
+  return values[(values.size() - 1) * tenths / 10];
+}
+
+Cost measure(const SceneBytes& bytes, const Kind& kind) {
+  SearchRequest request;
+  request.robot = parse_robot(kind.robot);
+  const bool paper = std::string(kind.planner) == "paper";
+  request.planner = paper ? "adaptive" : kind.planner;
+  if (paper) request.parameters = Parameters::paper();
+  request.iterations = kIterations;
+  request.memory = kMemory;
+  Block block = block_of(request);
+  Cost cost;
+  std::vector<std::uint64_t> vertices, placements;
+  for (request.seed = 1; request.seed <= kSeeds; ++request.seed) {
+    const SearchResult result = run_search("scene", bytes, request, block, {});
+    cost.solved += result.plan.status == "solved" ? 1 : 0;
+    vertices.push_back(result.plan.statistics.at("vertices").get<std::uint64_t>());
+    placements.push_back(result.plan.statistics.at("collision_checks").get<std::uint64_t>());
+  }
+  cost.numbers[0] = quantile(vertices, 5);
+  cost.numbers[1] = quantile(vertices, 9);
+  cost.numbers[2] = quantile(placements, 5);
+  cost.numbers[3] = quantile(placements, 9);
+  return cost;
+}
+
+void measure_scene(const std::string& scene, Costs& costs) {
+  std::map<double, SceneBytes> compiled;
+  for (const Kind& kind : kKinds) {
+    if (!compiled.contains(kind.scale)) {
+      const CompiledScene result = compile(make_scene(scene, kind.scale).workspace, {});
+      compiled[kind.scale] = SceneBytes::copy(result.bytes.data(), result.bytes.size());
+    }
+    std::ostringstream name;
+    name << scene << ' ' << kind.scale << ' ' << kind.robot << ' ' << kind.planner;
+    costs[name.str()] = measure(compiled[kind.scale], kind);
+  }
+}
+
+std::string line(const Cost& cost) {
+  std::string text = std::to_string(cost.solved);
+  for (const std::uint64_t number : cost.numbers) text += ' ' + std::to_string(number);
+  return text;
+}
+
+Costs read_budgets() {
+  Costs budgets;
+  std::ifstream file(kBudgets);
+  for (std::string text; std::getline(file, text);) {
+    const std::size_t colon = text.find(": ");
+    if (text.starts_with('#') || colon == std::string::npos) continue;
+    Cost& budget = budgets[text.substr(0, colon)];
+    std::istringstream numbers(text.substr(colon + 2));
+    numbers >> budget.solved;
+    for (std::uint64_t& number : budget.numbers) numbers >> number;
+  }
+  return budgets;
+}
+
+bool write_budgets(const Costs& costs) {
+  std::ofstream file(kBudgets);
+  file << kAbout;
+  for (const auto& [name, cost] : costs) file << name << ": " << line(cost) << '\n';
+  file.close();
+  return file.good();
+}
+
+bool holds(const Cost& cost, const Cost& budget) {
+  bool within = cost.solved == budget.solved;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::uint64_t apart =
+        cost.numbers[i] > budget.numbers[i] ? cost.numbers[i] - budget.numbers[i] : budget.numbers[i] - cost.numbers[i];
+    within = within && 10 * apart <= budget.numbers[i];
+  }
+  return within;
+}
+
+bool compare(const Costs& costs) {
+  const Costs budgets = read_budgets();
+  bool all = true;
+  for (const auto& [name, cost] : costs) {
+    const auto budget = budgets.find(name);
+    const bool good = budget != budgets.end() && holds(cost, budget->second);
+    std::printf("%s %s: %s, budget %s\n", good ? "holds" : "FAILS", name.c_str(), line(cost).c_str(),
+                budget == budgets.end() ? "none" : line(budget->second).c_str());
+    all = all && good;
+  }
+  if (!all) std::printf("where it should be so: build/host/bin/effort --update, and look at what changed\n");
+  return all;
+}
+
+}  // namespace
+}  // namespace krait::host
+
+int main(int argc, char** argv) {
+  using namespace krait::host;
+  std::vector<std::string> scenes(argv + 1, argv + argc);
+  const bool update = !scenes.empty() && scenes.front() == "--update";
+  if (update) scenes.erase(scenes.begin());
+  Costs costs;
+  if (scenes.empty()) {
+    for (const SceneName& scene : scene_names()) scenes.emplace_back(scene.name);
+  } else if (update) {
+    costs = read_budgets();
+  }
+  for (const std::string& scene : scenes) measure_scene(scene, costs);
+  if (!update) return compare(costs) ? 0 : 1;
+  if (write_budgets(costs)) return 0;
+  std::fprintf(stderr, "effort: %s cannot be written\n", kBudgets);
+  return 2;
+}
