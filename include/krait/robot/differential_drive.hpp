@@ -55,4 +55,7 @@ class DifferentialDrive : public PlanarBody {
   DifferentialDriveParameters parameters_;
 };
 
+template <>
+inline constexpr bool kAnswersProven<DifferentialDrive> = true;
+
 }  // namespace krait
