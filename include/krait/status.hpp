@@ -36,6 +36,7 @@ enum class Argument : std::uint8_t {
   iterations,
   vertices,
   expansions,
+  when_full,
   alpha,
   beta,
   gamma,
