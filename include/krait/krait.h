@@ -181,16 +181,16 @@ typedef struct krait_limits {
   uint32_t vertices;   /* states kept to grow from, at least 2 */
   uint32_t expansions; /* kept; 0: half as many as vertices */
   uint64_t iterations; /* expansions made, at least 1 */
-  uint8_t when_full;   /* KRAIT_RECYCLE or KRAIT_STOP */
+  uint8_t when_full;   /* KRAIT_RECYCLE or KRAIT_STOP; krait_init refuses every other number */
 } krait_limits;
 
 /* Lies at the front of the block. */
 typedef struct krait_planner krait_planner;
 
-/* Bytes of the block that krait_init needs. */
+/* Bytes of the block that krait_init needs; no promise for a robot that it would refuse. */
 uint64_t krait_bytes_required(const krait_scene* scene, const krait_robot* robot, const krait_limits* limits);
 
-/* The limits that spend a block of `bytes` best. */
+/* The limits that spend a block of `bytes` best; likewise. */
 krait_limits krait_limits_for(uint64_t bytes, const krait_scene* scene, const krait_robot* robot);
 
 /* Makes a planner in the block, which is aligned to 8 and, like scene and file, must outlive it and stay where it is;
@@ -211,7 +211,8 @@ typedef struct krait_query {
   uint64_t seed;
 } krait_query;
 
-/* Begins a search, ending any other. KRAIT_SEARCHING, or how it has ended at once. */
+/* Begins a search, ending any other. KRAIT_SEARCHING, or how it has ended at once: KRAIT_BAD_SCENE where the file or the
+   scene is found to be another than at krait_init. */
 krait_status krait_start(krait_planner* planner, const krait_query* query);
 
 /* At most `iterations` expansions more. The plan does not depend on how a search is cut into calls. */

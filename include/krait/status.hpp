@@ -12,7 +12,7 @@ enum class Status : std::uint8_t {
   budget_used,         // Limits::iterations expansions were made
   tree_full,           // no memory for vertices or expansions, and nothing that may be recycled
   time_used,           // set by a port that watches a clock
-  bad_scene,           // Failure::section and element say where
+  bad_scene,           // Failure::section and element say where; of start: the scene is no longer that of init
   bad_robot,           // a dimension or limit of the robot is unusable
   bad_argument,        // a parameter, pose or goal is NaN, infinite or out of range; Failure::element says which
   start_outside,       // the start's position lies outside the workspace
@@ -36,6 +36,7 @@ enum class Argument : std::uint8_t {
   iterations,
   vertices,
   expansions,
+  when_full,
   alpha,
   beta,
   gamma,

@@ -75,11 +75,13 @@ bool Goal::may_reach(const Scene& scene, Index triangle, float reach) const {
 float Goal::size(const Scene& scene) const {
   if (is_disc()) return 1.7724539F * radius_;  // sqrt(pi) * radius
   const Polygon polygon = scene.goal_polygon(index_);
-  float twice_area = 0.0F;
+  // In grid steps, where floats would find no area in a sliver, or a negative one. The sum wraps around and ends exact.
+  const GridPoint origin = to_grid(polygon[0]);
+  std::uint64_t twice_area = 0;
   for (int i = 1; i + 1 < polygon.count; ++i) {
-    twice_area += cross(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]);
+    twice_area += static_cast<std::uint64_t>(orientation(origin, to_grid(polygon[i]), to_grid(polygon[i + 1])));
   }
-  return std::sqrt(0.5F * twice_area);
+  return format::kGrid * std::sqrt(0.5F * static_cast<float>(static_cast<std::int64_t>(twice_area)));
 }
 
 }  // namespace krait

@@ -121,6 +121,7 @@ void integrate_by_stages(const float* headings, int trailers, const Pose* poses,
 }  // namespace
 
 Chain::Chain(const ChainParameters& parameters, bool slip) : parameters_(parameters), slip_(slip) {
+  if (parameters.trailers < 0 || parameters.trailers > kMaxTrailers) parameters_.trailers = -1;
   for (int k = 0; k < kMaxBodies; ++k) {
     Vec2 corners[4];
     box(parameters.body_length, parameters.body_width, k == 0 ? parameters.body_offset : 0.0F, corners);

@@ -29,6 +29,7 @@ void Scene::view(const std::byte* bytes) {
   const auto array = [&](Section s, auto& out) {
     out = reinterpret_cast<std::remove_reference_t<decltype(out)>>(section(s));
   };
+  words_ = reinterpret_cast<const std::uint32_t*>(bytes);
   array(Section::vertices, vertices_);
   triangle_vertices_ = indices(Section::triangle_vertices);
   triangle_neighbors_ = indices(Section::triangle_neighbors);
@@ -52,6 +53,17 @@ void Scene::view(const std::byte* bytes) {
   buckets_ = {origin, 1.0F / header_.bucket_size, static_cast<std::int32_t>(header_.bucket_columns),
               static_cast<std::int32_t>(header_.bucket_rows)};
   clearance_grid_ = {origin, header_, clearance_};
+}
+
+// FNV-1a by words.
+std::uint32_t Scene::fingerprint() const {
+  constexpr std::uint32_t kHeaderWords = sizeof(format::Header) / 4;
+  constexpr std::uint32_t kOthers = 256;
+  const std::uint32_t words = header_.total_bytes / 4;
+  const std::uint32_t stride = words / kOthers + 1;
+  std::uint32_t sum = 0;
+  for (std::uint32_t i = 0; i < words; i += i + 1 < kHeaderWords ? 1 : stride) sum = (sum ^ words_[i]) * 0x01000193U;
+  return sum;
 }
 
 const char* Scene::nth_name(Index n) const {

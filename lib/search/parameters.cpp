@@ -98,6 +98,7 @@ Argument Parameters::first_bad() const {
 Argument Limits::first_bad() const {
   if (!within(vertices, 2, MotionTree::kMostExpansions)) return Argument::vertices;
   if (expansions != 0 && !within(expansions, 2, MotionTree::kMostExpansions)) return Argument::expansions;
+  if (when_full != WhenFull::recycle && when_full != WhenFull::stop) return Argument::when_full;
   return iterations < 1 ? Argument::iterations : Argument::none;
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <limits>
 
 #include "c_program.h"
 #include "planner_fixture.hpp"
@@ -112,12 +113,53 @@ TEST(CInterface, BodiesThatAreNoneAreRefused) {
 }
 
 TEST(CInterface, TrailersThatAreNoneAreRefused) {
-  for (const int trailers : {-1, 26, 1'000'000}) {
+  const krait_point corners[] = {{-0.2F, -0.2F}, {0.2F, 0}, {-0.2F, 0.2F}};
+  const std::vector<krait_polygon> bodies(KRAIT_MAX_TRAILERS + 1, {corners, 3});
+  for (const int trailers : {std::numeric_limits<int>::min(), -1, 26, 1'000'000, std::numeric_limits<int>::max()}) {
+    for (krait_robot robot : {krait_snake(trailers), krait_truck(trailers)}) {
+      for (const krait_polygon* shapes : {static_cast<const krait_polygon*>(nullptr), bodies.data()}) {
+        robot.bodies = shapes;
+        float state[KRAIT_MAX_STATE];
+        EXPECT_EQ(krait_state_size(&robot), 0U);
+        EXPECT_FALSE(krait_rest(&robot, kPose, state));
+        EXPECT_EQ(plan(robot).failure.status, KRAIT_BAD_ROBOT) << trailers;
+      }
+    }
+  }
+}
+
+// As many bytes as a car needs, so that no limits are spent on what cannot be planned for.
+TEST(CInterface, TrailersThatAreNoneNeedNoMoreThanACar) {
+  const SceneBytes bytes = data_of(two_rooms()).bytes();
+  krait_scene scene;
+  ASSERT_EQ(krait_open(&scene, bytes.data(), bytes.size()).status, KRAIT_SOLVED);
+  const krait_robot none = krait_snake(0);
+  for (const int trailers : {std::numeric_limits<int>::min(), -1, 26, std::numeric_limits<int>::max()}) {
     const krait_robot robot = krait_snake(trailers);
-    float state[KRAIT_MAX_STATE];
-    EXPECT_EQ(krait_state_size(&robot), 0U);
-    EXPECT_FALSE(krait_rest(&robot, kPose, state));
-    EXPECT_EQ(plan(robot).failure.status, KRAIT_BAD_ROBOT) << trailers;
+    EXPECT_LE(krait_bytes_required(&scene, &robot, &kLimits), krait_bytes_required(&scene, &none, &kLimits));
+    EXPECT_GE(krait_limits_for(100'000, &scene, &robot).vertices, 2U);
+  }
+}
+
+TEST(CInterface, WhatToDoWhenFullIsOneOfTwo) {
+  const SceneBytes bytes = data_of(two_rooms()).bytes();
+  krait_scene scene;
+  ASSERT_EQ(krait_open(&scene, bytes.data(), bytes.size()).status, KRAIT_SOLVED);
+  const krait_robot robot = krait_unicycle();
+  const krait_parameters parameters = krait_default_parameters();
+  std::vector<std::uint64_t> block(50'000);
+  for (int when_full = 0; when_full <= 255; ++when_full) {
+    const krait_limits limits = {100, 0, 10, static_cast<std::uint8_t>(when_full)};
+    krait_planner* planner = nullptr;
+    const krait_failure failure =
+        krait_init(&planner, block.data(), block.size() * 8, &scene, &robot, &parameters, &limits);
+    if (when_full <= KRAIT_STOP) {
+      EXPECT_EQ(failure.status, KRAIT_SOLVED) << when_full;
+    } else {
+      EXPECT_EQ(failure.status, KRAIT_BAD_ARGUMENT) << when_full;
+      EXPECT_STREQ(krait_argument_name(failure.element), "when_full");
+      EXPECT_EQ(planner, nullptr);
+    }
   }
 }
 

@@ -110,5 +110,42 @@ TEST(Goal, SizeIsTheSideOfASquareOfItsArea) {
   EXPECT_NEAR(static_cast<double>(Goal::disc({5, 5}, 2).size(opened.scene)), std::sqrt(4 * 3.14159265358979), 1e-5);
 }
 
+// Slivers that floats say have no area, or a negative one: a long side, and a corner a grid step or two off it.
+TEST(Goal, SizeOfASliverIsThatOfItsArea) {
+  std::mt19937 random(3);
+  for (int i = 0; i < 2000; ++i) {
+    const auto at = [&] { return snap(uniform(random, 0, 10)); };
+    const Vec2 a{at(), at()}, b{at(), at()};
+    const float part = uniform_float(random, 0, 1);
+    const Vec2 c{snap(static_cast<double>(a.x + part * (b.x - a.x))),
+                 snap(static_cast<double>(a.y + part * (b.y - a.y)))};
+    const std::int64_t twice_area = orientation(to_grid(a), to_grid(b), to_grid(c));
+    if (twice_area <= 0) continue;
+    const Opened opened(with_polygon({a, b, c}));
+    const double area = 0.5 * static_cast<double>(twice_area) / (4096.0 * 4096.0);
+    ASSERT_NEAR(static_cast<double>(Goal::named(0).size(opened.scene)), std::sqrt(area), 1e-6 * std::sqrt(area));
+  }
+}
+
+TEST(Goal, SizeOfTheThinnestSliverInTheLargestWorkspaceIsNoNan) {
+  Room room;
+  room.bounds = {-2000, -2000, 2000, 2000};
+  room.spacing = 500;
+  room.bucket_size = 500;
+  room.clearance_cell = 32;
+  room.goals = {{-2000, -2000, -1500, -1500}};
+  SceneData data = data_of(room);
+  constexpr double kStep = 1.0 / 4096;
+  const double low = -2000, high = 2000;
+  data.goals[0] = {{snap(low), snap(low)}, {snap(high), snap(high - kStep)}, {snap(high), snap(high)}};
+  const Opened opened(data);
+  EXPECT_NEAR(static_cast<double>(Goal::named(0).size(opened.scene)), std::sqrt(0.5 * 4000 * kStep), 1e-6);
+  data.goals[0] = {
+      {snap(low), snap(low)}, {snap(high), snap(high - kStep)}, {snap(high - kStep), snap(high - 2 * kStep)}};
+  std::swap(data.goals[0][1], data.goals[0][2]);
+  const Opened thinnest(data);
+  EXPECT_NEAR(static_cast<double>(Goal::named(0).size(thinnest.scene)), std::sqrt(0.5) * kStep, 1e-9);
+}
+
 }  // namespace
 }  // namespace krait::test

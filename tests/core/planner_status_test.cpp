@@ -198,6 +198,50 @@ TYPED_TEST(PlannerStatus, SceneNotOpened) {
   EXPECT_EQ(planner.start({kStart}), Status::bad_argument);
 }
 
+// The bytes change under the planner, or the scene becomes a view of others.
+TYPED_TEST(PlannerStatus, ASceneThatIsNoLongerThatOfInit) {
+  typename TestFixture::TestBench bench(two_rooms(), small_unicycle());
+  ASSERT_TRUE(bench.init().ok());
+  ASSERT_EQ(bench.solve({kStart}), Status::solved);
+  const auto expect_bad = [&](const char* what) {
+    EXPECT_EQ(bench.planner.start({kStart}), Status::bad_scene) << what;
+    EXPECT_EQ(bench.planner.failure().section, Scene::kHeaderSection);
+    EXPECT_EQ(bench.planner.failure().element, offsetof(format::Header, crc32));
+    EXPECT_TRUE(bench.planner.plan().empty());
+    EXPECT_EQ(bench.planner.advance(10), Status::bad_scene);
+  };
+  SceneBytes& bytes = bench.open.bytes;
+  const SceneBytes sound = bytes;
+  const std::size_t run = bytes.size() / 256 + 8;
+  for (std::size_t first = 0; first < bytes.size(); first += run / 2) {
+    const std::size_t end = std::min(first + run, bytes.size());
+    for (std::size_t i = end - std::min(run, end); i < end; ++i)
+      bytes.put(i, static_cast<std::uint8_t>(~bytes.data()[i]));
+    expect_bad("a run of bytes");
+    std::copy_n(sound.data(), sound.size(), bytes.data());
+  }
+  const Scene scene = bench.open.scene;
+  const OpenScene larger(two_rooms(3));
+  bench.open.scene = larger.scene;
+  expect_bad("another view");
+  bench.open.scene = Scene();
+  expect_bad("no view");
+  bench.open.scene = scene;
+  EXPECT_EQ(bench.solve({kStart}), Status::solved);
+}
+
+// Another file of the same length differs in its check sum at least.
+TYPED_TEST(PlannerStatus, ASceneThatAnotherOneOfItsLengthReplaced) {
+  typename TestFixture::TestBench bench(two_rooms(), small_unicycle());
+  ASSERT_TRUE(bench.init().ok());
+  SceneData data = data_of(two_rooms());
+  data.names[0].back() ^= 1;
+  const SceneBytes other = data.bytes();
+  ASSERT_EQ(other.size(), bench.open.bytes.size());
+  std::copy_n(other.data(), other.size(), bench.open.bytes.data());
+  EXPECT_EQ(bench.planner.start({kStart}), Status::bad_scene);
+}
+
 TYPED_TEST(PlannerStatus, BadRobot) {
   UnicycleParameters p;
   p.max_speed = kNan;

@@ -1,5 +1,7 @@
-// A robot that a user writes in about twenty lines (user_robot.hpp) plans like one of ours.
+// A robot that a user writes in about twenty lines (user_robot.hpp) plans like one of ours; one that breaks its word
+// gets no plan through the place where it does.
 #include <algorithm>
+#include <limits>
 
 #include "planner_fixture.hpp"
 
@@ -92,6 +94,137 @@ TEST(UserRobotDefaults, TheLengthIsThatOfBody0WhicheverVertexIsFirst) {
     std::rotate(body.begin(), body.begin() + 1, body.end());
   }
 }
+
+const float kNan = std::numeric_limits<float>::quiet_NaN();
+
+class OwnCar : public Car {};
+static_assert(kAnswersProven<Car> && !kAnswersProven<OwnCar> && !kAnswersProven<Slider>);
+
+// What a train answers beyond x = 5 m.
+enum class Lie {
+  none,
+  heading_of_the_second_body,
+  heading_of_the_last_body,
+  infinite_heading,
+  nan_component,
+  infinite_component,
+  infinitely_negative_component,
+  nan_control,
+  infinite_control,
+  nan_position_of_the_last_body,
+  negative_path,
+  negative_turn,
+  negative_bend,
+  negative_twist,
+  negative_travel_of_the_last_body,
+  nan_path,
+  nan_turn,
+  nan_bend,
+  nan_twist,
+  negative_quick_bound,
+  nan_quick_bound
+};
+
+// Three squares in a row. Nothing depends on the last component of its state and of its control, and within_limits
+// looks at its position only.
+class Train : public Slider {
+ public:
+  static constexpr int kMaxState = 3, kMaxControl = 3, kMaxBodies = 3;
+  explicit Train(Lie lie) : Slider(0.3F, 1.5F), lie_(lie) {}
+
+  int state_size() const { return 3; }
+  int control_size() const { return 3; }
+  int body_count() const { return 3; }
+
+  void derivative(StateView s, ControlView u, StateRef ds) const {
+    ds << u[0], u[1], 0.0F;
+    if (at(s, Lie::nan_component)) ds[2] = kNan;
+    if (at(s, Lie::infinite_component)) ds[2] = kInfinity;
+    if (at(s, Lie::infinitely_negative_component)) ds[2] = -kInfinity;
+  }
+
+  void steer(StateView s, const Target& target, Steering& steering, ControlRef u) const {
+    Slider::steer(s, target, steering, ControlRef(u.data(), 2));
+    u[2] = at(s, Lie::nan_control) ? kNan : at(s, Lie::infinite_control) ? kInfinity : 0.0F;
+  }
+
+  void place(StateView s, Pose* poses) const {
+    for (int k = 0; k < 3; ++k) {
+      poses[k] = {position(s) + Vec2{-0.5F * static_cast<float>(k), 0.0F}, {0.0F, 1.0F}};
+    }
+    if (at(s, Lie::heading_of_the_second_body)) poses[1].heading = {kNan, 1.0F};
+    if (at(s, Lie::heading_of_the_last_body)) poses[2].heading = {0.0F, kNan};
+    if (at(s, Lie::infinite_heading)) poses[1].heading = {kInfinity, -kInfinity};
+    if (at(s, Lie::nan_position_of_the_last_body)) poses[2].position.y = kNan;
+  }
+
+  bool travel(StateView s, ControlView u, float dt, StateView, Travel* travel) const {
+    for (int k = 0; k < 3; ++k) travel[k] = honest(u, dt);
+    if (at(s, Lie::negative_path)) travel[0].path = -1.0F;
+    if (at(s, Lie::negative_turn)) travel[0].turn = -1.0F;
+    if (at(s, Lie::negative_bend)) travel[0].bend = -1.0F;
+    if (at(s, Lie::negative_twist)) travel[0].twist = -1.0F;
+    if (at(s, Lie::negative_travel_of_the_last_body)) travel[2] = {-1.0F, -1.0F, -1.0F, -1.0F};
+    if (at(s, Lie::nan_path)) travel[1].path = kNan;
+    if (at(s, Lie::nan_turn)) travel[1].turn = kNan;
+    if (at(s, Lie::nan_bend)) travel[1].bend = kNan;
+    if (at(s, Lie::nan_twist)) travel[1].twist = kNan;
+    return !quick_lies();
+  }
+
+  // Only a train whose lie it is has one that says anything; its travel proves nothing then.
+  QuickBound quick_bound(StateView s, ControlView u, float dt, StateView) const {
+    QuickBound bound{quick_lies(), 0.0F, honest(u, dt)};
+    if (at(s, Lie::negative_quick_bound)) bound.most.path = -1.0F;
+    if (at(s, Lie::nan_quick_bound)) bound.most.bend = kNan;
+    return bound;
+  }
+
+ private:
+  bool at(StateView s, Lie lie) const { return lie_ == lie && s[0] > 5.0F; }
+  bool quick_lies() const { return lie_ == Lie::negative_quick_bound || lie_ == Lie::nan_quick_bound; }
+  static Travel honest(ControlView u, float dt) { return {dt * length({u[0], u[1]}), 0.0F, 0.0F, 0.0F}; }
+
+  Lie lie_;
+};
+
+bool all_finite(const std::vector<std::vector<float>>& rows) {
+  return std::all_of(rows.begin(), rows.end(), [](const std::vector<float>& row) {
+    return std::all_of(row.begin(), row.end(), [](float x) { return finite(x); });
+  });
+}
+
+std::vector<Lie> every_lie() {
+  std::vector<Lie> lies;
+  for (int i = 0; i <= static_cast<int>(Lie::nan_quick_bound); ++i) lies.push_back(static_cast<Lie>(i));
+  return lies;
+}
+
+class LyingTrain : public ::testing::TestWithParam<Lie> {};
+
+// The way to the goal leads past x = 5 m, on which side of the door there is room.
+TEST_P(LyingTrain, GetsNoPlanThroughItsLie) {
+  for (const bool continuous : {true, false}) {
+    for (const bool plain : {false, true}) {
+      Bench<Train> bench(two_rooms(4), Train(GetParam()));
+      bench.parameters.continuous = continuous;
+      bench.parameters.plain = plain;
+      bench.limits.iterations = 300;
+      ASSERT_TRUE(bench.init().ok());
+      const float start[] = {3, 6, 0};
+      const Status status = bench.solve({start});
+      EXPECT_EQ(status, GetParam() == Lie::none ? Status::solved : Status::budget_used)
+          << name(status) << " continuous " << continuous << " plain " << plain;
+      if (bench.planner.plan().empty()) continue;
+      const Path path(bench.planner.plan());
+      EXPECT_TRUE(all_finite(path.states));
+      EXPECT_TRUE(all_finite(path.controls));
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Lies, LyingTrain, ::testing::ValuesIn(every_lie()),
+                         [](const auto& lie) { return std::to_string(static_cast<int>(lie.param)); });
 
 }  // namespace
 }  // namespace krait::test

@@ -6,7 +6,8 @@
 // their places at the ends, so that it never leaves the hull of both, grown by e(k); the hull must keep away by more.
 // Where that is not so, or the robot's limits are not proven to hold in between, the step is halved, down to one part
 // of max_substeps, and what was left to prove of the whole is proven of the parts; what is then still unproven counts
-// as a collision.
+// as a collision. So does what a robot answers that is no answer: a state, a control or a frame that is not finite, and
+// a Travel that is NaN or negative.
 #pragma once
 
 #include "krait/collision/obstacles.hpp"
@@ -50,6 +51,7 @@ class MotionCheck {
   // it.
   bool free(const float* state) {
     place(state, right());
+    if (!all_finite(state, right())) return false;
     for (int k = 0; k < bodies_; ++k) {
       if (!clear(right(), k)) return false;
     }
@@ -72,15 +74,16 @@ class MotionCheck {
     return true;
   }
 
-  // Whether the robot's limits are proven to hold throughout the step, whose ends keep them.
+  // Whether the control is finite and the robot's limits are proven to hold throughout the step, whose ends keep them.
   bool keeps_limits(const float* state, const float* control, float dt, const float* next) {
-    return bound({state, control, dt, next});
+    return usable(control) && bound({state, control, dt, next});
   }
 
   // Whether the step from `state` (that of begin, or the last step's end) under `control` to `next`, both within the
   // robot's limits, is proven free and within them.
   // On success the next step begins from `next`.
   bool step_free(const float* state, const float* control, float dt, const float* next) {
+    if (!usable(control)) return false;
     const Step step{state, control, dt, next};
     place(next, right());
     Unproven unproven{true, true, ~0U};
@@ -157,13 +160,29 @@ class MotionCheck {
   void place(const float* state, Placement& placement) {
     robot_->place(StateView(state, robot_->state_size()), placement.poses);
     ++checks_;
-    SinCos headings{};  // sums: NaN where one is
-    for (int k = 0; k < bodies_; ++k) {
-      const SinCos heading = placement.poses[k].heading;
-      headings = {headings.sin + heading.sin, headings.cos + heading.cos};
-      find_room(placement, k);
-    }
-    if (!finite(headings.sin) || !finite(headings.cos)) placement.circle_room[0] = -kInfinity;
+    for (int k = 0; k < bodies_; ++k) find_room(placement, k);
+    if (!kAnswersProven<R> && !all_finite(state, placement)) place_nowhere(placement);
+  }
+
+  // Whether the state and its frames' headings are; positions that are not have no room.
+  bool all_finite(const float* state, const Placement& placement) const {
+    float sum = sum_of(state, robot_->state_size());
+    for (int k = 0; k < bodies_; ++k) sum = sum + placement.poses[k].heading.sin + placement.poses[k].heading.cos;
+    return finite(sum);
+  }
+
+  // Not finite where one of the numbers is not; nor where they are too large to be added, which nothing in metres,
+  // radians and seconds is.
+  static float sum_of(const float* numbers, int count) {
+    float sum = 0.0F;
+    for (int i = 0; i < count; ++i) sum = sum + numbers[i];
+    return sum;
+  }
+
+  // Where nothing is free: body 0 has no room, by whatever proof.
+  static void place_nowhere(Placement& placement) {
+    placement.poses[0].position.x = std::numeric_limits<float>::quiet_NaN();
+    placement.circle_room[0] = -kInfinity;
   }
 
   void find_room(Placement& placement, int k) const {
@@ -209,7 +228,7 @@ class MotionCheck {
     if (shortcuts_) {
       quick_ = quick_bound(*robot_, view(step.state), ControlView(step.control, robot_->control_size()), step.dt,
                            view(step.next));
-      if (quick_.limited) return true;
+      if (quick_.limited && usable(quick_.most)) return true;
     }
     quick_.separation = 0.0F;
     return bound_bodies(step);
@@ -217,8 +236,24 @@ class MotionCheck {
 
   bool bound_bodies(const Step& step) {
     bounded_ = true;
-    return robot_->travel(view(step.state), ControlView(step.control, robot_->control_size()), step.dt, view(step.next),
-                          travel_);
+    bool limited = robot_->travel(view(step.state), ControlView(step.control, robot_->control_size()), step.dt,
+                                  view(step.next), travel_);
+    for (int k = 0; !kAnswersProven<R> && k < bodies_; ++k) {
+      if (usable(travel_[k])) continue;
+      travel_[k] = {kInfinity, kInfinity, kInfinity, kInfinity};
+      limited = false;
+    }
+    return limited;
+  }
+
+  bool usable(const float* control) const {
+    return kAnswersProven<R> || finite(sum_of(control, robot_->control_size()));
+  }
+
+  // False of a bound that is NaN or negative; infinity is one that proves nothing.
+  static bool usable(const Travel& travel) {
+    if constexpr (kAnswersProven<R>) return true;
+    return travel.path >= 0.0F && travel.turn >= 0.0F && travel.bend >= 0.0F && travel.twist >= 0.0F;
   }
 
   const Travel& travel(int k) const { return bounded_ ? travel_[k] : quick_.most; }

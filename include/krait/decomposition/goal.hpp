@@ -30,7 +30,8 @@ class Goal {
   // polygon).
   bool may_reach(const Scene& scene, Index triangle, float reach) const;
 
-  // Square root of the area, metres.
+  // Square root of the area, metres: above 0, since Scene::open refuses a goal without area. O(vertices of the
+  // polygon).
   float size(const Scene& scene) const;
 
  private:

@@ -24,4 +24,7 @@ class Car : public Truck {
   }
 };
 
+template <>
+inline constexpr bool kAnswersProven<Car> = true;
+
 }  // namespace krait

@@ -35,7 +35,8 @@ class Chain {
   static constexpr int kMaxControl = 2;
   static constexpr int kMaxBodies = 1 + kMaxTrailers;
 
-  // How the trailers follow: `slip` with s = v (the paper's snake), else with the rear axle's speed s = v cos psi.
+  // How the trailers follow: `slip` with s = v (the paper's snake), else with the rear axle's speed s = v cos psi. A
+  // number of trailers that is out of range becomes -1, which no size overflows by and sound() refuses.
   Chain(const ChainParameters& parameters, bool slip);
 
   const ChainParameters& parameters() const { return parameters_; }

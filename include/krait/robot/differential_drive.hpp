@@ -61,4 +61,7 @@ class DifferentialDrive : public PlanarBody {
   DifferentialDriveParameters parameters_;
 };
 
+template <>
+inline constexpr bool kAnswersProven<DifferentialDrive> = true;
+
 }  // namespace krait

@@ -10,4 +10,7 @@ class Snake : public Chain {
   explicit Snake(const ChainParameters& parameters) : Chain(parameters, true) {}
 };
 
+template <>
+inline constexpr bool kAnswersProven<Snake> = true;
+
 }  // namespace krait

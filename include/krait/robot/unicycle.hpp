@@ -52,4 +52,7 @@ class Unicycle : public PlanarBody {
   UnicycleParameters parameters_;
 };
 
+template <>
+inline constexpr bool kAnswersProven<Unicycle> = true;
+
 }  // namespace krait

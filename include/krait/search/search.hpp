@@ -71,6 +71,7 @@ class Search {
     if (bytes < needed) return failure_ = {Status::arena_too_small, 0, 0, needed};
     const bool usable = block != nullptr && reinterpret_cast<std::uintptr_t>(block) % Arena::kAlignment == 0;
     if (!usable) return failure_ = bad_argument(Argument::block);
+    fingerprint_ = scene.fingerprint();
     arena_ = Arena(block, bytes);
     take_pools(arena_, scene, robot, limits, regions_, tree_, guide_);
     statistics_ = {};
@@ -80,10 +81,11 @@ class Search {
   }
 
   // Begins a search, ending any other. Gives searching; or solved, when the start lies in the goal; or no_route,
-  // goal_in_obstacle, start_outside, start_in_collision, bad_argument; after an init that failed, what that
-  // one gave. Work: one Dijkstra.
+  // goal_in_obstacle, start_outside, start_in_collision, bad_argument; bad_scene, when the scene is found to be another
+  // than at init (Scene::fingerprint); after an init that failed, what that one gave. Work: one Dijkstra.
   Status start(const Query& query) {
     if (!ready_) return status();
+    if (scene_->fingerprint() != fingerprint_) return scene_changed();
     derived().reset_guide();
     restarts_.begin(derived().restart_unit());
     return begin(query);
@@ -243,6 +245,11 @@ class Search {
 
   static Failure bad_argument(Argument argument) {
     return {Status::bad_argument, 0, static_cast<std::uint32_t>(argument)};
+  }
+
+  Status scene_changed() {
+    failure_ = {Status::bad_scene, Scene::kHeaderSection, offsetof(format::Header, crc32)};
+    return status();
   }
 
   static void take_pools(Arena& arena, const Scene& scene, const R& robot, const Limits& limits, Regions& regions,
@@ -490,6 +497,7 @@ class Search {
   Plan<R> found_plan() const { return {*robot_, tree_, path_, tree_.state(kRoot), parameters_.dt}; }
 
   bool ready_ = false;
+  std::uint32_t fingerprint_ = 0;                    // the scene's at init
   Failure failure_ = bad_argument(Argument::block);  // until init has one
   Arena arena_;
   MotionCheck<R> check_;
