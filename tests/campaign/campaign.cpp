@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whether plans hold as they are driven: campaign [--from SEED] [--query Q] [N]. Draws scenes from SEED on, and for
 // each robots of all models, sizes, speeds and time steps; plans with the core alone; drives each plan's controls in
-// double precision and sweeps that motion (judge.hpp), until N plans are judged, 300 or with KRAIT_LONG_TESTS=1 20,000.
-// With
-// --query only that query of the scene SEED. Exits 1 when a plan does not hold.
+// double precision and sweeps that motion (judge.hpp), until N plans are judged, 150 or with KRAIT_LONG_TESTS=1 10,000.
+// With --query only that query of the scene SEED. Exits 1 when a plan does not hold.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -139,7 +138,7 @@ void plan_in_scene(std::uint64_t seed, int only, std::uint64_t wanted, Tally& ta
 
 std::uint64_t default_plans() {
   const char* asked = std::getenv("KRAIT_LONG_TESTS");
-  return asked != nullptr && std::string(asked) == "1" ? 20'000 : 300;
+  return asked != nullptr && std::string(asked) == "1" ? 10'000 : 150;
 }
 
 }  // namespace

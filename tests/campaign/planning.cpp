@@ -5,7 +5,6 @@
 namespace krait::campaign {
 namespace {
 
-constexpr std::size_t kBytes = 16U << 20U;
 constexpr std::uint64_t kSlice = 8;  // expansions between looks at the work
 
 std::string text_of(const Failure& failure) {
@@ -15,9 +14,10 @@ std::string text_of(const Failure& failure) {
 }
 
 // The block is as a program leaves it that plans again and again.
-std::vector<std::uint64_t>& block() {
-  static std::vector<std::uint64_t> bytes(kBytes / 8, 0xA5A5A5A5A5A5A5A5ULL);
-  return bytes;
+std::uint64_t* block(std::uint64_t bytes) {
+  static std::vector<std::uint64_t> words;
+  if (words.size() < (bytes + 7) / 8) words.resize((bytes + 7) / 8, 0xA5A5A5A5A5A5A5A5ULL);
+  return words.data();
 }
 
 template <class R>
@@ -38,10 +38,10 @@ Planned plan_with(R robot, const Scene& scene, const Query& query) {
     robot.set_body(static_cast<int>(k), {body.data(), static_cast<int>(body.size())});
   }
   Planner<R> planner;
-  Limits limits = Planner<R>::limits_for(kBytes, scene, robot);
+  Limits limits = Planner<R>::limits_for(query.bytes, scene, robot);
   limits.iterations = query.iterations;
   Planned result;
-  const Failure ready = planner.init(block().data(), kBytes, scene, robot, query.parameters, limits);
+  const Failure ready = planner.init(block(query.bytes), query.bytes, scene, robot, query.parameters, limits);
   if (!ready.ok()) {
     result.end = text_of(ready);
     return result;

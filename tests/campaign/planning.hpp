@@ -16,6 +16,7 @@ struct Query {
   std::vector<float> start;  // a state, in the scene's coordinates
   Goal goal = Goal::named(0);
   std::uint64_t seed = 1;
+  std::uint64_t bytes = 16U << 20U;  // of the block
   std::uint64_t iterations = 1'000'000;
   std::uint64_t work = ~0ULL;  // placements of a body after which the search is given up
 };
