@@ -1,0 +1,87 @@
+// A robot of the campaign: the parameters that the core is handed, and its bodies as the judge sees them.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "krait/robot/chain.hpp"
+#include "krait/robot/differential_drive.hpp"
+#include "krait/robot/unicycle.hpp"
+
+namespace krait::campaign {
+
+enum class Model { snake, truck, car, unicycle, diff_drive };
+inline constexpr int kModels = 5;
+
+inline const char* name(Model model) {
+  static constexpr const char* kNames[kModels] = {"snake", "truck", "car", "unicycle", "diff_drive"};
+  return kNames[static_cast<int>(model)];
+}
+
+struct Robot {
+  Model model = Model::car;
+  ChainParameters chain;  // of snake, truck and car
+  UnicycleParameters unicycle;
+  DifferentialDriveParameters drive;
+  std::vector<std::vector<Vec2>> own_bodies;  // one a body, in place of the boxes; or empty
+
+  bool is_chain() const { return model != Model::unicycle && model != Model::diff_drive; }
+  int trailers() const { return model == Model::snake || model == Model::truck ? chain.trailers : 0; }
+  int bodies() const { return 1 + trailers(); }
+};
+
+// A convex polygon, counter-clockwise, metres.
+struct Convex {
+  static constexpr int kMost = 8;
+  int count = 0;
+  double x[kMost];
+  double y[kMost];
+
+  void add(double px, double py) {
+    x[count] = px;
+    y[count++] = py;
+  }
+};
+
+// The boxes that the parameters describe: a car's is centred on the middle of its wheelbase.
+inline Convex box_of(const Robot& robot, int body) {
+  double length = 0, width = 0, middle = 0;
+  if (robot.model == Model::unicycle) {
+    length = static_cast<double>(robot.unicycle.body_length);
+    width = static_cast<double>(robot.unicycle.body_width);
+  } else if (robot.model == Model::diff_drive) {
+    length = static_cast<double>(robot.drive.body_length);
+    width = static_cast<double>(robot.drive.body_width);
+  } else {
+    length = static_cast<double>(robot.chain.body_length);
+    width = static_cast<double>(robot.chain.body_width);
+    if (robot.model == Model::car) middle = static_cast<double>(robot.chain.wheelbase) / 2;
+    if (robot.model != Model::car && body == 0) middle = static_cast<double>(robot.chain.body_offset);
+  }
+  Convex box;
+  box.add(middle - length / 2, -width / 2);
+  box.add(middle + length / 2, -width / 2);
+  box.add(middle + length / 2, width / 2);
+  box.add(middle - length / 2, width / 2);
+  return box;
+}
+
+// In each body's frame.
+inline std::vector<Convex> bodies_of(const Robot& robot) {
+  std::vector<Convex> bodies;
+  for (int k = 0; k < robot.bodies(); ++k) {
+    if (robot.own_bodies.empty()) {
+      bodies.push_back(box_of(robot, k));
+      continue;
+    }
+    Convex body;
+    for (const Vec2 p : robot.own_bodies[static_cast<std::size_t>(k)]) {
+      body.add(static_cast<double>(p.x), static_cast<double>(p.y));
+    }
+    bodies.push_back(body);
+  }
+  return bodies;
+}
+
+}  // namespace krait::campaign
