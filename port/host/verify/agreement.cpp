@@ -17,6 +17,9 @@ constexpr double kPositionTolerance = 1e-3;   // m, and float rounding
 constexpr double kAngleTolerance = 1e-4;      // rad
 constexpr double kRestTolerance = 1e-6;       // speed, steering, wheel speeds at the start
 constexpr double kGoalTolerance = 1e-3;       // m: the compiler snaps a goal to a grid
+constexpr double kDtTolerance = 1e-6;         // relative: float rounding
+constexpr double kLeastDt = 1e-3;             // s, the planner's range
+constexpr double kMostDt = 1;                 // s
 constexpr double kMostLocal = 8192;           // m from the plan's origin: beyond, a float is coarser than 1 mm
 
 double distance(const Point& a, const Point& b) { return std::hypot(a.x - b.x, a.y - b.y); }
@@ -170,8 +173,8 @@ bool check_form(const PlanFile& plan, const Dynamics& dynamics, Complaints& comp
                    " controls; there must be one more");
     return false;
   }
-  if (!(plan.dt > 0) || !std::isfinite(plan.dt)) {
-    complaints.add("dt: is " + text(plan.dt) + " s");
+  if (!(plan.dt >= kLeastDt && plan.dt <= kMostDt)) {
+    complaints.add("dt: is " + text(plan.dt) + " s, must be from " + text(kLeastDt) + " to " + text(kMostDt) + " s");
     return false;
   }
   if (!std::isfinite(plan.origin.x) || !std::isfinite(plan.origin.y)) {
@@ -179,6 +182,11 @@ bool check_form(const PlanFile& plan, const Dynamics& dynamics, Complaints& comp
     return false;
   }
   return check_rows(plan, dynamics, complaints) && check_reach(plan, complaints);
+}
+
+void check_dt(const PlanFile& plan, const Asked& asked, Complaints& complaints) {
+  if (!asked.dt || std::abs(plan.dt - *asked.dt) <= kDtTolerance * *asked.dt) return;
+  complaints.add("dt: is " + text(plan.dt) + " s, asked " + text(*asked.dt) + " s");
 }
 
 void check_start(const PlanFile& plan, const Start& asked, const Dynamics& dynamics, Complaints& complaints) {

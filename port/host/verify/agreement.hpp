@@ -9,10 +9,13 @@ namespace krait::host {
 
 void check_robot(const RobotSpec& planned, const RobotSpec& asked, Complaints& complaints);
 
-// Status, counts, sizes, finiteness. False if states and controls cannot be looked at any further.
+// Status, counts, sizes, finiteness, and a time step that a planner may have. False if states and controls cannot be
+// looked at any further.
 bool check_form(const PlanFile& plan, const Dynamics& dynamics, Complaints& complaints);
 
-// For a plan whose form is sound.
+// For a plan whose form is sound, as the others below.
+void check_dt(const PlanFile& plan, const Asked& asked, Complaints& complaints);
+
 void check_start(const PlanFile& plan, const Start& asked, const Dynamics& dynamics, Complaints& complaints);
 
 void check_goal(const PlanFile& plan, const Asked& asked, Complaints& complaints);

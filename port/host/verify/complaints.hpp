@@ -1,7 +1,9 @@
 // The verdict's list of faults, bounded however bad the plan is.
 #pragma once
 
+#include <algorithm>
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,26 +21,39 @@ inline std::string text(std::size_t value) { return std::to_string(value); }
 
 class Complaints {
  public:
-  void add(std::string line) {
-    ++count_;
-    if (lines_.size() < kMostLines) lines_.push_back(std::move(line));
+  void add(std::string line) { add_lasting({std::move(line), {}, {}}); }
+
+  // A fault that may last: named where it begins, with the most that it comes to between two parts of its line.
+  struct Lasting {
+    std::string before;
+    std::optional<double> most;  // absent: the line has no number
+    std::string after;
+  };
+
+  // Returns what `raise` finds it by.
+  std::size_t add_lasting(Lasting fault) {
+    if (faults_.size() < kMostLines) faults_.push_back(std::move(fault));
+    return count_++;
+  }
+  void raise(std::size_t fault, double amount) {
+    if (fault >= faults_.size() || !faults_[fault].most) return;
+    faults_[fault].most = std::max(*faults_[fault].most, amount);
   }
 
   bool empty() const { return count_ == 0; }
 
-  // The plan is so bad that looking on tells nobody more.
-  bool enough() const { return count_ >= kEnough; }
-
   std::vector<std::string> lines() const {
-    std::vector<std::string> all = lines_;
-    if (count_ > lines_.size()) all.push_back("and " + text(count_ - lines_.size()) + " more");
+    std::vector<std::string> all;
+    for (const Lasting& fault : faults_) {
+      all.push_back(fault.before + (fault.most ? text(*fault.most) : std::string()) + fault.after);
+    }
+    if (count_ > faults_.size()) all.push_back("and " + text(count_ - faults_.size()) + " more");
     return all;
   }
 
  private:
   static constexpr std::size_t kMostLines = 20;
-  static constexpr std::size_t kEnough = 1000;
-  std::vector<std::string> lines_;
+  std::vector<Lasting> faults_;
   std::size_t count_ = 0;
 };
 

@@ -1,7 +1,7 @@
 #include "host/verify/dynamics.hpp"
 
 #include <algorithm>
-#include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <cmath>
 #include <numbers>
 
@@ -27,6 +27,15 @@ double minimum_speed(const RobotSpec& robot, double otherwise) {
   return robot.parameters.contains("min_speed") ? number(robot, "min_speed") : otherwise;
 }
 
+Limit within(const std::string& name, double most) { return {name, -most, most}; }
+
+void check_body(const Ring& body, std::size_t index) {
+  const bool finite =
+      std::all_of(body.begin(), body.end(), [](const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); });
+  if (body.size() < 3) throw InputError("robot: body " + std::to_string(index) + " has fewer than 3 corners");
+  if (!finite) throw InputError("robot: body " + std::to_string(index) + " has a corner that is not finite");
+}
+
 }  // namespace
 
 Dynamics::Model Dynamics::model_of(const std::string& name) {
@@ -45,6 +54,7 @@ Dynamics::Dynamics(const RobotSpec& robot) : model_(model_of(robot.model)) {
   }
   trailers_ = static_cast<std::size_t>(robot.links);
   if (robot.bodies.size() != trailers_ + 1) throw InputError("robot: needs one body more than links");
+  for (std::size_t i = 0; i < robot.bodies.size(); ++i) check_body(robot.bodies[i], i);
   if (is_car_like()) {
     read_car_like(robot);
   } else if (model_ == Model::unicycle) {
@@ -58,32 +68,37 @@ void Dynamics::read_car_like(const RobotSpec& robot) {
   state_names_ = {"x", "y", "theta0", "v", "psi"};
   for (std::size_t i = 1; i <= trailers_; ++i) state_names_.push_back("theta" + std::to_string(i));
   wheelbase_ = positive(robot, "wheelbase");
-  max_speed_ = number(robot, "max_speed");
-  min_speed_ = minimum_speed(robot, 0);
-  max_steering_ = number(robot, "max_steering");
-  max_acceleration_ = number(robot, "max_acceleration");
-  max_steering_rate_ = number(robot, "max_steering_rate");
+  state_limits_ = {{"speed", minimum_speed(robot, 0), number(robot, "max_speed")},
+                   within("steering", number(robot, "max_steering"))};
+  control_limits_ = {within("acceleration", number(robot, "max_acceleration")),
+                     within("steering rate", number(robot, "max_steering_rate"))};
   if (trailers_ == 0) return;
   hitch_length_ = positive(robot, "hitch_length");
-  max_hitch_angle_ = number(robot, "max_hitch_angle");
+  const double most = number(robot, "max_hitch_angle");
+  for (std::size_t i = 1; i <= trailers_; ++i)
+    state_limits_.push_back(within("hitch angle " + std::to_string(i), most));
   self_collision_gap_ = static_cast<std::size_t>(std::clamp(number(robot, "self_collision_gap"), 1.0, 1e6));
 }
 
 void Dynamics::read_unicycle(const RobotSpec& robot) {
   state_names_ = {"x", "y", "theta"};
-  max_speed_ = number(robot, "max_speed");
-  min_speed_ = minimum_speed(robot, -max_speed_);
-  max_turn_rate_ = number(robot, "max_turn_rate");
+  const double max_speed = number(robot, "max_speed");
+  control_limits_ = {{"speed", minimum_speed(robot, -max_speed), max_speed},
+                     within("turn rate", number(robot, "max_turn_rate"))};
 }
 
 void Dynamics::read_diff_drive(const RobotSpec& robot) {
   state_names_ = {"x", "y", "theta", "left wheel speed", "right wheel speed"};
   wheel_radius_ = positive(robot, "wheel_radius");
   track_width_ = positive(robot, "track_width");
-  max_wheel_speed_ = number(robot, "max_wheel_speed");
-  max_wheel_acceleration_ = number(robot, "max_wheel_acceleration");
-  max_speed_ = wheel_radius_ * max_wheel_speed_;
-  min_speed_ = minimum_speed(robot, -max_speed_);
+  const double max_wheel_speed = number(robot, "max_wheel_speed");
+  const double max_speed = wheel_radius_ * max_wheel_speed;
+  state_limits_ = {within("left wheel speed", max_wheel_speed),
+                   within("right wheel speed", max_wheel_speed),
+                   {"speed", minimum_speed(robot, -max_speed), max_speed}};
+  const double max_acceleration = number(robot, "max_wheel_acceleration");
+  control_limits_ = {within("left wheel acceleration", max_acceleration),
+                     within("right wheel acceleration", max_acceleration)};
 }
 
 State Dynamics::at_rest(const Point& position, double heading, const std::vector<double>& trailers) const {
@@ -97,6 +112,11 @@ State Dynamics::at_rest(const Point& position, double heading, const std::vector
 
 State Dynamics::derivative(const State& state, const Control& control) const {
   State rate(state.size(), 0.0);
+  set_rate(state, control, rate);
+  return rate;
+}
+
+void Dynamics::set_rate(const State& state, const Control& control, State& rate) const {
   double speed = 0;  // of the axle in the middle of frame 0
   if (model_ == Model::unicycle) {
     speed = control[0];
@@ -122,13 +142,12 @@ State Dynamics::derivative(const State& state, const Control& control) const {
   }
   rate[0] = speed * std::cos(state[2]);
   rate[1] = speed * std::sin(state[2]);
-  return rate;
 }
 
 std::vector<State> Dynamics::integrate(const State& state, const Control& control, double time,
                                        std::size_t count) const {
-  boost::numeric::odeint::runge_kutta4<State> stepper;
-  const auto system = [&](const State& at, State& rate, double) { rate = derivative(at, control); };
+  boost::numeric::odeint::runge_kutta_fehlberg78<State> stepper;
+  const auto system = [&](const State& at, State& rate, double) { set_rate(at, control, rate); };
   const double step = time / static_cast<double>(count);
   std::vector<State> states{state};
   for (std::size_t i = 0; i < count; ++i) {
@@ -150,37 +169,15 @@ std::vector<Frame> Dynamics::frames(const State& state) const {
   return frames;
 }
 
-std::vector<Limited> Dynamics::limited(const State& state) const {
+std::vector<double> Dynamics::limited_values(const State& state) const {
   if (model_ == Model::unicycle) return {};
-  if (model_ == Model::diff_drive) {
-    return {{"left wheel speed", state[3], -max_wheel_speed_, max_wheel_speed_},
-            {"right wheel speed", state[4], -max_wheel_speed_, max_wheel_speed_},
-            {"speed", wheel_radius_ * (state[3] + state[4]) / 2, min_speed_, max_speed_}};
+  if (model_ == Model::diff_drive) return {state[3], state[4], wheel_radius_ * (state[3] + state[4]) / 2};
+  std::vector<double> values{state[3], state[4]};
+  for (std::size_t i = 5; i < state.size(); ++i) {
+    const double ahead = i == 5 ? state[2] : state[i - 1];
+    values.push_back(std::remainder(ahead - state[i], 2 * std::numbers::pi));
   }
-  std::vector<Limited> all{{"speed", state[3], min_speed_, max_speed_},
-                           {"steering", state[4], -max_steering_, max_steering_}};
-  double ahead = state[2];
-  for (std::size_t i = 1; i <= trailers_; ++i) {
-    const double heading = state[4 + i];
-    all.push_back({"hitch angle " + std::to_string(i), std::remainder(ahead - heading, 2 * std::numbers::pi),
-                   -max_hitch_angle_, max_hitch_angle_});
-    ahead = heading;
-  }
-  return all;
-}
-
-std::vector<Limited> Dynamics::limited_controls(const Control& control) const {
-  switch (model_) {
-    case Model::unicycle:
-      return {{"speed", control[0], min_speed_, max_speed_},
-              {"turn rate", control[1], -max_turn_rate_, max_turn_rate_}};
-    case Model::diff_drive:
-      return {{"left wheel acceleration", control[0], -max_wheel_acceleration_, max_wheel_acceleration_},
-              {"right wheel acceleration", control[1], -max_wheel_acceleration_, max_wheel_acceleration_}};
-    default:
-      return {{"acceleration", control[0], -max_acceleration_, max_acceleration_},
-              {"steering rate", control[1], -max_steering_rate_, max_steering_rate_}};
-  }
+  return values;
 }
 
 }  // namespace krait::host

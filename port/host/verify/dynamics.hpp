@@ -1,4 +1,4 @@
-// The verifier's own equations of motion, in double precision: DESIGN section 5, "Eqn 1 as printed is wrong".
+// The verifier's own equations of motion, in double precision: lib/DESIGN.md, "Eqn 1 as printed is wrong".
 #pragma once
 
 #include <cstddef>
@@ -29,10 +29,9 @@ struct Frame {
   }
 };
 
-// A quantity that has limits, and its value.
-struct Limited {
+// What a quantity must not leave.
+struct Limit {
   std::string name;
-  double value = 0;
   double min = 0;
   double max = 0;
 };
@@ -44,6 +43,7 @@ class Dynamics {
 
   std::size_t state_size() const { return state_names_.size(); }
   std::size_t control_size() const { return 2; }
+  std::size_t body_count() const { return trailers_ + 1; }
   const std::vector<std::string>& state_names() const { return state_names_; }
 
   // The state of a robot at rest with this pose; `trailers` are headings, all equal to `heading` if empty.
@@ -52,16 +52,24 @@ class Dynamics {
   // Component `index` of a state is an angle of a body in the plane, where 2 pi makes no difference.
   bool is_heading(std::size_t index) const { return index == 2 || index >= 5; }
 
+  // Component `index` is an angle: a heading, or the steering of a car.
+  bool is_angle(std::size_t index) const { return is_heading(index) || (index == 4 && is_car_like()); }
+
   State derivative(const State& state, const Control& control) const;
 
-  // The states after each of `count` equal steps of RK4 over `time` seconds, `state` itself first.
+  // The states after each of `count` equal steps over `time` seconds, `state` itself first, by Fehlberg's Runge-Kutta
+  // method of order eight.
   std::vector<State> integrate(const State& state, const Control& control, double time, std::size_t count) const;
 
   // One frame a body.
   std::vector<Frame> frames(const State& state) const;
 
-  std::vector<Limited> limited(const State& state) const;
-  std::vector<Limited> limited_controls(const Control& control) const;
+  // Limits of what a state says, and the values that they hold for, in the same order.
+  const std::vector<Limit>& state_limits() const { return state_limits_; }
+  std::vector<double> limited_values(const State& state) const;
+
+  // Limits of each control.
+  const std::vector<Limit>& control_limits() const { return control_limits_; }
 
   // Bodies whose indices differ by at least this many must not meet.
   std::size_t self_collision_gap() const { return self_collision_gap_; }
@@ -74,10 +82,13 @@ class Dynamics {
   void read_car_like(const RobotSpec& robot);
   void read_unicycle(const RobotSpec& robot);
   void read_diff_drive(const RobotSpec& robot);
+  void set_rate(const State& state, const Control& control, State& rate) const;
 
   Model model_;
   std::size_t trailers_ = 0;
   std::vector<std::string> state_names_;
+  std::vector<Limit> state_limits_;
+  std::vector<Limit> control_limits_;
   std::size_t self_collision_gap_ = 0;
 
   // Of these, those that the model has.
@@ -85,15 +96,6 @@ class Dynamics {
   double hitch_length_ = 0;
   double wheel_radius_ = 0;
   double track_width_ = 0;
-  double min_speed_ = 0;
-  double max_speed_ = 0;
-  double max_steering_ = 0;
-  double max_acceleration_ = 0;
-  double max_steering_rate_ = 0;
-  double max_hitch_angle_ = 0;
-  double max_turn_rate_ = 0;
-  double max_wheel_speed_ = 0;
-  double max_wheel_acceleration_ = 0;
 };
 
 }  // namespace krait::host

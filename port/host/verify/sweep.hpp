@@ -2,46 +2,68 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "host/verify/complaints.hpp"
+#include "host/verify/drive.hpp"
 #include "host/verify/dynamics.hpp"
 #include "host/verify/obstacles.hpp"
 
 namespace krait::host {
 
+// Each body that fails is named once: with the first place where it does, and by how much it fails there and later.
 class Sweep {
  public:
   // Keeps references. Coordinates of states are those of `obstacles`.
   Sweep(const RobotSpec& robot, const Dynamics& dynamics, const Obstacles& obstacles, Complaints& complaints);
 
-  void check_pose(const State& state);
+  // `where` begins each complaint, as in "start".
+  void check_pose(const std::string& where, const State& state);
 
-  // One step of a plan, number `index`: the motion under `control` from `from`, and the jump from where it ends to the
-  // stored state `to`. A body that fails is named once a step.
-  void check_step(std::size_t index, const State& from, const Control& control, double time, const State& to);
+  // The hull of each body in two states.
+  void check_between(const std::string& where, const State& from, const State& to);
+
+  // A motion of `time` seconds.
+  void check_leg(const std::string& where, const Leg& leg, double time);
 
   double clearance() const { return clearance_; }
   double self_clearance() const { return self_clearance_; }
-  double sweep_error() const { return sweep_error_; }
+  double stray() const { return stray_; }
 
  private:
-  using Pose = std::vector<Frame>;  // one frame a body
-
-  struct Path {
-    std::vector<Pose> poses;
-    double error;  // m, how far a body strays from the hulls of consecutive poses
+  // What a body does wrong, as in " overlaps the wall by up to " 0.1 " m".
+  struct Failure {
+    std::string before;
+    std::optional<double> amount;
+    std::string after;
   };
 
-  Path path(const State& from, const Control& control, double time, std::size_t count) const;
-  double most_turn(const State& from, const State& to) const;
-  double chord_error(const std::vector<Pose>& poses) const;
-  double relative_bend(const Pose& before, const Pose& middle, const Pose& after) const;
-  template <typename Visit>
-  void for_each_pair(const Visit& visit) const;
-  void check_hulls(const std::string& step, const std::vector<Pose>& poses, double time);
-  bool check_obstacles(const std::string& where, std::size_t body, const Pose& from, const Pose& to);
-  bool check_self(const std::string& where, std::size_t first, std::size_t second, const Pose& from, const Pose& to);
+  // A body's first.
+  struct Failed {
+    std::string before;
+    std::size_t complaint = 0;
+  };
+
+  // Poses of one motion, and how to say where one of them is.
+  struct Way {
+    const std::string& where;
+    const std::vector<Pose>& poses;
+    double sub_step;  // seconds; 0: there is nothing to tell apart
+
+    std::string body(std::size_t index, std::size_t body) const;
+  };
+
+  void check_way(const Way& way);
+  void check_obstacles(const Way& way, std::size_t body, std::size_t first, std::size_t last);
+  bool is_clear(const Convex& hull) const;
+  void measure(const Way& way, std::size_t body, std::size_t index, const Convex& hull);
+  void check_pair(const Way& way, std::size_t first, std::size_t second);
+  bool are_apart(const Way& way, std::size_t first, std::size_t second) const;
+  void measure_pair(const Way& way, std::size_t first, std::size_t second, std::size_t index);
+  double pair_reach(std::size_t first, std::size_t second) const;
+  void fail(const Way& way, std::size_t body, std::size_t index, const Failure& failure);
 
   const RobotSpec& robot_;
   const Dynamics& dynamics_;
@@ -49,9 +71,10 @@ class Sweep {
   Complaints& complaints_;
   std::vector<Convex> shapes_;  // of each body, in its own frame
   std::vector<double> radii_;   // of each body around its frame's origin
+  std::vector<std::optional<Failed>> failed_;
   double clearance_;
   double self_clearance_;
-  double sweep_error_ = 0;
+  double stray_ = 0;
 };
 
 }  // namespace krait::host

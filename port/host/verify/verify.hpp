@@ -1,5 +1,6 @@
-// Judges a plan against the input map, sharing no code with the planner and trusting nothing that the plan says
-// of robot, start, goal or map. Double precision throughout, Boost's integrator and Boost's geometry.
+// Judges a plan against the input map, trusting nothing that the plan says of robot, start, goal or map. Double
+// precision throughout, Boost's integrator and Boost's geometry. No code of the planner or of the scene compiler; the
+// readers of maps, robots and plans are those of the other programs of the workstation.
 #pragma once
 
 #include <limits>
@@ -19,23 +20,25 @@ struct Asked {
   Ring goal;  // polygon; a disc is given by center and radius instead
   std::optional<Point> disc_center;
   double disc_radius = 0;
+  std::optional<double> dt;  // seconds, the time step; absent: not known, any from 0.001 to 1 s is accepted
 };
 
 struct Verdict {
   bool holds = false;
   std::vector<std::string> complaints;  // one line each: what, which step, by how much; 20, then "and N more"
 
-  // The worst of the whole plan. A figure whose check had to be left out (the plan's form is wrong) is NaN.
-  double step_error = std::numeric_limits<double>::quiet_NaN();      // largest difference of a stored state to the
-                                                                     // integrated one (limit 5e-3)
-  double drift = std::numeric_limits<double>::quiet_NaN();           // m, end of the open-loop replay to the stored
-                                                                     // end (limit 0.05)
-  double clearance = std::numeric_limits<double>::quiet_NaN();       // m, smallest distance of a swept body to an
-                                                                     // obstacle or bound, at most kLargestClearance;
-                                                                     // 0: overlap, negative: outside by that much
+  // The worst of the whole plan. A figure whose check had to be left out (the plan's form is wrong) is NaN. "As driven"
+  // is the motion that the controls lead to from the plan's first state, without a look at any other.
+  double step_error = std::numeric_limits<double>::quiet_NaN();      // m, rad, m/s, rad/s, largest change of a stored
+                                                                     // state's difference to the driven one in a step
+  double drift = std::numeric_limits<double>::quiet_NaN();           // the same units, largest of these differences
+  double clearance = std::numeric_limits<double>::quiet_NaN();       // m, smallest distance of a body, as driven, to
+                                                                     // an obstacle or bound, at most
+                                                                     // kLargestClearance; 0: overlap, negative:
+                                                                     // outside by that much
   double self_clearance = std::numeric_limits<double>::quiet_NaN();  // m, smallest distance of two bodies that are
-                                                                     // tested; infinite if none are
-  double goal_depth = std::numeric_limits<double>::quiet_NaN();      // m, how deep inside the goal the replayed end
+                                                                     // tested, as driven; infinite if none are
+  double goal_depth = std::numeric_limits<double>::quiet_NaN();      // m, how deep inside the goal the driven end
                                                                      // lies; negative outside
   double sweep_error = std::numeric_limits<double>::quiet_NaN();     // m, how far a body strays between two poses from
                                                                      // the hull that was checked (at most 2e-5)
@@ -43,11 +46,20 @@ struct Verdict {
 
 inline constexpr double kLargestClearance = 1.0;  // m, obstacles further away are not looked for
 
-// Holds the plan to everything that was asked: its form; robot, start and goal as asked; each step within 5e-3 of
-// RK4 with 8 sub-steps; the open-loop replay within 0.05 m of the stored end and inside the goal; limits to 1e-4
-// relative, in between too; no body swept from sub-step to sub-step touches an obstacle of the workspace, leaves its
-// bounds or meets another body. A step that bends is cut finer until the hull of consecutive poses is true to 2e-5 m.
+// Holds the plan to everything that was asked.
+// 1. Its form is whole; robot, start, goal and (where it is known) time step are those that were asked for; the time
+//    step lies in 0.001 to 1 s.
+// 2. The controls are driven from the plan's first state to its end, open loop, in sub-steps so fine that truncation is
+//    negligible (drive.hpp). On this motion no body touches an obstacle of the workspace, leaves its bounds or meets
+//    another body, between sub-steps too, true to 2e-5 m; limits hold to 1e-4 of their size, between sub-steps too; and
+//    its end lies in the goal.
+// 3. Each stored state differs in no component by more than 5e-3 (m, rad, m/s, rad/s), 5e-6 a metre of way and float
+//    rounding from the driven one, and that difference changes in one step by no more than 1e-2 a second of the step
+//    and float rounding. Each keeps the limits and is free itself, and the last lies in the goal.
+// A body or a quantity that fails is named once, with the first place where it does, and only the first stored state
+// that disagrees is named.
 // Throws InputError if the workspace or the asked robot itself is unusable; a bad plan is a verdict, never an error.
+// O(steps), and in memory a state a step.
 Verdict verify(const Workspace& workspace, const PlanFile& plan, const Asked& asked);
 
 }  // namespace krait::host

@@ -2,6 +2,7 @@
 // the front to the back as rigid bodies, by the midpoint rule in very small steps.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -59,9 +60,9 @@ inline Row rates(const RobotSpec& spec, const Row& s, const Row& u) {
 }
 
 inline Row simulate(const RobotSpec& spec, Row s, const Row& u, double time) {
-  constexpr int kSteps = 500;
-  const double h = time / kSteps;
-  for (int step = 0; step < kSteps; ++step) {
+  const long steps = std::max(5L, std::lround(time / 2e-4));
+  const double h = time / static_cast<double>(steps);
+  for (long step = 0; step < steps; ++step) {
     const Row first = rates(spec, s, u);
     Row middle = s;
     for (std::size_t i = 0; i < s.size(); ++i) middle[i] += h / 2 * first[i];
@@ -82,9 +83,9 @@ struct Case {
 
 using Steer = std::function<Row(std::size_t step, const Row& state)>;
 
-// Drives `steps` steps of 0.1 s.
+// Drives `steps` steps of `dt` seconds. The stored states are those of one motion in double precision, rounded.
 inline Case drive(const RobotSpec& spec, const Steer& steer, std::size_t steps, Point at = {20, 20},
-                  double heading = 0.3) {
+                  double heading = 0.3, double dt = 0.1) {
   Case c;
   c.workspace.min = {0, 0};
   c.workspace.max = {40, 40};
@@ -93,7 +94,7 @@ inline Case drive(const RobotSpec& spec, const Steer& steer, std::size_t steps, 
   c.asked.start.heading = heading;
   c.plan.status = "solved";
   c.plan.robot = spec;
-  c.plan.dt = 0.1;
+  c.plan.dt = dt;
 
   Row state{at.x, at.y, heading};
   if (spec.model != "unicycle") state.insert(state.end(), {0, 0});
@@ -101,10 +102,11 @@ inline Case drive(const RobotSpec& spec, const Steer& steer, std::size_t steps, 
   const auto stored = [](const Row& row) { return std::vector<float>(row.begin(), row.end()); };
   const auto read_back = [](const std::vector<float>& row) { return Row(row.begin(), row.end()); };
   c.plan.states.push_back(stored(state));
+  state = read_back(c.plan.states.back());
   for (std::size_t step = 0; step < steps; ++step) {
-    state = read_back(c.plan.states.back());
     c.plan.controls.push_back(stored(steer(step, state)));
-    c.plan.states.push_back(stored(simulate(spec, state, read_back(c.plan.controls.back()), c.plan.dt)));
+    state = simulate(spec, state, read_back(c.plan.controls.back()), dt);
+    c.plan.states.push_back(stored(state));
   }
   const auto& end = c.plan.states.back();
   const double x = static_cast<double>(end[0]);
