@@ -112,7 +112,8 @@ class Judge {
       if ((chain_ && i == 3) || (!chain_ && i > 2)) continue;  // a speed
       angle = std::max(angle, std::abs(said[i] - driven[i]));
     }
-    if ((position > kPositionError || angle > kAngleError) && verdict_.others.empty()) {
+    if (step > 0) way_ += std::hypot(said[0] - stored(step - 1)[0], said[1] - stored(step - 1)[1]);
+    if ((position > kPositionError + kPositionShare * way_ || angle > kAngleError) && verdict_.others.empty()) {
       verdict_.others.push_back(
           text("state %zu: %.3g m and %.3g rad from where the controls lead", step, position, angle));
     }
@@ -144,6 +145,7 @@ class Judge {
   std::size_t size_;
   bool chain_;
   Verdict verdict_;
+  double way_ = 0;  // m, up to the last state that was compared
 };
 
 }  // namespace

@@ -72,7 +72,7 @@ class IntegrationOf : public ::testing::Test {
       if (!can_integrate(robot, dt)) continue;
       const std::vector<float> s = random_state(robot, random, 0.01);
       const std::vector<float> u = random_control(robot, s, dt, random);
-      const int parts = parts_of(dt, longest_step(robot, dt, step_rate), 2 * kMostParts + 1);
+      const int parts = parts_of(dt, longest_step(robot, dt, step_rate), kMostPlanParts);
       const Numbers exact = truth(robot, s, u, dt, 8 * parts);
       if (within_limits(robot, exact)) {
         errors.add(exact, truth(robot, s, u, dt, parts), largest_speed(robot) * wide(dt));
@@ -103,14 +103,17 @@ TYPED_TEST(IntegrationOf, KeepsItsBoundsOverAllParameters) {
   const Errors plan = this->worst(kPlanStepRate, draws);
   EXPECT_LT(plan.angle, 1e-4);
   EXPECT_LT(plan.position, 5e-5);
-  std::printf("tree %.2g rad, %.2g of the way; plan %.2g rad, %.2g of the way\n", tree.angle, tree.position, plan.angle,
-              plan.position);
+  const Errors fine = this->worst(kFinePlanStepRate, draws / 4);
+  EXPECT_LT(fine.angle, 1e-6);
+  EXPECT_LT(fine.position, 5e-7);
+  std::printf("tree %.2g rad, %.2g of the way; plan %.2g rad, %.2g of the way; fine %.2g rad, %.2g of the way\n",
+              tree.angle, tree.position, plan.angle, plan.position, fine.angle, fine.position);
 }
 
 // The default robots are accurate in one Runge-Kutta step of the default time step.
 TEST(IntegrationSteps, AreOneForTheDefaultRobots) {
   const float dt = Parameters().dt;
-  const auto parts = [&](const auto& robot) { return parts_of(dt, longest_step(robot, dt, kStepRate), kMostParts); };
+  const auto parts = [&](const auto& robot) { return parts_of(dt, longest_tree_step(robot, dt), kMostParts); };
   ChainParameters p;
   p.trailers = 15;
   EXPECT_EQ(parts(Snake(p)), 1);

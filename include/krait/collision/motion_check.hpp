@@ -324,7 +324,7 @@ class MotionCheck {
         for (int i = 0; i < robot_->state_size(); ++i) to[i] = step.next[i];
       } else {
         propagate_in_parts(*robot_, from, poses(), step.control, duration,
-                           parts_of(duration, longest_step_, 2 * kMostParts), to);
+                           parts_of(duration, longest_step_, kMostPlanParts), to);
       }
       place(to, right());
       Unproven unproven = whole;

@@ -13,7 +13,7 @@ class Drive {
   void assign(const R& robot, float dt) {
     robot_ = &robot;
     dt_ = dt;
-    parts_ = parts_of(dt, longest_step(robot, dt, kStepRate), kMostParts);
+    parts_ = parts_of(dt, longest_tree_step(robot, dt), kMostParts);
   }
 
   // Where to start; copied.

@@ -18,7 +18,7 @@ class PlanDrive {
     dt_ = dt;
     tree_.assign(robot, dt);
     tree_.begin(state);
-    const float longest = longest_step(robot, dt, kPlanStepRate);
+    const float longest = longest_plan_step(robot, dt);
     parts_ = longest < kInfinity ? parts_of(dt, longest, kMostPlanParts) : kUnknownParts;
     for (int i = 0; i < robot.state_size(); ++i) {
       states_[here_][i] = state[i];
@@ -61,7 +61,6 @@ class PlanDrive {
   const float* tree_state() const { return tree_.state(); }
 
  private:
-  static constexpr int kMostPlanParts = 2 * kMostParts + 1;
   static constexpr int kUnknownParts = 4;  // for a robot that does not state its rate
   // To first order, a derivative changes along the rests as along so many times as much, divided by that: a power of
   // two.

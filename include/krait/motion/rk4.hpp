@@ -8,13 +8,15 @@
 
 namespace krait {
 
-// A Runge-Kutta step of h seconds is accurate where h times the robot's fastest rate is at most this: while the tree
-// grows, and where a plan is driven.
+// A Runge-Kutta step of h seconds is accurate enough where h times the robot's fastest rate is at most this: while the
+// tree grows; where a plan with trailers is driven, which follow and forget; and where errors stay or grow.
 inline constexpr float kStepRate = 0.32F;
 inline constexpr float kPlanStepRate = 0.16F;
+inline constexpr float kFinePlanStepRate = 0.05F;
 
-// The most Runge-Kutta steps of a time step while the tree grows; init refuses what would need more.
+// The most Runge-Kutta steps of a time step: while the tree grows, init refuses what would need more; in a plan.
 inline constexpr int kMostParts = 64;
+inline constexpr int kMostPlanParts = 410;
 
 // How many equal parts of `whole`, which is positive, are at most `longest` each; 1 or more, `most` at most.
 inline int parts_of(float whole, float longest, int most) {
@@ -23,21 +25,30 @@ inline int parts_of(float whole, float longest, int most) {
   return parts;
 }
 
-// The longest Runge-Kutta step in seconds for time steps of at most dt, by kStepRate or kPlanStepRate.
+// The longest Runge-Kutta step in seconds of time steps of dt, infinite for a robot that does not state its rate.
 template <Robot R>
 float longest_step(const R& robot, float dt, float step_rate) {
   const float rate = fastest_rate(robot, dt);
   return rate > 0.0F ? step_rate / rate : kInfinity;
 }
+template <Robot R>
+float longest_tree_step(const R& robot, float dt) {
+  return longest_step(robot, dt, kStepRate);
+}
+template <Robot R>
+float longest_plan_step(const R& robot, float dt) {
+  const bool follows = leading_size(robot) < robot.state_size() && !reversible(robot);
+  return longest_step(robot, dt, follows ? kPlanStepRate : kFinePlanStepRate);
+}
 
 // Whether time steps of dt seconds need at most kMostParts.
 template <Robot R>
 bool can_integrate(const R& robot, float dt) {
-  return dt <= static_cast<float>(kMostParts) * longest_step(robot, dt, kStepRate);
+  return dt <= static_cast<float>(kMostParts) * longest_tree_step(robot, dt);
 }
 
-// The longest time step of at least 0.001 s and at most dt that needs at most kMostParts; 0 where there is none. At most
-// 24 evaluations of the robot's fastest rate.
+// The longest time step of at least 0.001 s and at most dt that needs at most kMostParts; 0 where there is none. At
+// most 24 evaluations of the robot's fastest rate.
 template <Robot R>
 float longest_time_step(const R& robot, float dt) {
   float fits = 0.001F;

@@ -423,7 +423,7 @@ class Search {
 
   float tree_clearance() const { return parameters_.clearance + kTreeSlack * robot_length_; }
 
-  void keep_for_tree() { check_.keep(tree_clearance(), longest_step(*robot_, parameters_.dt, kStepRate)); }
+  void keep_for_tree() { check_.keep(tree_clearance(), longest_tree_step(*robot_, parameters_.dt)); }
 
   // The way to `last` has reached the goal. It is driven once more from the start, expansion by expansion, as the
   // plan's controls alone would drive the robot, and every step is proven again: what holds is the plan. Until then the
@@ -441,7 +441,7 @@ class Search {
 
   void keep_for_plan() {
     const float error = kDriveError + kDriftShare * meter_.length();
-    check_.keep(parameters_.clearance + error, longest_step(*robot_, parameters_.dt, kPlanStepRate));
+    check_.keep(parameters_.clearance + error, longest_plan_step(*robot_, parameters_.dt));
   }
 
   // One expansion of the way.

@@ -42,8 +42,8 @@ RobotExtent extent(const R& robot, const Parameters& parameters) {
   extent.gap = static_cast<std::uint64_t>(self_collision_gap(robot));
   extent.longest_travel = longest_travel(robot, parameters.dt);
   extent.length = robot_length(robot);
-  extent.tree_parts = parts_of(parameters.dt, longest_step(robot, parameters.dt, kStepRate), kMostParts);
-  extent.plan_parts = parts_of(parameters.dt, longest_step(robot, parameters.dt, kPlanStepRate), 2 * kMostParts + 1);
+  extent.tree_parts = parts_of(parameters.dt, longest_tree_step(robot, parameters.dt), kMostParts);
+  extent.plan_parts = parts_of(parameters.dt, longest_plan_step(robot, parameters.dt), kMostPlanParts);
   for (int k = 0; k < robot.body_count(); ++k) {
     extent.largest_radius = std::max(extent.largest_radius, largest_radius(robot.body(k)));
   }
