@@ -18,7 +18,7 @@ struct Exit {
 // `program` is the path of the running executable: krait-compile lies beside it.
 void add_compile(CLI::App& app, const char* program);
 void add_info(CLI::App& app);
-void add_plan(CLI::App& app);
+void add_plan(CLI::App& app, const char* program);
 void add_verify(CLI::App& app);
 void add_scene(CLI::App& app);
 

@@ -15,7 +15,8 @@ constexpr const char* kAbout =
     "  krait scene openings -o openings.json      (or your own map: ROS map_server YAML, MovingAI .map, JSON)\n"
     "  krait compile openings.json -o openings.krait\n"
     "  krait plan openings.krait --robot snake:15 -o plan.json --html plan.html\n"
-    "  krait verify openings.json plan.json --robot snake:15\n";
+    "  krait verify openings.json plan.json --robot snake:15\n"
+    "krait plan compiles a map itself where it is given one in place of a scene file: krait plan openings.json\n";
 
 int complain(const std::string& what) {
   std::fprintf(stderr, "krait: %s\n", what.c_str());
@@ -45,7 +46,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   add_compile(app, argv[0]);
   add_info(app);
-  add_plan(app);
+  add_plan(app, argv[0]);
   add_verify(app);
   add_scene(app);
   try {

@@ -1,11 +1,14 @@
-// krait plan: searches, checks its own result, writes and draws it.
+// krait plan: compiles the map where it is given one, searches, checks its own result, writes and draws it.
 #include <cstdio>
 #include <memory>
 #include <optional>
 
+#include "host/cli/asked.hpp"
 #include "host/cli/commands.hpp"
+#include "host/cli/compiler_process.hpp"
 #include "host/cli/options.hpp"
 #include "host/cli/terminal.hpp"
+#include "host/input/file.hpp"
 #include "host/picture/picture.hpp"
 #include "host/verify/verify.hpp"
 
@@ -13,7 +16,11 @@ namespace krait::host {
 namespace {
 
 struct PlanOptions {
-  std::string scene;
+  std::string compiler;  // the path of krait-compile
+  std::string scene;     // or a map
+  std::string unknown = "map";
+  std::string tolerance;
+  std::vector<std::string> map_options;  // those of compile that were given
   QueryOptions query;
   std::string planner = "adaptive";
   std::uint64_t seed = 1;
@@ -31,6 +38,12 @@ struct PlanOptions {
   std::string svg;
   std::string png;
   std::string html;
+};
+
+// The scene to plan in and, where the user gave a map and no compiled scene, that map.
+struct Ground {
+  SceneBytes scene;
+  std::optional<Workspace> map;
 };
 
 SearchRequest request_of(const PlanOptions& options) {
@@ -77,16 +90,19 @@ std::string csv_of(const PlanFile& plan) {
   return text;
 }
 
-Verdict verdict_on(const SearchResult& result, const PlanOptions& options) {
+// Against the map itself; a compiled scene has its pieces only.
+Verdict verdict_on(const SearchResult& result, const Ground& ground, const SearchRequest& request,
+                   const PlanOptions& options) {
   ProgressLine line;
   line.show("verifying");
+  if (ground.map) return verify(*ground.map, result.plan, asked_of(*ground.map, request));
   return verify(import_workspace(options.scene, {}), result.plan, result.asked);
 }
 
 // A plan that does not hold is no plan: its arrays are emptied and the status says why.
-int judge(SearchResult& result, const PlanOptions& options) {
+int judge(SearchResult& result, const Ground& ground, const SearchRequest& request, const PlanOptions& options) {
   if (result.plan.status != "solved") return result.plan.status == "internal" ? kOwnBug : kHonestNo;
-  const Verdict verdict = verdict_on(result, options);
+  const Verdict verdict = verdict_on(result, ground, request, options);
   if (verdict.holds) return kDone;
   result.plan.status = "verification_failed";
   result.plan.states.clear();
@@ -94,7 +110,7 @@ int judge(SearchResult& result, const PlanOptions& options) {
   for (const std::string& complaint : verdict.complaints) std::fprintf(stderr, "krait: %s\n", complaint.c_str());
   if (options.paper) return kHonestNo;
   std::fprintf(stderr,
-               "krait: the plan does not hold: a bug of krait, please report it with the scene and the options\n");
+               "krait: the plan does not hold: a bug of krait, please report it with the map and the options\n");
   return kOwnBug;
 }
 
@@ -140,15 +156,33 @@ void check_outputs(const PlanOptions& options) {
   }
 }
 
+SceneBytes compiled(const PlanOptions& options) {
+  std::vector<std::string> arguments = {"--unknown", options.unknown};
+  if (!options.tolerance.empty()) arguments.insert(arguments.end(), {"--tolerance", options.tolerance});
+  const std::string scene = run_compiler(options.compiler, options.scene, arguments);
+  return SceneBytes::copy(scene.data(), scene.size());
+}
+
+Ground read_ground(const PlanOptions& options) {
+  const std::string content = read_file(options.scene, UINT32_MAX);
+  if (is_scene_file(content)) {
+    if (options.map_options.empty()) return {SceneBytes::copy(content.data(), content.size()), std::nullopt};
+    throw InputError(options.map_options.front() + " is for maps, but " + options.scene +
+                     " is compiled already: use it with krait compile, or plan in the map itself");
+  }
+  Workspace map = import_workspace(options.scene, {parse_unknown(options.unknown)});
+  return {compiled(options), std::move(map)};
+}
+
 void plan(const PlanOptions& options) {
   const SearchRequest request = request_of(options);
   check_outputs(options);
-  const SceneBytes bytes = SceneBytes::read(options.scene);
-  SearchResult result = search(options, request, bytes);
-  const int code = judge(result, options);
+  const Ground ground = read_ground(options);
+  SearchResult result = search(options, request, ground.scene);
+  const int code = judge(result, ground, request, options);
   if (!options.json.empty()) write_file(options.json, to_json(result.plan).dump() + "\n");
   if (!options.csv.empty()) write_file(options.csv, csv_of(result.plan));
-  draw(request, bytes, result, options);
+  draw(request, ground.scene, result, options);
   print_summary(result.plan);
   throw Exit{code};
 }
@@ -177,12 +211,23 @@ std::string with_default(const char* text, Number value) {
 
 }  // namespace
 
-void add_plan(CLI::App& app) {
+void add_plan(CLI::App& app, const char* program) {
   const auto o = std::make_shared<PlanOptions>();
+  o->compiler = compiler_path(program);
   const Parameters defaults;
-  CLI::App* command = app.add_subcommand("plan", "find a plan in a scene, check it, write it and draw it");
-  command->add_option("SCENE", o->scene, "a .krait file, from krait compile")->required();
+  CLI::App* command = app.add_subcommand("plan", "find a plan in a map or scene, check it, write it and draw it");
+  command
+      ->add_option(
+          "SCENE", o->scene,
+          "a map or drawing as for krait compile (JSON, map_server YAML, MovingAI .map, dynobench YAML), which\n"
+          "is compiled and which the plan is checked against; or a .krait file, from krait compile")
+      ->required();
   o->query.add(*command);
+  add_unknown(*command, o->unknown);
+  command
+      ->add_option("--tolerance", o->tolerance,
+                   "how much a map's passages may get narrower, in metres, as for krait compile")
+      ->check(CLI::Range(0.0, 1e6));
   command
       ->add_option("--planner", o->planner,
                    "the search: adaptive (the paper's), prior ([18], its costs never change), rrt")
@@ -216,7 +261,12 @@ void add_plan(CLI::App& app) {
   command->add_option("--html", o->html,
                       "write a page that replays the plan and the search, for any browser, without network");
   command->footer(defaults_table());
-  command->callback([o] { plan(*o); });
+  command->callback([o, command] {
+    for (const char* option : {"--unknown", "--tolerance"}) {
+      if (command->count(option) > 0) o->map_options.emplace_back(option);
+    }
+    plan(*o);
+  });
 }
 
 }  // namespace krait::host

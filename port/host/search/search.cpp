@@ -88,6 +88,11 @@ std::string section_name(std::uint8_t section) {
   return section < format::kSectionCount ? kNames[section] : "header";
 }
 
+bool is_scene_file(std::string_view content) {
+  return content.size() >= sizeof format::kMagic &&
+         std::memcmp(content.data(), format::kMagic, sizeof format::kMagic) == 0;
+}
+
 krait::Scene open_scene(const std::string& path, const SceneBytes& bytes) {
   if (bytes.size() >= sizeof format::kMagic && std::memcmp(bytes.data(), format::kMagic, sizeof format::kMagic) != 0) {
     throw InputError(path + ": bad_scene: is no compiled scene; krait compile makes one of a map or drawing");

@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "host/picture/picture.hpp"
@@ -54,6 +55,9 @@ class SceneBytes {
   std::vector<std::uint64_t> words_;
   std::size_t size_ = 0;
 };
+
+// Whether the bytes of a file begin as those of a compiled scene do.
+bool is_scene_file(std::string_view content);
 
 // Opens the scene; throws InputError that names section and element of what is wrong.
 krait::Scene open_scene(const std::string& path, const SceneBytes& bytes);

@@ -1,0 +1,32 @@
+#include "host/cli/asked.hpp"
+
+namespace krait::host {
+namespace {
+
+template <class Named>
+const Named& by_name(const std::vector<Named>& all, const std::string& name, const char* what) {
+  if (name.empty() && !all.empty()) return all.front();
+  for (const Named& one : all) {
+    if (one.name == name) return one;
+  }
+  throw InputError(name.empty() ? std::string("the input has no ") + what + ": give --" + what
+                                : std::string("the input has no ") + what + " '" + name + "'");
+}
+
+}  // namespace
+
+Asked asked_of(const Workspace& workspace, const SearchRequest& request) {
+  Asked asked;
+  asked.robot = request.robot;
+  asked.start = request.start ? Start{"start", request.start->position, request.start->heading, {}}
+                              : by_name(workspace.starts, request.start_name, "start");
+  if (request.goal) {
+    asked.disc_center = request.goal->center;
+    asked.disc_radius = request.goal->radius;
+  } else {
+    asked.goal = by_name(workspace.goals, request.goal_name, "goal").polygon;
+  }
+  return asked;
+}
+
+}  // namespace krait::host

@@ -1,0 +1,14 @@
+// What a plan is held to: what the command line asks, in terms of the map itself.
+#pragma once
+
+#include "host/search/search.hpp"
+#include "host/verify/verify.hpp"
+#include "host/workspace/workspace.hpp"
+
+namespace krait::host {
+
+// The request's start and goal, those of the map where the request names one of them or none (then its first). Throws
+// InputError where the map has none such.
+Asked asked_of(const Workspace& workspace, const SearchRequest& request);
+
+}  // namespace krait::host

@@ -1,0 +1,280 @@
+// krait plan on a map: it is compiled as krait compile does it, and the plan is judged against the map itself.
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+#include "host/cli/program.hpp"
+
+namespace krait::host {
+namespace {
+
+using nlohmann::ordered_json;
+using testing::HasSubstr;
+using Arguments = std::vector<std::string>;
+
+constexpr const char* kRules =
+    "resolution: 1\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
+
+// 12 x 8 m, free.
+std::string movingai() {
+  std::string map = "type octile\nheight 8\nwidth 12\nmap\n";
+  for (int row = 0; row < 8; ++row) map += "............\n";
+  return map;
+}
+
+// 12 x 8 m, free, but for two columns of unknown cells in its middle.
+std::string divided_image() {
+  std::string image = "P2 12 8 255\n";
+  for (int row = 0; row < 8; ++row) image += "255 255 255 255 255 150 150 255 255 255 255 255\n";
+  return image;
+}
+
+class CliMap : public CliTest {
+ protected:
+  ordered_json planned(const std::string& input, const Arguments& options) const {
+    Arguments arguments = {"plan", input, "-o", "plan.json"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    expect_done(arguments);
+    ordered_json plan = json("plan.json");
+    plan.at("statistics").erase("time_s");
+    return plan;
+  }
+
+  void expect_verified(const std::string& map, const Arguments& options) const {
+    planned(map, options);
+    Arguments arguments = {"verify", map, "plan.json"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = krait(arguments);
+    EXPECT_EQ(outcome.code, 0) << outcome.output;
+    EXPECT_THAT(outcome.output, HasSubstr("the plan holds"));
+  }
+};
+
+const Arguments kAcross = {"--robot", "unicycle", "--start", "2.5,4,0", "--goal", "9.5,4,0.5"};
+
+Arguments across(const Arguments& more) {
+  Arguments all = kAcross;
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+TEST_F(CliMap, HasThePlanOfTheCompiledScene) {
+  for (const Arguments& query : {Arguments{"--robot", "car"}, Arguments{"--robot", "truck:2", "--start", "north"},
+                                 Arguments{"--robot", "unicycle", "--goal", "south"}}) {
+    EXPECT_EQ(planned("room.json", query), planned("room.krait", query));
+  }
+}
+
+TEST_F(CliMap, LeavesOnlyWhatWasAskedFor) {
+  const auto before = files();
+  expect_done({"plan", "room.json", "--robot", "car"});
+  EXPECT_EQ(files(), before);
+}
+
+TEST_F(CliMap, TakesEveryFormatOfCompile) {
+  write("open.map", movingai());
+  expect_verified("open.map", kAcross);
+  write("image.pgm", divided_image());
+  write("ros.yaml", std::string("image: image.pgm\n") + kRules);
+  expect_verified("ros.yaml",
+                  {"--robot", "unicycle", "--start", "2,1,1.5", "--goal", "2,6,0.5", "--unknown", "occupied"});
+  write("bench.yaml",
+        "environment:\n  min: [0, 0]\n  max: [12, 8]\n"
+        "robots:\n  - {type: unicycle1_v0, start: [2, 4, 0], goal: [9, 4, 0]}\n");
+  const Outcome outcome = krait({"plan", "bench.yaml", "--robot", "unicycle"});
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, HasSubstr("solved: unicycle (1 bodies) in bench"));
+  EXPECT_THAT(outcome.errors, testing::StartsWith("krait-compile: warning: bench.yaml: robots[0].goal: reached means"));
+}
+
+TEST_F(CliMap, UnknownCellsCountAsAsked) {
+  write("image.pgm", divided_image());
+  write("ros.yaml", std::string("image: image.pgm\n") + kRules);
+  const auto ends = [&](const Arguments& more) {
+    Arguments arguments = across(more);
+    arguments.insert(arguments.begin(), {"plan", "ros.yaml"});
+    const Outcome outcome = krait(arguments);
+    return std::to_string(outcome.code) + " " + outcome.output.substr(0, outcome.output.find(':'));
+  };
+  EXPECT_EQ(ends({}), "1 no_route");
+  EXPECT_EQ(ends({"--unknown", "occupied"}), "1 no_route");
+  EXPECT_EQ(ends({"--unknown", "free"}), "0 solved");
+}
+
+// A wall of 16 steps, which a tolerance makes smooth.
+TEST_F(CliMap, TheToleranceReachesTheCompiler) {
+  ordered_json stairs = {{"bounds", {{"min", {0, 0}}, {"max", {12, 8}}}}};
+  for (int i = 0; i < 16; ++i) {
+    stairs["obstacles"].push_back({{"box", {{"center", {6, 0.25 + 0.2 * i}}, {"size", {1 + 0.2 * (i % 2), 0.5}}}}});
+  }
+  write("stairs.json", stairs.dump());
+  const auto pieces = [&](const Arguments& more) {
+    Arguments arguments = {"compile", "stairs.json", "-o", "stairs.krait"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    expect_done(arguments);
+    return planned("stairs.krait", kAcross);
+  };
+  const ordered_json exact = pieces({});
+  const ordered_json coarse = pieces({"--tolerance", "1"});
+  EXPECT_NE(exact, coarse);
+  EXPECT_EQ(planned("stairs.json", kAcross), exact);
+  EXPECT_EQ(planned("stairs.json", across({"--tolerance", "1"})), coarse);
+  EXPECT_EQ(planned("stairs.json", across({"--tolerance", "0"})), exact);
+}
+
+TEST_F(CliMap, OptionsForMapsAreRefusedWithACompiledScene) {
+  for (const Arguments& option : {Arguments{"--unknown", "free"}, {"--unknown", "map"}, {"--tolerance", "0.1"}}) {
+    Arguments arguments = {"plan", "room.krait", "-o", "plan.json"};
+    arguments.insert(arguments.end(), option.begin(), option.end());
+    expect_refused(arguments, "krait: " + option[0] +
+                                  " is for maps, but room.krait is compiled already: use it with krait compile, or "
+                                  "plan in the map itself\n");
+  }
+  expect_refused({"plan", "room.json", "--unknown", "maybe"}, "--unknown: maybe not in {map,free,occupied}");
+  expect_refused({"plan", "room.json", "--tolerance", "-1"}, "--tolerance: Value -1 not in range");
+  expect_refused({"plan", "room.json", "--tolerance", "nan"}, "krait-compile: the tolerance is not a length in metres");
+}
+
+TEST_F(CliMap, WhatIsNeitherIsToldTheFormats) {
+  write("letter", "Dear robot,\n");
+  expect_refused({"plan", "letter", "-o", "plan.json"},
+                 "krait: letter: is in no known format; known are compiled scene (.krait), krait's JSON, "
+                 "MovingAI .map, map_server YAML, dynobench YAML\n");
+}
+
+TEST_F(CliMap, WhatTheCompilerRefusesIsSaidOnceAndEndsIt) {
+  write("far.json", R"({"bounds": {"min": [0, 0], "max": [5000, 5]}})");
+  expect_refused({"plan", "far.json", "--robot", "car", "--start", "1,1,0", "--goal", "4,4,0.5", "-o", "plan.json"},
+                 "krait-compile: the bounds");
+  write("two.json", R"({"bounds": {"min": [0, 0], "max": [9, 9]}, "goals": [
+      {"name": "a", "box": {"center": [5, 5], "size": [2, 2]}},
+      {"name": "b", "box": {"center": [5, 5], "size": [1, 1]}}]})");
+  expect_refused({"plan", "two.json", "-o", "plan.json"},
+                 "krait-compile: the goals 'a' and 'b' overlap: move or shrink one\n");
+}
+
+TEST_F(CliMap, AMissingCompilerIsSaid) {
+  std::filesystem::create_directory(path("bin"));
+  std::filesystem::copy_file(KRAIT_BIN_DIR "/krait", path("bin/krait"));
+  const Outcome outcome = run_program(path("bin/krait"), {"plan", "room.json", "--robot", "car"}, directory());
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_EQ(outcome.errors, "krait: cannot run " + std::filesystem::canonical(path("bin")).string() +
+                                "/krait-compile: it must lie beside krait (build the target krait-compile)\n");
+}
+
+// In place of krait-compile: a script of the test's own, beside a copy of krait.
+class CliCompilerEnds : public CliMap {
+ protected:
+  void replace_compiler(const std::string& script) const {
+    std::filesystem::create_directories(path("bin"));
+    std::filesystem::copy_file(KRAIT_BIN_DIR "/krait", path("bin/krait"),
+                               std::filesystem::copy_options::overwrite_existing);
+    write("bin/krait-compile", "#!/bin/bash\n" + script + "\n");
+    std::filesystem::permissions(path("bin/krait-compile"), std::filesystem::perms::owner_all);
+  }
+
+  Outcome krait_with_compiler(const std::string& script) const {
+    replace_compiler(script);
+    return run_program(path("bin/krait"), {"plan", "room.json", "--robot", "car", "-o", "plan.json"}, directory());
+  }
+
+  // Starts krait plan on a map with standard error on `errors`.
+  pid_t start_krait(int errors) const {
+    const pid_t child = ::fork();
+    if (child != 0) return child;
+    const std::string program = path("bin/krait");
+    ::dup2(errors, STDERR_FILENO);
+    ::close(errors);
+    if (::chdir(directory().c_str()) == 0) ::execl(program.c_str(), "krait", "plan", "room.json", nullptr);
+    ::_exit(127);
+  }
+};
+
+TEST_F(CliCompilerEnds, WithEveryExitCodeAndSignal) {
+  EXPECT_EQ(krait_with_compiler("cat room.krait").code, 0);
+  for (const int code : {2, 3}) {
+    const Outcome outcome = krait_with_compiler("echo why >&2; exit " + std::to_string(code));
+    EXPECT_EQ(outcome.code, code);
+    EXPECT_EQ(outcome.errors, "why\n");
+  }
+  const Outcome killed = krait_with_compiler("kill -KILL $$");
+  EXPECT_EQ(killed.code, 2);
+  EXPECT_EQ(
+      killed.errors,
+      "krait: room.json: krait-compile was ended by signal 9 (Killed); has this machine enough memory for the map?\n");
+  const Outcome half = krait_with_compiler("head -c 1000 room.krait");
+  EXPECT_EQ(half.code, 2);
+  EXPECT_THAT(half.errors, testing::StartsWith("krait: room.json: bad_scene: "));
+}
+
+// A compiler that leaves a wall out, in place of one: the pieces would not tell.
+TEST_F(CliCompilerEnds, WithASceneThatIsNotTheMapAndTheMapTells) {
+  ordered_json open = json("room.json");
+  open.erase("obstacles");
+  write("open.json", open.dump());
+  expect_done({"compile", "open.json", "-o", "open.krait"});
+  replace_compiler("cat open.krait");
+  const Outcome outcome = run_program(
+      path("bin/krait"), {"plan", "room.json", "--robot", "car", "--goal", "south", "-o", "plan.json"}, directory());
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.errors, HasSubstr("obstacles[0]"));
+  EXPECT_THAT(outcome.errors, HasSubstr("krait: the plan does not hold: a bug of krait, please report it"));
+  EXPECT_EQ(json("plan.json").at("status"), "verification_failed");
+  EXPECT_EQ(json("plan.json").at("states"), ordered_json::array());
+  expect_done({"plan", "open.krait", "--robot", "car", "--goal", "south", "-o", "plan.json"});
+}
+
+// Whether all processes that hold the pipe's other end have ended within five seconds.
+bool is_closed(int pipe_end) {
+  pollfd look = {pipe_end, POLLIN, 0};
+  char text[256];
+  while (::poll(&look, 1, 5000) == 1) {
+    if (::read(pipe_end, text, sizeof text) <= 0) return true;
+  }
+  return false;
+}
+
+// Waits until the process has a child.
+bool has_child_soon(pid_t process) {
+  const std::string id = std::to_string(process);
+  for (int i = 0; i < 1000; ++i) {
+    if (!read_text("/proc/" + id + "/task/" + id + "/children").empty()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return false;
+}
+
+// No file is left, and no compiler at work.
+TEST_F(CliCompilerEnds, WithKraitWhateverSignalEndsThat) {
+  replace_compiler("exec sleep 60");
+  const auto before = files();
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGKILL}) {
+    int ends[2];
+    ASSERT_EQ(::pipe2(ends, O_CLOEXEC), 0);
+    const pid_t krait = start_krait(ends[1]);
+    ::close(ends[1]);
+    EXPECT_TRUE(has_child_soon(krait));
+    ::kill(krait, signal);
+    int status = 0;
+    ::waitpid(krait, &status, 0);
+    EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal);
+    EXPECT_TRUE(is_closed(ends[0])) << "after signal " << signal;
+    ::close(ends[0]);
+  }
+  EXPECT_EQ(files(), before);
+}
+
+// As a shell that ignores its children's ends leaves it.
+TEST_F(CliMap, IsNotConfusedByIgnoredSignals) {
+  const Outcome outcome = run_program(
+      "/bin/bash", {"-c", "trap '' CHLD PIPE; " KRAIT_BIN_DIR "/krait plan room.json --robot car"}, directory());
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+}
+
+}  // namespace
+}  // namespace krait::host
