@@ -44,6 +44,7 @@ enum class Argument : std::uint8_t {
   epsilon,
   dt,
   max_steps,
+  open_steps,
   path_regions,
   near_radius,
   clearance,

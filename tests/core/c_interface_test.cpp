@@ -305,6 +305,7 @@ TEST(CInterface, EveryParameterIsInItsPlace) {
   EXPECT_SAME_PLACE(krait_parameters, Parameters, raise_goal);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, dt);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, max_steps);
+  EXPECT_SAME_PLACE(krait_parameters, Parameters, open_steps);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, path_regions);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, near_radius);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, stray_share);

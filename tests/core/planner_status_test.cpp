@@ -339,6 +339,7 @@ TEST(PlannerParameters, EachCountIsCheckedAtBothEnds) {
                 {Argument::doomed_steps, 0, 3, &Parameters::doomed_steps},
                 {Argument::restart_unit, 0, 1'000'000'000, &Parameters::restart_unit},
                 {Argument::max_steps, 1, 1000, &Parameters::max_steps},
+                {Argument::open_steps, 0, 1000, &Parameters::open_steps},
                 {Argument::path_regions, 1, 64, &Parameters::path_regions},
                 {Argument::max_substeps, 1, 64, &Parameters::max_substeps}};
   for (const auto& range : ranges) {

@@ -144,6 +144,8 @@ TYPED_TEST(WrongUse, ParametersAtTheEndsOfTheirRangesPlanOrEnd) {
                                                        [](Parameters& p) { p.dt = 1; },
                                                        [](Parameters& p) { p.max_steps = 1; },
                                                        [](Parameters& p) { p.max_steps = 1000; },
+                                                       [](Parameters& p) { p.open_steps = 0; },
+                                                       [](Parameters& p) { p.open_steps = 1000; },
                                                        [](Parameters& p) { p.path_regions = 1; },
                                                        [](Parameters& p) { p.path_regions = 64; },
                                                        [](Parameters& p) { p.near_radius = 0; },

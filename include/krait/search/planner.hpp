@@ -20,6 +20,7 @@ class Planner : public GroupedSearch<Planner<R>, R> {
   }
   std::uint32_t restart_unit() const { return this->parameters_.restart_unit; }
   std::uint32_t doomed_steps() const { return this->parameters_.doomed_steps; }
+  std::uint32_t open_steps() const { return this->parameters_.open_steps; }
 
   // Algorithm 1, lines 4 to 13.
   template <class Watch>
@@ -31,6 +32,8 @@ class Planner : public GroupedSearch<Planner<R>, R> {
     const Target target = choose_target(group);
     const auto expanded = this->expand(vertex, group, target, watch);
     if (this->status() != Status::searching) return;
+    const bool long_way = expanded.last.step > this->parameters_.max_steps;
+    if (long_way && expanded.result == Expansion::target_reached) this->guide_.unselect(this->regions_, group);
     if (expanded.result == Expansion::collision) raise_costs(expanded.region);
     if (this->statistics_.iterations % this->parameters_.kappa == 0) update_costs();
   }

@@ -31,6 +31,7 @@ struct Query {
 //   reset_guide()                  the guide as new
 //   restart_unit()                 as Restarts::begin has it
 //   doomed_steps()                 Parameters::doomed_steps or 0
+//   open_steps()                   Parameters::open_steps or 0
 //   iterate(watch)                 one expansion
 //   keep(region, branch, state)    hears of every new state that is not doomed, and may keep it as a vertex; false when
 //                                  it cannot go on
@@ -147,8 +148,9 @@ class Search {
 
   struct Expanded {
     Expansion result;
-    Index region;  // of the last state
-    Branch last;   // the last state, when there was a step
+    Index region;               // of the last state
+    Branch last;                // the last state, when there was a step
+    std::uint32_t crossed = 0;  // how often a step ended in another region than it began in
   };
 
   // Algorithm 2, lines 4 to 15: from a vertex, which lies in `region` (or kNone: not known), toward the target. The
@@ -162,7 +164,8 @@ class Search {
     target.dt = parameters_.dt;
     drive_.aim(target);
     Expanded expanded{Expansion::target_not_reached, region, {expansion, 0}};
-    while (expanded.result == Expansion::target_not_reached && expanded.last.step < parameters_.max_steps) {
+    float apart = kInfinity;
+    while (expanded.result == Expansion::target_not_reached && goes_on(expanded, apart)) {
       expanded.result = grow(expanded, watch);
     }
     if (expanded.result == Expansion::goal_reached) {
@@ -220,6 +223,7 @@ class Search {
 
  private:
   static constexpr std::uint32_t kRecent = Parameters::kMostDoomedSteps + 1;
+  static constexpr std::uint32_t kOpen = 1;       // how often an expansion past max_steps may have crossed a portal
   static constexpr float kGentlest = 0.15F;       // of the sharpest turn
   static constexpr float kReachRounding = 1e-2F;  // metres
   static constexpr float kLeastCost = 0.05F;      // of an edge, in robot lengths: keeps h + C above h
@@ -341,6 +345,17 @@ class Search {
     return regions_.connected(triangle, goal_, length(center) + kReachRounding, width);
   }
 
+  // Whether the expansion continues. Past max_steps it does in the open only, and while the distance to the target,
+  // which was `apart` before the last step, decreases.
+  bool goes_on(const Expanded& expanded, float& apart) {
+    const std::uint32_t steps = expanded.last.step;
+    if (steps < parameters_.max_steps) return true;
+    if (steps >= derived().open_steps() || expanded.crossed > kOpen) return false;
+    const float before = apart;
+    apart = length(drive_.target().point - Vec2{drive_.state()[0], drive_.state()[1]});
+    return apart < before;
+  }
+
   // One step, and what becomes of it.
   template <class Watch>
   Expansion grow(Expanded& expanded, Watch watch) {
@@ -350,7 +365,9 @@ class Search {
     ++statistics_.vertices;
     ++expanded.last.step;
     const Vec2 at{drive_.state()[0], drive_.state()[1]};
-    expanded.region = region_of(at, expanded.region);
+    const Index before = expanded.region;
+    expanded.region = region_of(at, before);
+    if (expanded.region != before) ++expanded.crossed;
     if (goal_.contains(*scene_, at, goal_depth_)) return Expansion::goal_reached;
     remember(expanded.last.step, expanded.region);
     if (!keep_recent(expanded.last, derived().doomed_steps())) return Expansion::tree_full;

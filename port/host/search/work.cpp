@@ -101,13 +101,13 @@ float largest_radius(Polygon body) {
 // once.
 Work work_bound(const krait::Scene& scene, const RobotExtent& robot, const Parameters& parameters) {
   const std::uint64_t parts = parameters.continuous ? 2 * std::uint64_t{parameters.max_substeps} - 1 : 1;
-  const std::uint64_t judged = parameters.max_steps * parts;
+  const std::uint64_t steps = std::max(parameters.max_steps, parameters.open_steps);
+  const std::uint64_t judged = steps * parts;
   Work work;
   work.pieces_near = most_pieces_near(scene, search_radius(scene, robot, parameters));
   work.placements = judged + 1;
   work.runge_kutta_steps = judged;
-  work.polygon_distances =
-      (2 * robot.bodies * judged + parameters.max_steps) * work.pieces_near + judged * pairs(robot);
+  work.polygon_distances = (2 * robot.bodies * judged + steps) * work.pieces_near + judged * pairs(robot);
   work.heap_operations = 2 * (std::uint64_t{scene.triangle_count()} + scene.portal_count());
   return work;
 }
