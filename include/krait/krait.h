@@ -158,6 +158,7 @@ typedef struct krait_parameters {
   float dt;
   uint32_t max_steps, open_steps, path_regions;
   float near_radius, stray_share, gentle_share;
+  uint32_t sight_tries, candidates, least_sketch;
   uint32_t doomed_steps, restart_unit;
   float slowest, reverse_share;
   float clearance;

@@ -118,7 +118,8 @@ void integrate_by_stages(const float* headings, int trailers, const Pose* poses,
 
 }  // namespace
 
-Chain::Chain(const ChainParameters& parameters, bool slip) : parameters_(parameters), slip_(slip) {
+Chain::Chain(const ChainParameters& parameters, bool slip)
+    : parameters_(parameters), least_hitch_cosine_(sin_cos(parameters.max_hitch_angle).cos), slip_(slip) {
   for (int k = 0; k < kMaxBodies; ++k) {
     Vec2 corners[4];
     box(parameters.body_length, parameters.body_width, k == 0 ? parameters.body_offset : 0.0F, corners);

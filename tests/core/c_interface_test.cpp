@@ -310,6 +310,9 @@ TEST(CInterface, EveryParameterIsInItsPlace) {
   EXPECT_SAME_PLACE(krait_parameters, Parameters, near_radius);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, stray_share);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, gentle_share);
+  EXPECT_SAME_PLACE(krait_parameters, Parameters, sight_tries);
+  EXPECT_SAME_PLACE(krait_parameters, Parameters, candidates);
+  EXPECT_SAME_PLACE(krait_parameters, Parameters, least_sketch);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, doomed_steps);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, restart_unit);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, slowest);

@@ -17,6 +17,9 @@ class Restarts {
     left_ = unit;
   }
 
+  // The last expansion is not to be counted.
+  void uncount() { left_ += unit_ != 0 ? 1 : 0; }
+
   // Counts an expansion; whether the try was over before it, so that the next one begins.
   bool due() {
     if (unit_ == 0) return false;

@@ -144,7 +144,7 @@ class Search {
  protected:
   static constexpr std::uint32_t kPatience = 10;  // tries after which half of the gentle share turns gently
 
-  enum class Expansion { goal_reached, target_reached, target_not_reached, collision, tree_full };
+  enum class Expansion { goal_reached, target_reached, target_not_reached, collision, tree_full, goes_on };
 
   struct Expanded {
     Expansion result;
@@ -154,7 +154,7 @@ class Search {
   };
 
   // Algorithm 2, lines 4 to 15: from a vertex, which lies in `region` (or kNone: not known), toward the target. The
-  // tree must have room for an expansion.
+  // tree must have room for an expansion. Where it goes_on, that is for go_on.
   template <class Watch>
   Expanded expand(Index vertex, Index region, const Target& toward, Watch watch) {
     const Index expansion = tree_.begin_expansion(tree_.branch(vertex), toward);
@@ -163,22 +163,16 @@ class Search {
     Target target = tree_.target(expansion);
     target.dt = parameters_.dt;
     drive_.aim(target);
-    Expanded expanded{Expansion::target_not_reached, region, {expansion, 0}};
-    float apart = kInfinity;
-    while (expanded.result == Expansion::target_not_reached && goes_on(expanded, apart)) {
-      expanded.result = grow(expanded, watch);
-    }
-    if (expanded.result == Expansion::goal_reached) {
-      if (finish_solved(expanded.last)) return expanded;
-      expanded.result = Expansion::target_not_reached;
-    } else if (expanded.result != Expansion::collision) {
-      for (std::uint32_t back = derived().doomed_steps(); back-- > 0;) {
-        if (!keep_recent(expanded.last, back)) expanded.result = Expansion::tree_full;
-      }
-    }
-    tree_.end_expansion(expansion, expanded.last.step);
-    if (expanded.result == Expansion::tree_full) finish(Status::tree_full);
-    return expanded;
+    expanded_ = {Expansion::target_not_reached, region, {expansion, 0}};
+    apart_ = kInfinity;
+    return drive(expanded_, watch);
+  }
+
+  // The next max_steps steps of a long expansion.
+  template <class Watch>
+  Expanded go_on(Watch watch) {
+    restarts_.uncount();
+    return drive(expanded_, watch);
   }
 
   // The way to a point at a random speed, and in a turn that is gentle the more often, the more often it was tried.
@@ -345,15 +339,40 @@ class Search {
     return regions_.connected(triangle, goal_, length(center) + kReachRounding, width);
   }
 
-  // Whether the expansion continues. Past max_steps it does in the open only, and while the distance to the target,
-  // which was `apart` before the last step, decreases.
-  bool goes_on(const Expanded& expanded, float& apart) {
+  // At most max_steps steps, and what becomes of the expansion.
+  template <class Watch>
+  Expanded drive(Expanded& expanded, Watch watch) {
+    bool goes = true;
+    for (std::uint32_t left = parameters_.max_steps; goes && left > 0; --left) {
+      expanded.result = grow(expanded, watch);
+      goes = expanded.result == Expansion::target_not_reached && goes_on(expanded);
+    }
+    if (goes) {
+      expanded.result = Expansion::goes_on;
+      return expanded;
+    }
+    if (expanded.result == Expansion::goal_reached) {
+      if (finish_solved(expanded.last)) return expanded;
+      expanded.result = Expansion::target_not_reached;
+    } else if (expanded.result != Expansion::collision) {
+      for (std::uint32_t back = derived().doomed_steps(); back-- > 0;) {
+        if (!keep_recent(expanded.last, back)) expanded.result = Expansion::tree_full;
+      }
+    }
+    tree_.end_expansion(expanded.last.expansion, expanded.last.step);
+    if (expanded.result == Expansion::tree_full) finish(Status::tree_full);
+    return expanded;
+  }
+
+  // Whether the expansion continues after this step. Past max_steps it does in the open only, and while each step
+  // decreases the distance to the target.
+  bool goes_on(const Expanded& expanded) {
     const std::uint32_t steps = expanded.last.step;
     if (steps < parameters_.max_steps) return true;
     if (steps >= derived().open_steps() || expanded.crossed > kOpen) return false;
-    const float before = apart;
-    apart = length(drive_.target().point - Vec2{drive_.state()[0], drive_.state()[1]});
-    return apart < before;
+    const float before = apart_;
+    apart_ = length(drive_.target().point - Vec2{drive_.state()[0], drive_.state()[1]});
+    return apart_ < before;
   }
 
   // One step, and what becomes of it.
@@ -448,6 +467,8 @@ class Search {
   Goal goal_ = Goal::named(0);
   float goal_depth_ = 0.0F;
   Restarts restarts_;
+  Expanded expanded_{};       // the last expansion
+  float apart_ = kInfinity;   // metres: how far the target of a long one was
   NewState recent_[kRecent];  // the last of the expansion
   Index root_region_ = kNone;
   Index path_ = kNone;  // the plan's first expansion
