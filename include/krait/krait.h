@@ -157,8 +157,9 @@ typedef struct krait_parameters {
   uint32_t kappa;
   bool raise_goal;
   float dt;
-  uint32_t max_steps, path_regions;
+  uint32_t max_steps, open_steps, path_regions;
   float near_radius, stray_share, gentle_share;
+  uint32_t sight_tries, candidates, least_sketch;
   uint32_t doomed_steps, restart_unit;
   float slowest, reverse_share;
   float clearance;

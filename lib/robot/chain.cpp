@@ -120,7 +120,8 @@ void integrate_by_stages(const float* headings, int trailers, const Pose* poses,
 
 }  // namespace
 
-Chain::Chain(const ChainParameters& parameters, bool slip) : parameters_(parameters), slip_(slip) {
+Chain::Chain(const ChainParameters& parameters, bool slip)
+    : parameters_(parameters), least_hitch_cosine_(sin_cos(parameters.max_hitch_angle).cos), slip_(slip) {
   if (parameters.trailers < 0 || parameters.trailers > kMaxTrailers) parameters_.trailers = -1;
   for (int k = 0; k < kMaxBodies; ++k) {
     Vec2 corners[4];

@@ -111,6 +111,11 @@ Index Groups::select(const Regions& regions) {
   return region;
 }
 
+void Groups::unselect(const Regions& regions, Index region) {
+  --selections_[region];
+  if (sizes_[region] > 0) set_weight(regions, region);
+}
+
 Index Groups::lightest(Index besides) const {
   Index best = kNone;
   for (Index r = 0; r < region_count_; ++r) {

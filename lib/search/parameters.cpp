@@ -49,7 +49,11 @@ constexpr Range<std::uint32_t> kCounts[] = {
     {offsetof(Parameters, group_sample), Argument::group_sample, 1, kUnboundedSample},
     {offsetof(Parameters, kappa), Argument::kappa, 1, 10000},
     {offsetof(Parameters, max_steps), Argument::max_steps, 1, 1000},
+    {offsetof(Parameters, open_steps), Argument::open_steps, 0, 1000},
     {offsetof(Parameters, path_regions), Argument::path_regions, 1, 64},
+    {offsetof(Parameters, sight_tries), Argument::sight_tries, 0, 64},
+    {offsetof(Parameters, candidates), Argument::candidates, 0, Parameters::kMostCandidates},
+    {offsetof(Parameters, least_sketch), Argument::least_sketch, 0, 20},
     {offsetof(Parameters, doomed_steps), Argument::doomed_steps, 0, Parameters::kMostDoomedSteps},
     {offsetof(Parameters, restart_unit), Argument::restart_unit, 0, 1'000'000'000},
     {offsetof(Parameters, max_substeps), Argument::max_substeps, 1, 64},
@@ -74,9 +78,12 @@ Parameters Parameters::paper() {
   parameters.gamma = 50.0F;
   parameters.cost_length = 0.0F;
   parameters.kappa = 20;
+  parameters.open_steps = 0;
   parameters.path_regions = 8;
   parameters.stray_share = 0.0F;
   parameters.gentle_share = 0.0F;
+  parameters.sight_tries = 0;
+  parameters.candidates = 0;
   parameters.doomed_steps = 0;
   parameters.restart_unit = 0;
   parameters.raise_goal = true;

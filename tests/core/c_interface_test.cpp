@@ -347,10 +347,14 @@ TEST(CInterface, EveryParameterIsInItsPlace) {
   EXPECT_SAME_PLACE(krait_parameters, Parameters, raise_goal);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, dt);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, max_steps);
+  EXPECT_SAME_PLACE(krait_parameters, Parameters, open_steps);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, path_regions);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, near_radius);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, stray_share);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, gentle_share);
+  EXPECT_SAME_PLACE(krait_parameters, Parameters, sight_tries);
+  EXPECT_SAME_PLACE(krait_parameters, Parameters, candidates);
+  EXPECT_SAME_PLACE(krait_parameters, Parameters, least_sketch);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, doomed_steps);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, restart_unit);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, slowest);

@@ -184,6 +184,10 @@ TEST(Groups, ChoicesAreThoseOfAScanAfterAnySequence) {
           ASSERT_EQ(p.groups.select(p.regions), expected) << i;
           if (expected != kNone) {
             ASSERT_EQ(p.groups.selections(expected), before + 1);
+            if (random() % 4 == 0) {
+              p.groups.unselect(p.regions, expected);
+              ASSERT_EQ(p.groups.selections(expected), before);
+            }
           }
         }
       }
@@ -263,6 +267,23 @@ TEST(Groups, SelectionsStayWhenTheMembersGo) {
   p.groups.insert(p.regions, a, 2);
   EXPECT_EQ(p.groups.log_weight(p.regions, a), weight);
   EXPECT_EQ(p.groups.select(p.regions), a);
+}
+
+TEST(Groups, ASelectionThatIsTakenBackLeavesTheWeightAsItWas) {
+  Partition p(10);
+  const Index a = p.region_with_a_cost();
+  p.groups.insert(p.regions, a, 1);
+  const float weight = p.groups.log_weight(p.regions, a);
+  for (int i = 0; i < 3; ++i) {
+    ASSERT_EQ(p.groups.select(p.regions), a);
+    ASSERT_LT(p.groups.log_weight(p.regions, a), weight);
+    p.groups.unselect(p.regions, a);
+    ASSERT_EQ(p.groups.log_weight(p.regions, a), weight);
+  }
+  ASSERT_EQ(p.groups.select(p.regions), a);
+  ASSERT_EQ(p.groups.remove(a), 1U);
+  p.groups.unselect(p.regions, a);
+  EXPECT_EQ(p.groups.select(p.regions), kNone);
 }
 
 TEST(Groups, TheRootIsNeverRemoved) {

@@ -43,7 +43,7 @@ struct UnitBench : Bench<Unicycle> {
 TEST(PlannerRestarts, SearchesThatBeginAnewSolveToo) {
   int begun_anew = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    UnitBench bench(10);
+    UnitBench bench(5);
     ASSERT_TRUE(bench.init().ok());
     ASSERT_EQ(bench.solve({kStart, Goal::named(0), seed}), Status::solved) << seed;
     begun_anew += bench.planner.statistics().restarts > 0 ? 1 : 0;
@@ -56,7 +56,7 @@ TEST(PlannerRestarts, SearchesThatBeginAnewSolveToo) {
 TEST(PlannerRestarts, DoNotDependOnHowTheSearchIsCut) {
   Statistics whole, pieces;
   for (Statistics* statistics : {&whole, &pieces}) {
-    UnitBench bench(7);
+    UnitBench bench(3);
     ASSERT_TRUE(bench.init().ok());
     bench.planner.start({kStart});
     while (bench.planner.advance(statistics == &whole ? 1'000'000 : 3) == Status::searching) continue;

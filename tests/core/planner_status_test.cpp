@@ -380,9 +380,13 @@ TEST(PlannerParameters, EachCountIsCheckedAtBothEnds) {
     std::uint32_t Parameters::*member;
   } ranges[] = {{Argument::group_sample, 1, 65535, &Parameters::group_sample},
                 {Argument::kappa, 1, 10000, &Parameters::kappa},
+                {Argument::sight_tries, 0, 64, &Parameters::sight_tries},
+                {Argument::candidates, 0, 8, &Parameters::candidates},
+                {Argument::least_sketch, 0, 20, &Parameters::least_sketch},
                 {Argument::doomed_steps, 0, 3, &Parameters::doomed_steps},
                 {Argument::restart_unit, 0, 1'000'000'000, &Parameters::restart_unit},
                 {Argument::max_steps, 1, 1000, &Parameters::max_steps},
+                {Argument::open_steps, 0, 1000, &Parameters::open_steps},
                 {Argument::path_regions, 1, 64, &Parameters::path_regions},
                 {Argument::max_substeps, 1, 64, &Parameters::max_substeps}};
   for (const auto& range : ranges) {

@@ -125,11 +125,17 @@ class PlanDrive {
   }
 
   // A component whose rate is the same at both ends and between them, as that of one that a control sets: it changes by
-  // rate times dt, to the last bit.
+  // rate times dt, to the last bit. Not where a rate only returns to what it was, as that of the position does when the
+  // heading swings to and fro: there Runge-Kutta found another change.
   void move_steadily(int i, float rate) {
-    states_[1 - here_][i] = state()[i];
-    rests_[1 - here_][i] = rests_[here_][i];
+    constexpr float kSame = 1e-5F;
+    float& next = states_[1 - here_][i];
+    float& rest = rests_[1 - here_][i];
     const float change = product(rate, dt_);
+    const float found = (next - state()[i]) + (rest - rests_[here_][i]);
+    if (!(absolute(change - found) <= kSame * absolute(change))) return;
+    next = state()[i];
+    rest = rests_[here_][i];
     add(i, change);
     add(i, product_error(rate, dt_, change));
   }

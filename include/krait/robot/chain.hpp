@@ -74,6 +74,9 @@ class Chain {
   // they slip, else with v cos psi.
   void derivative(StateView s, ControlView u, StateRef ds) const;
 
+  // A rough step; of the trailers' headings in s it moves the first only.
+  bool sketch(StateRef s, Pose* poses, ControlView u, float dt) const;
+
   // What the trailers' part of a Runge-Kutta step must know of the body ahead, by stage.
   struct Lead {
     static constexpr int kStages = 4;
@@ -97,6 +100,7 @@ class Chain {
   float steering_limit(StateView s, float heading_error, float speed) const;
 
   ChainParameters parameters_;
+  float least_hitch_cosine_;
   bool slip_;
   Body bodies_[kMaxBodies];
 };

@@ -77,6 +77,8 @@ struct Steering {
 //                                of derivative throughout. First the leading components, which body 0 is checked by,
 //                                then the rest by what the first left in lead, a plain struct. The first also takes
 //                                states of leading_size()
+//   sketch(s, poses, u, dt)      moves s, as far as steer looks at it, and the frames by dt under u, roughly; false
+//                                where that leaves the limits. Used to look ahead, instead of derivative
 template <class R>
 concept Robot = requires(const R& robot, StateView s, StateRef ds, ControlView u, ControlRef control,
                          Steering& steering, const Target& target, Pose* poses, Travel* travel, float dt, int k) {

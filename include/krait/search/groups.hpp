@@ -48,6 +48,9 @@ class Groups {
   // selection. kNone when no group with members has a finite cost. O(R / kBlock + kBlock).
   Index select(const Regions& regions);
 
+  // Takes a selection of the region's group back: it does not lower its weight. O(kBlock).
+  void unselect(const Regions& regions, Index region);
+
   // The region whose group has the smallest weight of those with members besides the root, the largest number among
   // equals, `besides` left out; kNone when there is no other. O(R).
   Index lightest(Index besides) const;

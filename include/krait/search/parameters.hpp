@@ -8,7 +8,7 @@
 namespace krait {
 
 // What the planner of prior work adds ([18], PriorPlanner); it has no use for group_sample, epsilon, gamma,
-// cost_length, kappa, raise_goal, path_regions, stray_share, doomed_steps and restart_unit.
+// cost_length, kappa, raise_goal, open_steps, path_regions, stray_share, doomed_steps and restart_unit.
 struct PriorParameters {
   float epsilon = 1e-11F;           // 1e-30 … 1: keeps every weight positive
   std::uint32_t path_regions = 10;  // 1 … 64: as Parameters::path_regions
@@ -24,6 +24,7 @@ struct RrtParameters {
 
 struct Parameters {
   static constexpr std::uint32_t kMostDoomedSteps = 3;
+  static constexpr std::uint32_t kMostCandidates = 8;
 
   // Eqns 5 and 6.
   std::uint32_t group_sample = 12;  // 1 … 65535: states that a group keeps to grow from, a random sample of all
@@ -37,13 +38,18 @@ struct Parameters {
   std::uint32_t kappa = 10;  // 1 … 10000: expansions between updates of the heuristic costs
   bool raise_goal = false;   // whether a failure right before the goal raises the goal's edges as well
   // Algorithm 2.
-  float dt = 0.1F;                 // 0.001 … 1 s: a time step
-  std::uint32_t max_steps = 40;    // 1 … 1000: of one expansion
+  float dt = 0.1F;               // 0.001 … 1 s: a time step
+  std::uint32_t max_steps = 40;  // 1 … 1000: of one expansion
+  std::uint32_t open_steps =
+      1000;  // 0 … 1000: of one in the open, while it nears its target and has crossed one portal
   std::uint32_t path_regions = 6;  // 1 … 64: targets come from that many regions after the group's own
   float near_radius = 0.7F;        // 0 … 10, in lengths of body 0: a target so near is reached
   float stray_share = 0.1F;        // 0 … 1: share of expansions toward a random point of the workspace instead
   float gentle_share = 0.35F;      // 0 … 1: share of expansions from a group that was often selected that turn gently
-  std::uint32_t doomed_steps = 2;  // 0 … 3: so many states before a collision are not kept to grow from
+  std::uint32_t sight_tries = 8;   // 0 … 64: points drawn for one in sight of the vertex; 0: any point will do
+  std::uint32_t candidates = 4;    // 0 … 8: ways that are sketched before one is driven; 0: any way will do
+  std::uint32_t least_sketch = 8;  // 0 … 20: sketched steps, of 2 dt, below which no way is driven and costs are raised
+  std::uint32_t doomed_steps = 2;     // 0 … 3: so many states before a collision are not kept to grow from
   std::uint32_t restart_unit = 4000;  // expansions, 0 … 1e9: tries last 1, 1, 2, 1, 1, 2, 4, … of it; 0: one for ever
   float slowest = 0.75F;       // 0.05 … 1: speed set-points are uniform from this share of the top speed to all of it
   float reverse_share = 0.2F;  // 0 … 1: share of expansions that drive backwards, of a robot that can

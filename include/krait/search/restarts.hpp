@@ -20,6 +20,9 @@ class Restarts {
   // Lets the next expansion begin the next try, if there are tries.
   void end_try() { left_ = 0; }
 
+  // The last expansion is not to be counted.
+  void uncount() { left_ += unit_ != 0 ? 1 : 0; }
+
   // Counts an expansion; whether the try was over before it, so that the next one begins.
   bool due() {
     if (unit_ == 0) return false;

@@ -17,6 +17,7 @@ class RrtPlanner : public Search<RrtPlanner<R>, R, NearestPoints> {
   // The regions tell whether there is a route at all, and guide nothing.
   static std::uint32_t restart_unit() { return 0; }
   static std::uint32_t doomed_steps() { return 0; }
+  static std::uint32_t open_steps() { return 0; }
 
   void reset_guide() {
     this->guide_.clear();

@@ -31,6 +31,7 @@ struct Query {
 //   reset_guide()                  the guide as new
 //   restart_unit()                 as Restarts::begin has it
 //   doomed_steps()                 Parameters::doomed_steps or 0
+//   open_steps()                   Parameters::open_steps or 0
 //   iterate(watch)                 one expansion
 //   keep(region, branch, state)    hears of every new state that is not doomed, and may keep it as a vertex; false when
 //                                  it cannot go on
@@ -92,8 +93,8 @@ class Search {
   }
 
   // At most `iterations` expansions more; returns at once when the search has ended. A way that has reached the goal is
-  // driven once more before it is given out as a plan: an expansion of it counts as one of `iterations` here, but not
-  // in Statistics and Limits. The result does not depend on how a search is cut into calls.
+  // driven once more before it is given out as a plan: up to max_steps steps of it count as one of `iterations` here,
+  // but not in Statistics and Limits. The result does not depend on how a search is cut into calls.
   Status advance(std::uint64_t iterations) {
     return advance(iterations, [](const float*, const float*) {});
   }
@@ -154,16 +155,17 @@ class Search {
  protected:
   static constexpr std::uint32_t kPatience = 10;  // tries after which half of the gentle share turns gently
 
-  enum class Expansion { goal_reached, target_reached, target_not_reached, collision, tree_full };
+  enum class Expansion { goal_reached, target_reached, target_not_reached, collision, tree_full, goes_on };
 
   struct Expanded {
     Expansion result;
-    Index region;  // of the last state
-    Branch last;   // the last state, when there was a step
+    Index region;               // of the last state
+    Branch last;                // the last state, when there was a step
+    std::uint32_t crossed = 0;  // how often a step ended in another region than it began in
   };
 
   // Algorithm 2, lines 4 to 15: from a vertex, which lies in `region` (or kNone: not known), toward the target. The
-  // tree must have room for an expansion.
+  // tree must have room for an expansion. Where it goes_on, that is for go_on.
   template <class Watch>
   Expanded expand(Index vertex, Index region, const Target& toward, Watch watch) {
     const Index expansion = tree_.begin_expansion(tree_.branch(vertex), toward);
@@ -171,22 +173,16 @@ class Search {
     check_.begin(drive_.state());
     drive_.aim(tree_.target(expansion));
     if constexpr (requires { watch.expands(vertex, toward); }) watch.expands(vertex, drive_.target());
-    Expanded expanded{Expansion::target_not_reached, region, {expansion, 0}};
-    while (expanded.result == Expansion::target_not_reached && expanded.last.step < parameters_.max_steps) {
-      expanded.result = grow(expanded, watch);
-    }
-    if (expanded.result == Expansion::goal_reached) {
-      begin_plan(expanded.last);
-      return expanded;
-    }
-    if (expanded.result != Expansion::collision) {
-      for (std::uint32_t back = derived().doomed_steps(); back-- > 0;) {
-        if (!keep_recent(expanded.last, back)) expanded.result = Expansion::tree_full;
-      }
-    }
-    tree_.end_expansion(expansion, expanded.last.step);
-    if (expanded.result == Expansion::tree_full) finish(Status::tree_full);
-    return expanded;
+    expanded_ = {Expansion::target_not_reached, region, {expansion, 0}};
+    apart_ = kInfinity;
+    return drive(expanded_, watch);
+  }
+
+  // The next max_steps steps of a long expansion.
+  template <class Watch>
+  Expanded go_on(Watch watch) {
+    restarts_.uncount();
+    return drive(expanded_, watch);
   }
 
   // The way to a point at a random speed, and in a turn that is gentle the more often, the more often it was tried.
@@ -231,6 +227,7 @@ class Search {
 
  private:
   static constexpr std::uint32_t kRecent = Parameters::kMostDoomedSteps + 1;
+  static constexpr std::uint32_t kOpen = 1;       // how often an expansion past max_steps may have crossed a portal
   static constexpr float kGentlest = 0.15F;       // of the sharpest turn
   static constexpr float kReachRounding = 1e-2F;  // metres
   static constexpr float kLeastCost = 0.05F;      // of an edge, in robot lengths: keeps h + C above h
@@ -365,6 +362,43 @@ class Search {
     return regions_.connected(triangle, goal_, length(center) + kReachRounding, width);
   }
 
+  // At most max_steps steps, and what becomes of the expansion.
+  template <class Watch>
+  Expanded drive(Expanded& expanded, Watch watch) {
+    bool goes = true;
+    for (std::uint32_t left = parameters_.max_steps; goes && left > 0; --left) {
+      expanded.result = grow(expanded, watch);
+      goes = expanded.result == Expansion::target_not_reached && goes_on(expanded);
+    }
+    if (goes) {
+      expanded.result = Expansion::goes_on;
+      return expanded;
+    }
+    if (expanded.result == Expansion::goal_reached) {
+      begin_plan(expanded.last);
+      return expanded;
+    }
+    if (expanded.result != Expansion::collision) {
+      for (std::uint32_t back = derived().doomed_steps(); back-- > 0;) {
+        if (!keep_recent(expanded.last, back)) expanded.result = Expansion::tree_full;
+      }
+    }
+    tree_.end_expansion(expanded.last.expansion, expanded.last.step);
+    if (expanded.result == Expansion::tree_full) finish(Status::tree_full);
+    return expanded;
+  }
+
+  // Whether the expansion continues after this step. Past max_steps it does in the open only, and while each step
+  // decreases the distance to the target.
+  bool goes_on(const Expanded& expanded) {
+    const std::uint32_t steps = expanded.last.step;
+    if (steps < parameters_.max_steps) return true;
+    if (steps >= derived().open_steps() || expanded.crossed > kOpen) return false;
+    const float before = apart_;
+    apart_ = length(drive_.target().point - Vec2{drive_.state()[0], drive_.state()[1]});
+    return apart_ < before;
+  }
+
   // One step, and what becomes of it.
   template <class Watch>
   Expansion grow(Expanded& expanded, Watch watch) {
@@ -374,7 +408,9 @@ class Search {
     ++statistics_.vertices;
     ++expanded.last.step;
     const Vec2 at{drive_.state()[0], drive_.state()[1]};
-    expanded.region = region_of(at, expanded.region);
+    const Index before = expanded.region;
+    expanded.region = region_of(at, before);
+    if (expanded.region != before) ++expanded.crossed;
     if (goal_.contains(*scene_, at, goal_depth_)) return Expansion::goal_reached;
     remember(expanded.last.step, expanded.region);
     if (!keep_recent(expanded.last, derived().doomed_steps())) return Expansion::tree_full;
@@ -432,6 +468,7 @@ class Search {
     reached_ = last;
     path_ = last.expansion == kNone ? kNone : tree_.turn_path(last);
     driven_ = path_;
+    steps_left_ = 0;
     meter_ = {};
     plan_drive_.begin(*robot_, parameters_.dt, tree_.state(kRoot));
     if (driven_ == kNone) return finish_plan();
@@ -444,13 +481,16 @@ class Search {
     check_.keep(parameters_.clearance + error, longest_plan_step(*robot_, parameters_.dt));
   }
 
-  // One expansion of the way.
+  // At most max_steps steps of one expansion of the way.
   void drive_plan() {
-    plan_drive_.aim(tree_.target(driven_));
-    for (std::uint32_t steps = tree_.steps(driven_); steps > 0; --steps) {
+    if (steps_left_ == 0) {
+      plan_drive_.aim(tree_.target(driven_));
+      steps_left_ = tree_.steps(driven_);
+    }
+    for (std::uint32_t left = parameters_.max_steps; left > 0 && steps_left_ > 0; --left, --steps_left_) {
       if (!drive_step()) return refuse_plan();
     }
-    driven_ = tree_.next_of_path(driven_);
+    if (steps_left_ == 0) driven_ = tree_.next_of_path(driven_);
     if (driven_ == kNone) return finish_plan();
     keep_for_plan();
   }
@@ -504,11 +544,14 @@ class Search {
   Goal goal_ = Goal::named(0);
   float goal_depth_ = 0.0F;
   Restarts restarts_;
+  Expanded expanded_{};       // the last expansion
+  float apart_ = kInfinity;   // metres: how far the target of a long one was
   NewState recent_[kRecent];  // the last of the expansion
   Index root_region_ = kNone;
   Index path_ = kNone;    // the plan's first expansion
   Index driven_ = kNone;  // the expansion of the way to the goal that is driven next; kNone while the tree grows
-  Branch reached_;        // the state of the way that reached the goal
+  std::uint32_t steps_left_ = 0;  // of that expansion
+  Branch reached_;                // the state of the way that reached the goal
   PlanDrive<R> plan_drive_;
   PlanMeter meter_;
 };

@@ -6,7 +6,7 @@
 namespace krait {
 
 struct Statistics {
-  std::uint64_t iterations = 0;  // expansions
+  std::uint64_t iterations = 0;  // expansions; of a long one every max_steps steps
   std::uint64_t restarts = 0;
   std::uint64_t vertices = 0;          // that the motion tree grew by
   std::uint64_t recycled = 0;          // of those kept to grow from, given up for want of memory

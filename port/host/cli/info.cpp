@@ -35,8 +35,8 @@ void print_work(const std::string& robot, const Work& work) {
   const auto number = [](std::uint64_t n) { return static_cast<unsigned long long>(n); };
   std::printf("%-10sadvance(1) of %s: at most %llu placements, %llu Runge-Kutta steps, %llu polygon distances", "work",
               robot.c_str(), number(work.placements), number(work.runge_kutta_steps), number(work.polygon_distances));
-  std::printf(" (%llu pieces near a body), %llu heap operations\n", number(work.pieces_near),
-              number(work.heap_operations));
+  std::printf(" (%llu pieces near a body), %llu heap operations, %llu sketched steps, %llu discs looked at\n",
+              number(work.pieces_near), number(work.heap_operations), number(work.sketched_steps), number(work.discs));
 }
 
 void print_info(const std::string& path, const std::string& robot) {

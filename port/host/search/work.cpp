@@ -108,8 +108,10 @@ std::uint64_t integrations(const RobotExtent& robot, const Parameters& parameter
 // most once, since the search for a free part goes on from where the last one ended. Judging looks at what every body
 // sweeps, and where it stands at the end, against the pieces near it, and at every pair of bodies; before that the
 // whole step's body 0 may have been looked at alone.
-// A Dijkstra pops every region at most once and pushes each source, and each region over each of its portals, at most
-// once.
+// Before an expansion each candidate has sight_tries points, all but the last at the end of a line of discs, and a
+// sketch whose every step looks at a disc for each body. An expansion of more than max_steps is driven by several
+// calls. A Dijkstra pops every region at most once and pushes each source, and each region over each of its portals, at
+// most once.
 Work work_bound(const krait::Scene& scene, const RobotExtent& robot, const Parameters& parameters) {
   const std::uint64_t parts = parameters.continuous ? 2 * std::uint64_t{parameters.max_substeps} - 1 : 1;
   const std::uint64_t judged = parameters.max_steps * parts;
@@ -119,6 +121,10 @@ Work work_bound(const krait::Scene& scene, const RobotExtent& robot, const Param
   work.runge_kutta_steps = parameters.max_steps * integrations(robot, parameters);
   work.polygon_distances =
       (2 * robot.bodies * judged + parameters.max_steps) * work.pieces_near + judged * pairs(robot);
+  const std::uint64_t candidates = std::max(parameters.candidates, 1U);
+  const std::uint64_t lines = candidates * std::max(parameters.sight_tries, 1U) - candidates;
+  work.sketched_steps = std::uint64_t{parameters.candidates} * Sketcher<Unicycle>::kSteps;
+  work.discs = lines * Sight::kMostLooks + work.sketched_steps * robot.bodies;
   work.heap_operations = 2 * (std::uint64_t{scene.triangle_count()} + scene.portal_count());
   return work;
 }

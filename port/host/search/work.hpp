@@ -14,6 +14,8 @@ struct Work {
   std::uint64_t runge_kutta_steps = 0;  // of the dearer: growing by an expansion, or driving one for the plan
   std::uint64_t polygon_distances = 0;  // of GJK, which takes at most 20 rounds
   std::uint64_t heap_operations = 0;    // pushes and pops of one Dijkstra
+  std::uint64_t sketched_steps = 0;     // of the whole robot, in a coarse roll-out
+  std::uint64_t discs = 0;              // that are looked at, each against every piece near it
   std::uint64_t pieces_near = 0;        // obstacle pieces that a body can be tested against in one placement
 };
 

@@ -22,7 +22,7 @@ struct Counter {
 };
 
 // Functions that are counted; few, so that a look at all of them at every call is cheap.
-Counter counters[4];
+Counter counters[6];
 
 void forget() {
   for (Counter& counter : counters) counter.calls = 0;
@@ -74,6 +74,8 @@ Work most_work(const krait::Scene& scene, const R& robot, std::uint64_t seed) {
   counters[1].function = reinterpret_cast<const void*>(&polygon_distance);
   counters[2].function = address_of(&IndexedHeap::push);
   counters[3].function = address_of(&IndexedHeap::pop);
+  counters[4].function = reinterpret_cast<const void*>(&sketch<R>);
+  counters[5].function = address_of(&Sight::slack);
   std::vector<std::uint64_t> block(1U << 19U);
   const auto planner = std::make_unique<Planner<R>>();
   const Limits limits = planner->limits_for(8 * block.size(), scene, robot);
@@ -94,6 +96,8 @@ Work most_work(const krait::Scene& scene, const R& robot, std::uint64_t seed) {
     most.runge_kutta_steps = std::max(most.runge_kutta_steps, counters[0].calls);
     most.polygon_distances = std::max(most.polygon_distances, counters[1].calls);
     most.heap_operations = std::max(most.heap_operations, counters[2].calls + counters[3].calls);
+    most.sketched_steps = std::max(most.sketched_steps, counters[4].calls);
+    most.discs = std::max(most.discs, counters[5].calls);
     placed = now.collision_checks;
   }
   return most;
@@ -112,15 +116,21 @@ void expect_bounded(const R& robot) {
       EXPECT_LE(most.runge_kutta_steps, bound.runge_kutta_steps);
       EXPECT_LE(most.polygon_distances, bound.polygon_distances);
       EXPECT_LE(most.heap_operations, bound.heap_operations);
+      EXPECT_LE(most.sketched_steps, bound.sketched_steps);
+      EXPECT_LE(most.discs, bound.discs);
       counted.runge_kutta_steps += most.runge_kutta_steps;
       counted.polygon_distances += most.polygon_distances;
       counted.heap_operations += most.heap_operations;
+      counted.sketched_steps += most.sketched_steps;
+      counted.discs += most.discs;
     }
   }
   // What is not counted is not bounded.
   EXPECT_GT(counted.runge_kutta_steps, 0U);
   EXPECT_GT(counted.polygon_distances, 0U);
   EXPECT_GT(counted.heap_operations, 0U);
+  EXPECT_GT(counted.sketched_steps, 0U);
+  EXPECT_GT(counted.discs, 0U);
 }
 
 Snake snake(int trailers) {

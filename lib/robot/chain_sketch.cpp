@@ -1,0 +1,45 @@
+#include "krait/robot/chain.hpp"
+
+namespace krait {
+namespace {
+
+SinCos small_turn(float angle) { return small_sin_cos(clamp(angle, -kSmallAngle, kSmallAngle)); }
+
+}  // namespace
+
+// By the middle of the step: the directions there, ahead of each trailer and its own, tell how far it turns. The state
+// has but the car and the first trailer's heading, which is all that steering looks at; the frames have the rest.
+bool Chain::sketch(StateRef s, Pose* poses, ControlView u, float dt) const {
+  const ChainParameters& p = parameters_;
+  const float speed = s[3] + 0.5F * dt * u[0];
+  const SinCos steering = sin_cos(s[4] + 0.5F * dt * u[1]);
+  const float axle_way = dt * speed * steering.cos;
+  const float half_turn = 0.5F * dt * speed * steering.sin / p.wheelbase;
+  const SinCos half = small_turn(half_turn);
+  SinCos ahead = poses[0].heading + half;
+  const Vec2 at = poses[0].position + axle_way * Vec2{ahead.cos, ahead.sin};
+  poses[0] = {at, ahead + half};
+  s[0] = at.x;
+  s[1] = at.y;
+  s[2] = s[2] + 2.0F * half_turn;
+  s[3] = s[3] + dt * u[0];
+  s[4] = s[4] + dt * u[1];
+  float pull = (slip_ ? dt * speed : axle_way) / p.hitch_length;
+  for (int k = 1; k <= p.trailers; ++k) {
+    Pose& trailer = poses[k];
+    const float quarter = 0.5F * pull * (ahead - trailer.heading).sin;
+    const SinCos own = trailer.heading + SinCos{quarter, 1.0F - 0.5F * quarter * quarter};
+    const SinCos hitch = ahead - own;
+    const float turn = pull * hitch.sin;
+    if (k == 1) s[kCarState] = s[kCarState] + turn;
+    pull = pull * hitch.cos;
+    ahead = own;
+    const SinCos heading = trailer.heading + small_turn(turn);
+    const Vec2 front = poses[k - 1].position;
+    trailer = {front - p.hitch_length * Vec2{heading.cos, heading.sin}, heading};
+    if (!((poses[k - 1].heading - heading).cos >= least_hitch_cosine_)) return false;
+  }
+  return true;
+}
+
+}  // namespace krait

@@ -1,0 +1,94 @@
+// Ways are looked at before one is driven: targets in sight, sketches, and giving up.
+#include "planner_fixture.hpp"
+
+namespace krait::test {
+namespace {
+
+constexpr float kStart[] = {2, 6, 0};
+
+Parameters without_looks() {
+  Parameters parameters;
+  parameters.sight_tries = 0;
+  parameters.candidates = 0;
+  return parameters;
+}
+
+template <class P>
+std::uint64_t hash_with(const Parameters& parameters) {
+  Bench<Unicycle, P> bench(two_rooms(), small_unicycle());
+  bench.parameters = parameters;
+  EXPECT_TRUE(bench.init().ok());
+  EXPECT_EQ(bench.solve({kStart}), Status::solved);
+  return bench.planner.statistics().hash;
+}
+
+TEST(PlannerWays, AreNotThePapersNorOfOtherPlanners) {
+  EXPECT_EQ(Parameters::paper().sight_tries, 0U);
+  EXPECT_EQ(Parameters::paper().candidates, 0U);
+  EXPECT_EQ(hash_with<Prior>({}), hash_with<Prior>(without_looks()));
+  EXPECT_EQ(hash_with<Rrt>({}), hash_with<Rrt>(without_looks()));
+  EXPECT_NE(hash_with<AdaptivePlanner>({}), hash_with<AdaptivePlanner>(without_looks()));
+}
+
+// Over some searches of a train through a door.
+std::uint64_t vertices_with(const Parameters& parameters) {
+  ChainParameters chain;
+  chain.trailers = 4;
+  Bench<Snake> bench(two_rooms(1.4), Snake(chain));
+  bench.parameters = parameters;
+  EXPECT_TRUE(bench.init().ok());
+  const float start[] = {4, 6, 0, 0, 0, 0, 0, 0, 0};
+  std::uint64_t vertices = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    EXPECT_EQ(bench.solve({start, Goal::named(0), seed}), Status::solved);
+    vertices += bench.planner.statistics().vertices;
+  }
+  return vertices;
+}
+
+TEST(PlannerWays, TakeFewerVerticesThanAnyWay) {
+  Parameters sketches;
+  sketches.sight_tries = 0;
+  const std::uint64_t without = vertices_with(without_looks());
+  EXPECT_LT(vertices_with(sketches), without);
+  EXPECT_LT(vertices_with({}), without / 2);
+}
+
+// Where no sketch is long enough nothing is driven, and the regions ahead get dearer.
+TEST(PlannerWays, ThatEndTooSoonAreGivenUpAndRaiseCosts) {
+  Bench<Unicycle> bench(two_rooms(0.8), small_unicycle());
+  bench.parameters.sight_tries = 0;
+  bench.parameters.candidates = 1;
+  bench.parameters.kappa = 1;
+  ASSERT_TRUE(bench.init().ok());
+  int given_up = 0, raised = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    bench.planner.start({kStart, Goal::named(0), seed});
+    while (bench.planner.status() == Status::searching && !bench.planner.driving()) {
+      const std::uint64_t before = bench.planner.statistics().regions_repaired;
+      int steps = 0;
+      bench.planner.advance(1, [&](const float*, const float*) { ++steps; });
+      if (steps > 0) continue;
+      ++given_up;
+      raised += bench.planner.statistics().regions_repaired > before ? 1 : 0;
+    }
+  }
+  EXPECT_GT(given_up, 20);
+  EXPECT_GT(raised, given_up / 2);
+}
+
+// Whatever the parameters, the searches end and their plans are the same however they are cut into calls.
+TEST(PlannerWays, AtTheEndsOfTheirRangesStillFindPlans) {
+  for (const std::uint32_t tries : {0U, 64U}) {
+    for (const std::uint32_t candidates : {0U, 1U, 8U}) {
+      Parameters parameters;
+      parameters.sight_tries = tries;
+      parameters.candidates = candidates;
+      parameters.least_sketch = 0;
+      EXPECT_NE(hash_with<AdaptivePlanner>(parameters), 0U);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace krait::test
