@@ -18,6 +18,7 @@ const Named& by_name(const std::vector<Named>& all, const std::string& name, con
 Asked asked_of(const Workspace& workspace, const SearchRequest& request) {
   Asked asked;
   asked.robot = request.robot;
+  asked.dt = static_cast<double>(request.parameters.dt);
   asked.start = request.start ? Start{"start", request.start->position, request.start->heading, {}}
                               : by_name(workspace.starts, request.start_name, "start");
   if (request.goal) {

@@ -32,6 +32,7 @@ struct PlanOptions {
   std::optional<double> gamma;
   std::optional<std::uint32_t> kappa;
   std::optional<double> clearance;
+  std::optional<double> dt;
   bool paper = false;
   std::string json;
   std::string csv;
@@ -61,6 +62,7 @@ SearchRequest request_of(const PlanOptions& options) {
   if (options.gamma) p.gamma = static_cast<float>(*options.gamma);
   if (options.kappa) p.kappa = *options.kappa;
   if (options.clearance) p.clearance = static_cast<float>(*options.clearance);
+  if (options.dt) p.dt = static_cast<float>(*options.dt);
   if (request.time_limit && !(*request.time_limit > 0)) throw InputError("--time-limit: give seconds above 0");
   return request;
 }
@@ -252,6 +254,7 @@ void add_plan(CLI::App& app, const char* program) {
       ->check(whole_number(UINT32_MAX));
   command->add_option("--clearance", o->clearance,
                       with_default("metres kept to obstacles on top of rounding, 0 to 10", defaults.clearance));
+  command->add_option("--dt", o->dt, "a time step, seconds, 0.001 to 1 (default: 0.1)");
   command->add_flag("--paper", o->paper,
                     "Algorithms 1 and 2 with the paper's constants: states are checked, steps between them are not");
   command->add_option("-o,--output", o->json, "write the plan as JSON");

@@ -77,6 +77,7 @@ Asked asked_of(const krait::Scene& scene, const SearchRequest& request, const St
   Asked asked;
   asked.robot = request.robot;
   asked.start = start;
+  asked.dt = static_cast<double>(request.parameters.dt);
   if (goal.is_disc()) {
     asked.disc_center = request.goal->center;
     asked.disc_radius = request.goal->radius;

@@ -40,6 +40,11 @@ class Complaints {
     faults_[fault].most = std::max(*faults_[fault].most, amount);
   }
 
+  void append(const Complaints& other) {
+    for (const Lasting& fault : other.faults_) add_lasting(fault);
+    count_ += other.count_ - other.faults_.size();
+  }
+
   bool empty() const { return count_ == 0; }
 
   std::vector<std::string> lines() const {

@@ -24,9 +24,11 @@ double bend(const Point& a, const Point& middle, const Point& b) {
   return std::hypot(middle.x - (a.x + b.x) / 2, middle.y - (a.y + b.y) / 2);
 }
 
-bool agree(const State& a, const State& b) {
+// Up to the rounding of `count` sums of eight terms, half a unit in the last place each.
+bool agree(const State& a, const State& b, std::size_t count) {
+  const double rounding = 4 * static_cast<double>(count) * std::numeric_limits<double>::epsilon();
   for (std::size_t i = 0; i < a.size(); ++i) {
-    if (!(std::abs(a[i] - b[i]) <= kAgreement)) return false;
+    if (!(std::abs(a[i] - b[i]) <= kAgreement + rounding * std::abs(a[i]))) return false;
   }
   return true;
 }
@@ -40,7 +42,7 @@ std::optional<Leg> Drive::leg(const State& from, const Control& control, double 
   State coarse = dynamics_.integrate(from, control, time, kFewestSubSteps / 2).back();
   for (std::size_t count = kFewestSubSteps; count <= kMostSubSteps; count *= 2) {
     Leg leg = cut(from, control, time, count);
-    if (leg.stray <= kStray && agree(leg.states.back(), coarse)) return leg;
+    if (leg.stray <= kStray && agree(leg.states.back(), coarse, count)) return leg;
     coarse = std::move(leg.states.back());
   }
   return {};

@@ -24,7 +24,8 @@ class Drive {
 
   // The motion of `time` seconds from a finite state. Sub-steps are halved, down to time / 16384, until a body strays
   // from the hulls by at most 2e-5 m, no angle changes by more than 0.5 rad in one, and the end changes by at most
-  // 1e-9 a component when they are halved once more; what is left of the truncation error is some hundredth of that.
+  // 1e-9 a component, and rounding, when they are halved once more; what is left of the truncation error is some
+  // hundredth of that.
   // Returns nothing where that is not reached.
   std::optional<Leg> leg(const State& from, const Control& control, double time) const;
 

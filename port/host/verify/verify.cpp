@@ -14,90 +14,123 @@
 namespace krait::host {
 namespace {
 
-// What the checks of a plan of sound form share. Positions are relative to the lower corner of the workspace.
-struct Judgement {
-  const Workspace& workspace;
-  const PlanFile& plan;
-  const Asked& asked;
-  const Dynamics& dynamics;
-  const Obstacles& obstacles;
-  Complaints& complaints;
-  Verdict& verdict;
+// A plan that is refused already may be absurd in any way: so much more is looked at, bodies times sub-steps.
+constexpr std::size_t kMostWorkOnceRefused = 500'000;
 
+// Holds the motion of a plan of sound form, and then its stored states, to what was asked. Positions are relative to
+// the lower corner of the workspace.
+class Judge {
+ public:
+  // Keeps references.
+  Judge(const Workspace& workspace, const PlanFile& plan, const Asked& asked, const Dynamics& dynamics,
+        const Obstacles& obstacles, Complaints& complaints)
+      : workspace_(workspace),
+        plan_(plan),
+        asked_(asked),
+        dynamics_(dynamics),
+        complaints_(complaints),
+        drive_(asked.robot, dynamics),
+        limits_(dynamics, complaints),
+        sweep_(asked.robot, dynamics, obstacles, complaints),
+        comparison_(dynamics, plan.dt, of_states_),
+        stored_limits_(dynamics, of_states_),
+        stored_sweep_(asked.robot, dynamics, obstacles, of_states_),
+        state_(stored(0)) {}
+
+  void judge(Verdict& verdict) {
+    limits_.check_state("start", state_);
+    sweep_.check_pose("start", state_);
+    check_stored(0);
+    bool driven = true;
+    for (std::size_t i = 0; driven && i < plan_.controls.size(); ++i) driven = drive(i);
+    if (driven) check_end(verdict);
+    complaints_.append(of_states_);
+    verdict.step_error = comparison_.worst_change();
+    verdict.drift = comparison_.worst_difference();
+    verdict.clearance = sweep_.clearance();
+    verdict.self_clearance = sweep_.self_clearance();
+    verdict.sweep_error = sweep_.stray();
+  }
+
+ private:
   State stored(std::size_t index) const {
-    const std::vector<float>& row = plan.states[index];
+    const std::vector<float>& row = plan_.states[index];
     State state(row.begin(), row.end());
-    state[0] += plan.origin.x - workspace.min.x;
-    state[1] += plan.origin.y - workspace.min.y;
+    state[0] += plan_.origin.x - workspace_.min.x;
+    state[1] += plan_.origin.y - workspace_.min.y;
     return state;
   }
-  Control control(std::size_t index) const {
-    const std::vector<float>& row = plan.controls[index];
-    return {row.begin(), row.end()};
-  }
-  double goal_depth(const State& state) const {
-    return host::goal_depth(asked, {state[0] + workspace.min.x, state[1] + workspace.min.y});
-  }
-};
 
-// The states that the controls lead to from the plan's first state, one a stored state, or fewer where the robot
-// moves too far to be followed. All of the motion is held to the limits and swept.
-std::vector<State> drive(const Judgement& j) {
-  const Drive drive(j.asked.robot, j.dynamics);
-  LimitCheck limits(j.dynamics, j.complaints);
-  Sweep sweep(j.asked.robot, j.dynamics, j.obstacles, j.complaints);
-  std::vector<State> driven{j.stored(0)};
-  limits.check_state("start", driven[0]);
-  sweep.check_pose("start", driven[0]);
-  for (std::size_t i = 0; i < j.plan.controls.size(); ++i) {
-    const std::string step = "step " + text(i);
-    const Control control = j.control(i);
-    limits.check_control(step, control);
-    const std::optional<Leg> leg = drive.leg(driven.back(), control, j.plan.dt);
+  // Moves on by one control. False where that cannot be followed, or is not worth it.
+  bool drive(std::size_t index) {
+    const std::string step = "step " + text(index);
+    const Control control(plan_.controls[index].begin(), plan_.controls[index].end());
+    limits_.check_control(step, control);
+    const std::optional<Leg> leg = drive_.leg(state_, control, plan_.dt);
     if (!leg) {
-      j.complaints.add(step + ": moves too far to be followed");
-      break;
+      complaints_.add(step + ": moves too far to be followed");
+      return false;
     }
-    limits.check_leg(step, *leg, j.plan.dt);
-    sweep.check_leg(step, *leg, j.plan.dt);
-    driven.push_back(leg->states.back());
+    if (!may_spend(leg->poses.size() * dynamics_.body_count())) {
+      complaints_.add(step + ": from here on the refused plan is not looked at");
+      return false;
+    }
+    limits_.check_leg(step, *leg, plan_.dt);
+    sweep_.check_leg(step, *leg, plan_.dt);
+    const State& to = leg->states.back();
+    length_ += std::hypot(to[0] - state_[0], to[1] - state_[1]);
+    state_ = to;
+    check_stored(index + 1);
+    return true;
   }
-  j.verdict.clearance = sweep.clearance();
-  j.verdict.self_clearance = sweep.self_clearance();
-  j.verdict.sweep_error = sweep.stray();
-  return driven;
-}
 
-// Each stored state lies where the controls lead, keeps the limits and is free, and so is the way to it from there.
-// The first that disagrees ends this: it explains all that follows.
-void check_stored(const Judgement& j, const std::vector<State>& driven) {
-  Comparison comparison(j.dynamics, j.plan.dt, j.complaints);
-  LimitCheck limits(j.dynamics, j.complaints);
-  Sweep sweep(j.asked.robot, j.dynamics, j.obstacles, j.complaints);
-  const bool sound = j.complaints.empty();
-  double length = 0;
-  for (std::size_t i = 0; i < driven.size(); ++i) {
-    if (i > 0) length += std::hypot(driven[i][0] - driven[i - 1][0], driven[i][1] - driven[i - 1][1]);
-    const State stored = j.stored(i);
-    comparison.add(driven[i], length, stored, j.plan.states[i]);
-    if (!sound || comparison.failed()) continue;
-    const std::string state = "state " + text(i) + " as stored";
-    limits.check_state(state, stored);
-    sweep.check_between(state, driven[i], stored);
+  bool may_spend(std::size_t work) {
+    if (complaints_.empty() && of_states_.empty()) return true;
+    work_once_refused_ += work;
+    return work_once_refused_ <= kMostWorkOnceRefused;
   }
-  j.verdict.drift = comparison.worst_difference();
-  j.verdict.step_error = comparison.worst_change();
-}
 
-void check_end(const Judgement& j, const State& driven) {
-  j.verdict.goal_depth = j.goal_depth(driven);
-  const double stored = j.goal_depth(j.stored(j.plan.states.size() - 1));
-  if (!(j.verdict.goal_depth >= 0)) {
-    j.complaints.add("goal: the driven end lies " + text(-j.verdict.goal_depth) + " m outside");
-  } else if (!(stored >= 0)) {
-    j.complaints.add("goal: the last state lies " + text(-stored) + " m outside");
+  // A stored state lies where the controls lead, keeps the limits and is free, and so is the way to it from there. The
+  // first that disagrees explains those that follow, and a motion that is at fault explains its states.
+  void check_stored(std::size_t index) {
+    const State state = stored(index);
+    comparison_.add(state_, length_, state, plan_.states[index]);
+    if (!complaints_.empty() || comparison_.failed()) return;
+    const std::string where = "state " + text(index) + " as stored";
+    stored_limits_.check_state(where, state);
+    stored_sweep_.check_between(where, state_, state);
   }
-}
+
+  double depth(const State& state) const {
+    return goal_depth(asked_, {state[0] + workspace_.min.x, state[1] + workspace_.min.y});
+  }
+
+  void check_end(Verdict& verdict) {
+    verdict.goal_depth = depth(state_);
+    const double last = depth(stored(plan_.states.size() - 1));
+    if (!(verdict.goal_depth >= 0)) {
+      complaints_.add("goal: the driven end lies " + text(-verdict.goal_depth) + " m outside");
+    } else if (!(last >= 0)) {
+      complaints_.add("goal: the last state lies " + text(-last) + " m outside");
+    }
+  }
+
+  const Workspace& workspace_;
+  const PlanFile& plan_;
+  const Asked& asked_;
+  const Dynamics& dynamics_;
+  Complaints& complaints_;  // of form and motion
+  Complaints of_states_;
+  Drive drive_;
+  LimitCheck limits_;
+  Sweep sweep_;
+  Comparison comparison_;
+  LimitCheck stored_limits_;
+  Sweep stored_sweep_;
+  State state_;        // as driven
+  double length_ = 0;  // m, driven so far
+  std::size_t work_once_refused_ = 0;
+};
 
 }  // namespace
 
@@ -111,10 +144,7 @@ Verdict verify(const Workspace& workspace, const PlanFile& plan, const Asked& as
     check_dt(plan, asked, complaints);
     check_start(plan, asked.start, dynamics, complaints);
     check_goal(plan, asked, complaints);
-    const Judgement judgement{workspace, plan, asked, dynamics, obstacles, complaints, verdict};
-    const std::vector<State> driven = drive(judgement);
-    if (driven.size() == plan.states.size()) check_end(judgement, driven.back());
-    check_stored(judgement, driven);
+    Judge(workspace, plan, asked, dynamics, obstacles, complaints).judge(verdict);
   }
   verdict.holds = complaints.empty();
   verdict.complaints = complaints.lines();

@@ -57,9 +57,9 @@ inline constexpr double kLargestClearance = 1.0;  // m, obstacles further away a
 //    rounding from the driven one, and that difference changes in one step by no more than 1e-2 a second of the step
 //    and float rounding. Each keeps the limits and is free itself, and the last lies in the goal.
 // A body or a quantity that fails is named once, with the first place where it does, and only the first stored state
-// that disagrees is named.
+// that disagrees is named. Once a plan is refused, no more than half a million bodies times sub-steps are looked at.
 // Throws InputError if the workspace or the asked robot itself is unusable; a bad plan is a verdict, never an error.
-// O(steps), and in memory a state a step.
+// O(steps).
 Verdict verify(const Workspace& workspace, const PlanFile& plan, const Asked& asked);
 
 }  // namespace krait::host

@@ -18,10 +18,10 @@ struct Broken {
 void add(ordered_json& number, double difference) { number = number.get<double>() + difference; }
 
 std::vector<Broken> all_broken() {
-  return {{"state_moved", [](auto& p) { add(p["states"][5][0], 0.02); }, "from the integrated state"},
-          {"last_state_moved", [](auto& p) { add(p["states"].back()[1], 0.02); }, "from the integrated state"},
-          {"control_changed", [](auto& p) { add(p["controls"][4][0], 1.0); }, "step 4"},
-          {"speed_over_its_limit", [](auto& p) { p["states"][6][3] = 2.6; }, "beyond its limit"},
+  return {{"state_moved", [](auto& p) { add(p["states"][5][0], 0.02); }, "from where the controls lead"},
+          {"last_state_moved", [](auto& p) { add(p["states"].back()[1], 0.02); }, "from where the controls lead"},
+          {"control_changed", [](auto& p) { add(p["controls"][4][0], 1.0); }, "state 5: "},
+          {"speed_over_its_limit", [](auto& p) { p["states"][6][3] = 2.6; }, "state 6: v differs by "},
           {"control_over_its_limit", [](auto& p) { p["controls"][2][1] = 4.1; }, "beyond its limit"},
           {"first_state_left_out",
            [](auto& p) {
@@ -42,15 +42,15 @@ std::vector<Broken> all_broken() {
              p["states"].erase(20);
              p["controls"].erase(20);
            },
-           "from the integrated state"},
+           "from where the controls lead"},
           {"a_step_twice",
            [](auto& p) {
              p["states"].insert(p["states"].begin() + 20, p["states"][20]);
              p["controls"].insert(p["controls"].begin() + 20, p["controls"][20]);
            },
-           "from the integrated state"},
+           "from where the controls lead"},
           {"controls_in_another_order", [](auto& p) { std::swap(p["controls"][3], p["controls"][30]); }, "step"},
-          {"time_step_longer", [](auto& p) { p["dt"] = 0.11; }, "from the integrated state"},
+          {"time_step_longer", [](auto& p) { p["dt"] = 0.11; }, "dt: is 0.11 s, asked 0.1 s"},
           {"origin_moved", [](auto& p) { p["origin"][0] = 0.1; }, "start"},
           {"goal_moved", [](auto& p) { add(p["goal"]["polygon"][0][0], -0.5); }, "goal"},
           {"robot_faster", [](auto& p) { p["robot"]["parameters"]["max_speed"] = 3.0; }, "max_speed"},
@@ -89,6 +89,19 @@ TEST_F(CliBrokenPlan, IsCaughtWhateverIsBroken) {
     EXPECT_EQ(outcome.code, 1) << outcome.errors;
     EXPECT_THAT(outcome.output, HasSubstr(broken.mention));
     EXPECT_THAT(outcome.output, HasSubstr("the plan does not hold"));
+  }
+}
+
+TEST_F(CliBrokenPlan, IsCaughtWhenAnotherTimeStepWasAsked) {
+  expect_done({"plan", "room.krait", "--robot", "car", "-o", "plan.json"});
+  expect_done({"verify", "room.json", "plan.json", "--robot", "car", "--dt", "0.1"});
+  const Outcome outcome = krait({"verify", "room.json", "plan.json", "--robot", "car", "--dt", "0.2"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.output, HasSubstr("dt: is 0.1 s, asked 0.2 s"));
+  for (const char* useless : {"0", "1.5", "nan", "-0.1"}) {
+    const Outcome refused = krait({"verify", "room.json", "plan.json", "--robot", "car", "--dt", useless});
+    EXPECT_EQ(refused.code, 2) << useless;
+    EXPECT_THAT(refused.errors, HasSubstr("--dt: give seconds from 0.001 to 1"));
   }
 }
 

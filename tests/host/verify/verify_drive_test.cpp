@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "host/verify/drive.hpp"
@@ -163,6 +164,21 @@ TEST(Drive, OfATrailerOnACircleFindsItsSteadyAngle) {
   const double turn_rate = 5 * std::sin(0.3) / 0.1;
   const double speed = 5 * std::cos(0.3);
   EXPECT_NEAR(std::sin(state[2] - state[5]), turn_rate * 0.05 / speed, 1e-9);
+}
+
+TEST(Drive, FarAwayAndTurnedManyTimesIsFollowedAsWell) {
+  const RobotSpec spec = small("truck", 2);
+  const Dynamics dynamics(spec);
+  const Drive drive(spec, dynamics);
+  const auto end = [&](double offset, double turns) {
+    const double turned = 2 * std::numbers::pi * turns;
+    const State from{offset, offset, 0.4 + turned, 5, 0.3, 0.2 + turned, 0.1 + turned};
+    return drive.leg(from, {0, -0.2}, 1)->states.back();
+  };
+  const State near = end(0, 0);
+  const State far = end(4000, 500);
+  EXPECT_NEAR(far[0] - 4000, near[0], 1e-8);
+  EXPECT_NEAR(far[1] - 4000, near[1], 1e-8);
 }
 
 TEST(Drive, ThatIsTooFastToFollowIsNone) {

@@ -267,6 +267,21 @@ TEST(Form, AMotionTooFastToBeFollowedEndsInTime) {
   }
 }
 
+TEST(Form, AnAbsurdPlanIsRefusedInTime) {
+  // Turns on the spot, 16 turns a second, for an hour.
+  RobotSpec spec = robot("unicycle");
+  spec.parameters["max_turn_rate"] = 120;
+  Case c = drive(
+      spec, [](std::size_t, const Row&) { return Row{}; }, 0);
+  c.plan.dt = 1;
+  c.plan.states.resize(3601, c.plan.states[0]);
+  c.plan.controls.resize(3600, {0, 100});
+  const Verdict verdict = c.verdict();
+  EXPECT_THAT(verdict.complaints, Contains(HasSubstr("from here on the refused plan is not looked at")));
+  EXPECT_THAT(verdict.complaints, Contains(HasSubstr("state 1: theta differs by 100 from where the controls lead")));
+  EXPECT_TRUE(std::isnan(verdict.goal_depth));
+}
+
 TEST(Form, StatesFarFromTheOriginAreTooCoarse) {
   Case c = arc("car");
   c.plan.states[5][0] = 1e6F;
