@@ -34,6 +34,13 @@ TEST(SceneEvilSum, WrongSumIsNamed) {
   EXPECT_EQ(failure.element, offsetof(Header, crc32));
 }
 
+// As many slivers as a byte of the file allows.
+TEST(SceneEvilSlivers, AFewOnEachOtherAreTaken) {
+  const SceneBytes bytes = evil::slivers(10).bytes();
+  Scene scene;
+  EXPECT_TRUE(Scene::open(bytes.data(), bytes.size(), scene).ok());
+}
+
 // 16-bit indices cannot name what 65,535 elements and more hold.
 TEST(SceneEvilCounts, ManyWithNarrowIndicesAreRejected) {
   SceneBytes bytes = evil::sound().bytes();

@@ -286,6 +286,26 @@ inline std::vector<Evil> piece_evils() {
       element("piece_box_nan", Section::piece_boxes, 0, 0, kNan)};
 }
 
+// Triangles of half a square grid step, one on the other, each as long as a strip of 4096 cells of a quarter of a
+// metre.
+inline SceneData slivers(std::size_t count) {
+  Room room;
+  room.bounds = {0, 0, 1024, 0.25};
+  room.spacing = room.bucket_size = 1024;
+  room.clearance_cell = 0.25;
+  const float step = format::kGrid;
+  room.loose_pieces.assign(count, {{0, 0}, {1024, step}, {1024 - step, step}});
+  return data_of(room);
+}
+
+// Each is looked at in 4096 cells.
+inline std::vector<Evil> sliver_evils() {
+  constexpr std::size_t kSlivers = 1000;
+  const std::size_t allowed = 16 * slivers(kSlivers).bytes().size() / 4096;
+  return {{"slivers_on_each_other", static_cast<std::uint8_t>(Section::piece_vertices),
+           static_cast<std::uint32_t>(3 * allowed), [](SceneBytes& b) { b = slivers(kSlivers).bytes(); }}};
+}
+
 inline std::vector<Evil> bucket_evils() {
   const auto triangle_list = static_cast<std::uint8_t>(Section::bucket_triangles);
   const auto piece_list = static_cast<std::uint8_t>(Section::bucket_pieces);
@@ -404,8 +424,8 @@ inline std::vector<Evil> name_evils() {
 
 inline std::vector<Evil> all_evils() {
   std::vector<Evil> all;
-  for (const auto& evils : {header_evils(), geometry_evils(), goal_and_start_evils(), piece_evils(), bucket_evils(),
-                            clearance_evils(), name_evils(), utf8_evils(), gap_evils()}) {
+  for (const auto& evils : {header_evils(), geometry_evils(), goal_and_start_evils(), piece_evils(), sliver_evils(),
+                            bucket_evils(), clearance_evils(), name_evils(), utf8_evils(), gap_evils()}) {
     all.insert(all.end(), evils.begin(), evils.end());
   }
   return all;

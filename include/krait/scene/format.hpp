@@ -26,6 +26,7 @@ inline constexpr std::uint8_t kMaxClearance = 255;
 inline constexpr int kClearanceUnits = 8;          // of Header::clearance_unit in a clearance cell
 inline constexpr int kCellMargin = 4;              // grid steps by which cells are widened: readers find them in float
 inline constexpr std::uint32_t kMaxCells = 65536;  // of buckets, and of clearance cells
+inline constexpr std::uint32_t kMostLooks = 16;    // clearance cells in and around all pieces, a byte of the file
 
 // Sections follow the header in this order, each at the next multiple of 4 bytes. "index" is an unsigned
 // integer of Header::index_width bytes.
