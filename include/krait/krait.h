@@ -212,8 +212,8 @@ typedef struct krait_query {
   uint64_t seed;
 } krait_query;
 
-/* Begins a search, ending any other. KRAIT_SEARCHING, or how it has ended at once: KRAIT_BAD_SCENE where the file or the
-   scene is found to be another than at krait_init. */
+/* Begins a search, ending any other. KRAIT_SEARCHING, or how it has ended at once: KRAIT_BAD_SCENE where the file or
+   the scene is found to be another than at krait_init. */
 krait_status krait_start(krait_planner* planner, const krait_query* query);
 
 /* At most `iterations` expansions more. The plan does not depend on how a search is cut into calls. */
@@ -226,8 +226,7 @@ void krait_stop_for_time(krait_planner* planner);
 krait_failure krait_last_failure(const krait_planner* planner);
 
 typedef struct krait_statistics {
-  uint64_t iterations, restarts, vertices, recycled, collision_checks, dijkstra_runs, regions_repaired,
-      plans_refused;
+  uint64_t iterations, restarts, vertices, recycled, collision_checks, dijkstra_runs, regions_repaired, plans_refused;
   uint64_t bytes_used, bytes_given; /* of the block behind the planner itself: `krait plan --memory bytes_given` on the
                                        workstation finds the same plan */
   uint32_t plan_steps;

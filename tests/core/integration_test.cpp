@@ -144,7 +144,7 @@ TEST(IntegrationSteps, ThatWouldBeTooManyAreRefused) {
   const Failure failure = bench.init();
   EXPECT_EQ(failure.status, Status::bad_argument);
   EXPECT_EQ(failure.element, static_cast<std::uint32_t>(Argument::dt));
-  EXPECT_NEAR(wide(failure.most), 64 * 0.32 * 0.01 / 5, 1e-5);
+  EXPECT_NEAR(wide(failure.most), 16 * 0.32 * 0.01 / 5, 1e-5);
   bench.parameters.dt = failure.most;
   EXPECT_TRUE(bench.init().ok());
   p.hitch_length = 1e-5F;

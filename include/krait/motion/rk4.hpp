@@ -15,8 +15,8 @@ inline constexpr float kPlanStepRate = 0.16F;
 inline constexpr float kFinePlanStepRate = 0.05F;
 
 // The most Runge-Kutta steps of a time step: while the tree grows, init refuses what would need more; in a plan.
-inline constexpr int kMostParts = 64;
-inline constexpr int kMostPlanParts = 410;
+inline constexpr int kMostParts = 16;
+inline constexpr int kMostPlanParts = 103;
 
 // How many equal parts of `whole`, which is positive, are at most `longest` each; 1 or more, `most` at most.
 inline int parts_of(float whole, float longest, int most) {
