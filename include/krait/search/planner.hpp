@@ -14,18 +14,24 @@ class Planner : public GroupedSearch<Planner<R>, R> {
   template <class, Robot, class>
   friend class Search;
 
-  static constexpr float kSketchTime = 2.0F;  // of a sketched step, in time steps
-  static constexpr float kSightRoom = 1.6F;   // of a line of sight, in radii of the bodies' discs
-  static constexpr float kSightStep = 0.4F;   // of looks along it, in lengths of body 0
+  static constexpr float kSketchTime = 2.0F;   // of a sketched step, in time steps, at most
+  static constexpr float kSketchRate = 0.65F;  // a sketched step times the robot's fastest rate, at most
+  static constexpr float kSightRoom = 1.6F;    // of a line of sight, in radii of the bodies' discs
+  static constexpr float kSightStep = 0.4F;    // of looks along it, in lengths of body 0
 
   void reset_guide() {
     const Parameters& parameters = this->parameters_;
     this->guide_.clear({parameters.alpha, parameters.beta, parameters.epsilon}, parameters.group_sample);
     raised_ = false;
     goes_on_ = false;
-    sketcher_.assign(*this->robot_, *this->scene_, kSketchTime * parameters.dt,
-                     parameters.near_radius * this->robot_length_);
+    sketcher_.assign(*this->robot_, *this->scene_, sketched_step(), parameters.near_radius * this->robot_length_);
     sight_ = Sight(*this->scene_, kSightRoom * sketcher_.radius(), kSightStep * this->robot_length_);
+  }
+  // Seconds.
+  float sketched_step() const {
+    const float step = kSketchTime * this->parameters_.dt;
+    const float longest = longest_step(*this->robot_, this->parameters_.dt, kSketchRate);
+    return step < longest ? step : longest;
   }
   std::uint32_t restart_unit() const { return this->parameters_.restart_unit; }
   std::uint32_t doomed_steps() const { return this->parameters_.doomed_steps; }
