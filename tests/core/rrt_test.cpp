@@ -62,5 +62,48 @@ TEST(RrtPlanner, ConnectionsGoOnInTheNextIteration) {
   EXPECT_GT(steps / connections, 20U);
 }
 
+// What an expansion of a connection began with and where it has got to.
+struct Connection {
+  Vec2 target{}, from{}, to{};
+  int expansions = 0;  // with this target
+  int in_vain = 0;     // of those that were gone on from, how many came no closer
+};
+
+struct ConnectionWatch {
+  const OfUnicycle* planner;
+  Connection* now;
+
+  void expands(Index vertex, const Target& target) const {
+    const bool goes_on = now->expansions > 0 && target.point.x == now->target.x && target.point.y == now->target.y;
+    const bool closer = length(now->target - now->to) < length(now->target - now->from) + 1e-3F;  // targets are rounded
+    now->in_vain += goes_on && !closer ? 1 : 0;
+    now->expansions = goes_on ? now->expansions + 1 : 1;
+    now->target = target.point;
+    now->from = now->to = position(*planner, vertex);
+  }
+  void operator()(const float*, const float* to) const { now->to = {to[0], to[1]}; }
+};
+
+// A robot that turns about its target would go on for ever.
+TEST(RrtPlanner, ConnectionsEndThatComeNoCloser) {
+  Room open;
+  open.bounds = {0, 0, 20, 20};
+  RrtBench f(open, small_unicycle());
+  f.parameters.max_steps = 3;
+  f.parameters.near_radius = 0;
+  f.parameters.rrt.goal_share = 0.0F;
+  ASSERT_TRUE(f.init().ok());
+  const float start[] = {10, 10, 0};
+  f.planner.start({start, Goal::disc({1, 1}, 1e-3F), 1});
+  Connection now;
+  int longest = 0;
+  for (int i = 0; i < 3000; ++i) {
+    f.planner.advance(1, ConnectionWatch{&f.planner, &now});
+    longest = std::max(longest, now.expansions);
+  }
+  EXPECT_GT(longest, 10);
+  EXPECT_EQ(now.in_vain, 0);
+}
+
 }  // namespace
 }  // namespace krait::test

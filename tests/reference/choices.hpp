@@ -92,8 +92,18 @@ class Choices {
       EXPECT_FALSE(elsewhere) << "a target in none of the regions ahead: " << p.x << " " << p.y;
     }
     elsewhere_.add(elsewhere, rest);
+    if (elsewhere && !shares_.strays_in_bounds) {
+      EXPECT_TRUE(is_free(d, p)) << "a target in an obstacle: " << p.x << " " << p.y;
+    }
     if (in_goal && hit.empty()) return;
     if (hit.size() == 1) add_region(d, scene, ahead, hit.front(), p);
+  }
+
+  static bool is_free(const Decomposition& d, Point p) {
+    for (Index r = 0; r < d.count(); ++r) {
+      if (d.region(r) == r && d.contains(r, p, kUnit)) return true;
+    }
+    return false;
   }
 
   double stray_area(const Decomposition& d, const Scene& scene) const {

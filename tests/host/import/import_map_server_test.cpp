@@ -161,6 +161,7 @@ TEST_F(MapServerTest, WrongFieldsAreNamed) {
   EXPECT_THAT(error("resolution: 1\norigin: [1, 2, 0]\n" + kUsual), HasSubstr("m.yaml: image: is missing"));
   EXPECT_THAT(error("image: m.pgm\nresolution: -1\norigin: [1, 2, 0]\n" + kUsual), HasSubstr("resolution: must be"));
   EXPECT_THAT(error("image: m.pgm\nresolution: .nan\norigin: [1, 2, 0]\n" + kUsual), HasSubstr("resolution: must be"));
+  EXPECT_THAT(error("image: m.pgm\nresolution: \"1\"\norigin: [1, 2, 0]\n" + kUsual), HasSubstr("resolution: must be"));
   EXPECT_THAT(error("image: m.pgm\nresolution: 1\norigin: [1, 2]\n" + kUsual),
               HasSubstr("origin: must be [x, y, yaw]"));
   EXPECT_THAT(error("image: m.pgm\nresolution: 1\norigin: [1, .inf, 0]\n" + kUsual), HasSubstr("origin[1]: must be"));
