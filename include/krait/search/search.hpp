@@ -233,7 +233,7 @@ class Search {
   static constexpr float kLeastCost = 0.05F;      // of an edge, in robot lengths: keeps h + C above h
   static constexpr float kDepthKept = 0.1F;       // share of the goal's margin that a plan keeps
   static constexpr float kDriveError = 1e-4F;     // metres: how far the driven states may be off, and
-  static constexpr float kDriftShare = 3e-6F;     // by how much of the plan's length more
+  static constexpr float kDriftShare = 5e-6F;     // by how much of the plan's length more
 
   struct NewState {
     Index region;
