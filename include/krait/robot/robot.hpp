@@ -44,7 +44,8 @@ struct Steering {
   Pid speed;
 };
 
-// A robot is a value with these members, none of which has side effects or depends on anything but its arguments.
+// A robot is a value with these members, none of which has side effects or depends on anything but its arguments;
+// check_robot (krait/robot/check.hpp) tells where one breaks what is said here.
 //   kMaxState, kMaxControl, kMaxBodies   compile-time limits of the sizes below; kMaxBodies is at most 32
 //   state_size(), control_size(), body_count()
 //   derivative(s, u, ds)         the dynamics ds = f(s, u) (Eqn 2)

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "krait/krait.hpp"
+#include "krait/robot/check.hpp"
 #include "readme_program.inc"
 #include "readme_robot.inc"
 
@@ -41,6 +42,12 @@ TEST(Readme, ProgramRefusesBytesThatAreNoScene) {
   SceneFile scene = compiled("corridors");
   scene.words[10] ^= 1U;
   EXPECT_EQ(drive(scene.words.data(), scene.size), 2);
+}
+
+TEST(Readme, OwnRobotKeepsItsPromises) {
+#include "readme_check.inc"
+  EXPECT_TRUE(report.ok()) << report.text();
+  EXPECT_EQ(report.samples, 1000);
 }
 
 TEST(Readme, OwnRobotPlans) {

@@ -1,0 +1,230 @@
+// check_robot finds nothing in the library's models, and names what a wrong robot does wrong.
+#include <gmock/gmock.h>
+
+#include "checked_robots.hpp"
+#include "krait/robot/check.hpp"
+#include "robot_oracle.hpp"
+
+namespace krait {
+namespace test {
+
+// Trusted, and takes NaN for a speed.
+class TrustedCart : public Cart {
+ public:
+  bool within_limits(StateView s) const { return !(absolute(s[3]) > kSpeed); }
+};
+
+}  // namespace test
+
+template <>
+inline constexpr bool kAnswersProven<test::TrustedCart> = true;
+
+}  // namespace krait
+
+namespace krait::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+RobotRanges ranges_of(const Chain& chain) {
+  const ChainParameters& p = chain.parameters();
+  const float hitch = 0.999F * p.max_hitch_angle;
+  RobotRanges ranges;
+  ranges.state = {{-10, 10}, {-10, 10}, {-3, 3}, {p.min_speed, p.max_speed}, {-p.max_steering, p.max_steering}};
+  ranges.headings = {2};
+  for (int i = 0; i < p.trailers; ++i) {
+    ranges.state.push_back({-hitch, hitch});
+    ranges.headings.push_back(5 + i);
+  }
+  for (const Range range : control_limits(chain)) ranges.control.push_back({range.low, range.high});
+  ranges.arrange = [](std::vector<float>& s) {
+    for (std::size_t i = 5; i < s.size(); ++i) s[i] += i == 5 ? s[2] : s[i - 1];
+  };
+  ranges.leaving = p.trailers > 0 ? 0.5F : 0.0F;  // a hitch that is bent to its limit folds, whatever is steered
+  return ranges;
+}
+
+RobotRanges ranges_of(const Unicycle& robot) {
+  RobotRanges ranges;
+  ranges.state = {{-10, 10}, {-10, 10}, {-3, 3}};
+  ranges.headings = {2};
+  for (const Range range : control_limits(robot)) ranges.control.push_back({range.low, range.high});
+  return ranges;
+}
+
+RobotRanges ranges_of(const DifferentialDrive& robot) {
+  const float most = robot.parameters().max_wheel_speed;
+  RobotRanges ranges;
+  ranges.state = {{-10, 10}, {-10, 10}, {-3, 3}, {-most, most}, {-most, most}};
+  ranges.headings = {2};
+  for (const Range range : control_limits(robot)) ranges.control.push_back({range.low, range.high});
+  return ranges;
+}
+
+template <class R>
+class RobotCheck : public ::testing::Test {};
+TYPED_TEST_SUITE(RobotCheck, Models, ModelNames);
+
+TYPED_TEST(RobotCheck, FindsNothingInTheModelsOfTheLibrary) {
+  for (const TypeParam& robot : instances<TypeParam>()) {
+    RobotRanges ranges = ranges_of(robot);
+    ranges.dt = {0.025F, 0.1F, 0.2F};
+    const RobotReport report = check_robot(robot, ranges, 100);
+    EXPECT_TRUE(report.ok()) << report.text();
+    EXPECT_EQ(report.samples, 100);
+  }
+}
+
+struct Expected {
+  Wrong wrong;
+  const char* function;
+  const char* promise;
+  const char* says;  // part of the message
+};
+void PrintTo(const Expected& expected, std::ostream* out) { *out << expected.function << " " << expected.promise; }
+
+const RobotFault* find(const RobotReport& report, const std::string& function, const std::string& promise) {
+  for (const RobotFault& fault : report.faults) {
+    if (fault.function == function && fault.promise == promise) return &fault;
+  }
+  return nullptr;
+}
+
+void expect_named(const RobotReport& report, const char* function, const char* promise, const char* says) {
+  const RobotFault* fault = find(report, function, promise);
+  ASSERT_NE(fault, nullptr) << report.text();
+  EXPECT_THAT(fault->message, HasSubstr(says));
+  EXPECT_GT(fault->samples, 0);
+  EXPECT_THAT(report.text(), HasSubstr(std::string(function) + " (" + promise + "): " + fault->message));
+}
+
+TEST(RobotCheckCart, FindsNothingWrong) {
+  const RobotReport report = check_robot(Cart(), cart_ranges(), 1000);
+  EXPECT_TRUE(report.ok()) << report.text();
+}
+
+class RobotCheckNames : public ::testing::TestWithParam<Expected> {};
+
+TEST_P(RobotCheckNames, WhatIsWrong) {
+  const Expected& expected = GetParam();
+  const RobotReport report = check_robot(Cart(expected.wrong), cart_ranges(), 300);
+  expect_named(report, expected.function, expected.promise, expected.says);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Functions, RobotCheckNames,
+    ::testing::Values(
+        Expected{Wrong::derivative_nan, "derivative", "finite", "number 1 of its answer is "},
+        Expected{Wrong::derivative_counts_its_calls, "derivative", "pure", "no counter, no clock"},
+        Expected{Wrong::derivative_leaves_a_rate_unwritten, "derivative", "complete", "leaves number 3"},
+        Expected{Wrong::derivative_depends_on_the_place, "derivative", "anywhere", "the rate of component 2 is"},
+        Expected{Wrong::derivative_mixes_sine_and_cosine, "derivative", "direction", "the rate of component 0 is"},
+        Expected{Wrong::derivative_leaps_to_and_fro, "derivative", "smooth", "do not tell where it leads"},
+        Expected{Wrong::limits_count_their_calls, "within_limits", "pure", "and then"},
+        Expected{Wrong::limits_depend_on_the_place, "within_limits", "anywhere", "is not within the limits"},
+        Expected{Wrong::body_grows, "body", "pure", "another shape"},
+        Expected{Wrong::place_nan_heading_of_the_second_body, "place", "finite", "the frame of body 1 has the heading"},
+        Expected{Wrong::place_long_heading, "place", "unit", "the heading of body 1 has the length 1.0"},
+        Expected{Wrong::place_off_the_position, "place", "origin", "is 0.25 m away"},
+        Expected{Wrong::place_leaps, "place", "continuous", "the frame of body 1 leaps by 0.50"},
+        Expected{Wrong::place_leaves_a_frame_unwritten, "place", "complete", "leaves number 4"},
+        Expected{Wrong::place_keeps_to_the_north, "place", "direction", "the frame of body 1 is off by"},
+        Expected{Wrong::travel_negative, "travel", "number", "the bound of body 1 is ["},
+        Expected{Wrong::travel_nan, "travel", "number", "nan"},
+        Expected{Wrong::travel_leaves_a_body_unwritten, "travel", "complete", "leaves number 5"},
+        Expected{Wrong::travel_path_too_small, "travel", "path", "where body 1 moved by"},
+        Expected{Wrong::travel_turn_too_small, "travel", "turn", "where body 0 moved by"},
+        Expected{Wrong::travel_bend_too_small, "travel", "bend", "Raise bend"},
+        Expected{Wrong::travel_twist_too_small, "travel", "twist", "Raise twist"},
+        Expected{Wrong::travel_vouches_for_limits_that_break, "travel", "limits", "is beyond them"},
+        Expected{Wrong::travel_depends_on_the_heading, "travel", "direction", "the bound of body 0 is ["},
+        Expected{Wrong::quick_path_too_small, "quick_bound", "path", "Raise path"},
+        Expected{Wrong::quick_negative, "quick_bound", "number", "(path, turn, bend, twist)"},
+        Expected{Wrong::quick_separation_too_large, "quick_bound", "separation", "separation is 1.1 m"},
+        Expected{Wrong::quick_vouches_for_limits_that_break, "quick_bound", "limits", "is beyond them"},
+        Expected{Wrong::steer_beyond_its_limits, "steer", "control", "not within -2 and 2"},
+        Expected{Wrong::steer_nan_at_the_target, "steer", "control", "0 / 0"},
+        Expected{Wrong::steer_too_fast, "steer", "limits", "it leads beyond the limits, to ["},
+        Expected{Wrong::steer_counts_its_calls, "steer", "pure", "asked again it answers"},
+        Expected{Wrong::steer_differs_by_frames, "steer", "frames", "given the frames it answers"},
+        Expected{Wrong::rate_too_small, "fastest_rate", "step", "at 0.1 1/s a Runge-Kutta step of 0.4 s"},
+        Expected{Wrong::rate_nan, "fastest_rate", "number", "fastest_rate is"}),
+    [](const auto& expected) {
+      return std::to_string(static_cast<int>(expected.param.wrong)) + "_" + expected.param.function + "_" +
+             expected.param.promise;
+    });
+
+struct ExpectedOfFront {
+  WrongFront wrong;
+  const char* function;
+  const char* promise;
+  const char* says;
+};
+
+TEST(RobotCheckFront, NamesWhatIsWrongWithLeadingComponents) {
+  ChainParameters parameters;
+  parameters.trailers = 2;
+  const RobotRanges ranges = ranges_of(Truck(parameters));
+  EXPECT_EQ(check_robot(FrontTruck(parameters, WrongFront::nothing), ranges, 200).text(), "");
+  for (const ExpectedOfFront& e :
+       {ExpectedOfFront{WrongFront::size, "leading_size", "range", "leading_size is 99"},
+        ExpectedOfFront{WrongFront::derivative, "leading_size", "derivative", "of the whole state ["},
+        ExpectedOfFront{WrongFront::place, "leading_size", "place", "writes other bodies than body 0"},
+        ExpectedOfFront{WrongFront::lead_step, "integrate_lead", "step", "to component 0, where"},
+        ExpectedOfFront{WrongFront::rest_step, "integrate_rest", "step", "to component 5, where"},
+        ExpectedOfFront{WrongFront::lead_alone, "integrate_lead", "leading", "of the leading components alone"},
+        ExpectedOfFront{WrongFront::rest_unwritten, "integrate_rest", "complete", "leaves number 5"}}) {
+    SCOPED_TRACE(e.says);
+    expect_named(check_robot(FrontTruck(parameters, e.wrong), ranges, 200), e.function, e.promise, e.says);
+  }
+}
+
+// What keeps the check from beginning is a fault, too.
+TEST(RobotCheckRanges, ThatDoNotFitAreNamed) {
+  RobotRanges ranges = cart_ranges();
+  ranges.state.pop_back();
+  EXPECT_THAT(check_robot(Cart(), ranges).text(), HasSubstr("RobotRanges has 3 ranges of states, 2 of controls and 3"));
+  ranges = cart_ranges();
+  ranges.dt.clear();
+  EXPECT_THAT(check_robot(Cart(), ranges).text(), HasSubstr("0 time steps"));
+  EXPECT_THAT(check_robot(Cart(Wrong::limits_nowhere), cart_ranges()).text(), HasSubstr("narrow RobotRanges::state"));
+  EXPECT_THAT(check_robot(Cart(Wrong::body_clockwise), cart_ranges()).text(), HasSubstr("robot_polygon"));
+}
+
+TEST(RobotCheckTrust, ARobotThatTakesNanForAStateMustNotBeTrusted) {
+  expect_named(check_robot(TrustedCart(), cart_ranges(), 50), "within_limits", "finite", "component 0 may be nan");
+}
+
+TEST(RobotCheckLeaving, MoreStepsThanAllowedAreNamed) {
+  RobotRanges ranges = cart_ranges();
+  ranges.leaving = 0.001F;
+  const RobotReport report = check_robot(Cart(Wrong::steer_too_fast), ranges, 200);
+  EXPECT_EQ(find(report, "steer", "limits"), nullptr);
+  ASSERT_NE(find(report, "steer", "leaving"), nullptr) << report.text();
+  EXPECT_THAT(find(report, "steer", "leaving")->message, HasSubstr("more than the 0.1 % of RobotRanges::leaving"));
+  ranges.leaving = 1.0F;
+  EXPECT_EQ(check_robot(Cart(Wrong::steer_too_fast), ranges, 200).text(), "");
+}
+
+TEST(RobotCheckReport, TellsStateControlAndStepOfTheWorst) {
+  const RobotReport report = check_robot(Cart(Wrong::travel_bend_too_small), cart_ranges(), 300);
+  const RobotFault* fault = find(report, "travel", "bend");
+  ASSERT_NE(fault, nullptr);
+  EXPECT_THAT(fault->message, HasSubstr("at the state ["));
+  EXPECT_THAT(fault->message, HasSubstr("under the control ["));
+  EXPECT_THAT(fault->message, HasSubstr("for 0.400000006 s"));
+  // With a bar of a metre that turns at 2 rad/s for 0.4 s, the bend that is left out is at most 0.08 m.
+  EXPECT_GT(fault->by, 0.05);
+  EXPECT_LT(fault->by, 0.0801);
+}
+
+TEST(RobotCheckReport, IsTheSameForTheSameSeed) {
+  const Cart cart(Wrong::travel_path_too_small);
+  const std::string first = check_robot(cart, cart_ranges(), 100, 7).text();
+  EXPECT_FALSE(first.empty());
+  EXPECT_EQ(check_robot(cart, cart_ranges(), 100, 7).text(), first);
+  EXPECT_NE(check_robot(cart, cart_ranges(), 100, 8).text(), first);
+}
+
+}  // namespace
+}  // namespace krait::test
