@@ -122,6 +122,14 @@ TEST(Scenes, AHoleBeyondItsOutlineCutsNothingElse) {
   EXPECT_NEAR(solid_area(checked(w)), 36 - 4 + 16, 1e-9);
 }
 
+TEST(Scenes, GoalsThatCrossThemselvesOrHaveOneNameAreRefused) {
+  Workspace w = empty_room(20, 20);
+  w.goals = {{"g", {{1, 1}, {4, 4}, {4, 1}, {1, 2}}}};
+  EXPECT_THAT(complaint(w), testing::HasSubstr("do not cross or touch"));
+  w.goals = {{"g", box(1, 1, 2, 2)}, {"g", box(3, 3, 4, 4)}};
+  EXPECT_THAT(complaint(w), testing::HasSubstr("two goals are named 'g'"));
+}
+
 TEST(Scenes, SelfCrossingRingIsFilledAndNamed) {
   Workspace w = empty_room(20, 20);
   w.obstacles.push_back({"obstacles[0]", {{5, 5}, {15, 15}, {15, 5}, {5, 15}}, {}});
