@@ -13,6 +13,7 @@
 #include "host/import/import.hpp"
 #include "host/input/file.hpp"
 #include "host/input/json.hpp"
+#include "host/input/outputs.hpp"
 
 namespace {
 
@@ -87,8 +88,10 @@ struct Arguments {
 };
 
 void run(const Arguments& arguments, Progress& progress) {
-  check_writable(arguments.output);
+  const Output output{"-o", arguments.output};
+  check_outputs({output}, {arguments.input});
   Workspace workspace = import_workspace(arguments.input, {arguments.unknown});
+  check_outputs({output}, workspace.files);
   if (!arguments.start.empty()) set_start(workspace, arguments.start);
   if (!arguments.goal.empty()) add_goal(workspace, arguments.goal);
   const CompiledScene scene = compile(workspace, {arguments.tolerance, std::ref(progress)});

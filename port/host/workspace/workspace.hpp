@@ -59,6 +59,7 @@ struct Workspace {
   std::optional<CellMap> cells;  // a map's obstacles are its occupied cells, in addition to `obstacles`
   std::vector<Goal> goals;
   std::vector<Start> starts;
+  std::vector<std::string> files;     // that it was read from: the map's own, its image's
   std::vector<std::string> warnings;  // one line each, for the user
 };
 
