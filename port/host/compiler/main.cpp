@@ -102,11 +102,6 @@ void run(const Arguments& arguments, Progress& progress) {
   std::for_each(scene.warnings.begin(), scene.warnings.end(), warn);
 }
 
-std::string one_line(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return text;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -136,7 +131,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::CallForHelp& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
-    std::fprintf(stderr, "krait-compile: %s (see --help)\n", one_line(error.what()).c_str());
+    std::fprintf(stderr, "krait-compile: %s (see --help)\n", safe_to_print(error.what()).c_str());
     return 2;
   }
   Progress progress;
@@ -145,15 +140,16 @@ int main(int argc, char** argv) {
     return 0;
   } catch (const std::bad_alloc&) {
     progress.end();
-    std::fprintf(stderr, "krait-compile: %s: not enough memory for a map of this size\n", arguments.input.c_str());
+    std::fprintf(stderr, "krait-compile: %s: not enough memory for a map of this size\n",
+                 safe_to_print(arguments.input).c_str());
     return 2;
   } catch (const InputError& error) {
     progress.end();
-    std::fprintf(stderr, "krait-compile: %s\n", one_line(error.what()).c_str());
+    std::fprintf(stderr, "krait-compile: %s\n", error.what());
     return 2;
   } catch (const std::exception& error) {
     progress.end();
-    std::fprintf(stderr, "krait-compile: internal error, please report it: %s\n", one_line(error.what()).c_str());
+    std::fprintf(stderr, "krait-compile: internal error, please report it: %s\n", safe_to_print(error.what()).c_str());
     return 3;
   }
 }

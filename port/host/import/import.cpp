@@ -32,6 +32,7 @@ Workspace read_workspace(const Source& source, const ImportOptions& options) {
     if (!format->recognise(source)) continue;
     Workspace workspace = format->read(source, options);
     workspace.files.push_back(source.path);
+    for (std::string& warning : workspace.warnings) warning = safe_to_print(warning);
     return workspace;
   }
   refuse(source);
