@@ -182,12 +182,19 @@ bool strictly_convex(Polygon polygon) {
   return true;
 }
 
-// Bytes of the UTF-8 character that begins here, of `left`; 0 where there is none, or one below the space that is
-// not NUL.
+// Neither a control character, nor a separator of lines, nor a mark that changes the direction of text.
+bool is_safe_to_print(std::uint32_t code) {
+  const auto within = [code](std::uint32_t first, std::uint32_t last) { return code - first <= last - first; };
+  return code >= 0x20 && !within(0x7F, 0x9F) && code != 0x61C && !within(0x200E, 0x200F) && !within(0x2028, 0x202E) &&
+         !within(0x2066, 0x2069);
+}
+
+// Bytes of the UTF-8 character that begins here, of `left`; 0 where there is none, or one that is neither NUL nor safe
+// to print.
 std::uint32_t character_bytes(const char* text, std::uint32_t left) {
   const auto byte = [&](std::uint32_t i) { return static_cast<std::uint32_t>(static_cast<std::uint8_t>(text[i])); };
   const std::uint32_t first = byte(0);
-  if (first < 0x80) return (first >= 0x20 && first != 0x7F) || first == 0 ? 1 : 0;
+  if (first < 0x80) return is_safe_to_print(first) || first == 0 ? 1 : 0;
   const std::uint32_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
   if (first < 0xC2 || first > 0xF4 || length > left) return 0;
   std::uint32_t code = first & (0x7FU >> length);
@@ -197,7 +204,7 @@ std::uint32_t character_bytes(const char* text, std::uint32_t left) {
   }
   constexpr std::uint32_t kLeast[] = {0, 0, 0x80, 0x800, 0x10000};
   const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
-  return code >= kLeast[length] && code <= 0x10FFFF && !surrogate ? length : 0;
+  return code >= kLeast[length] && code <= 0x10FFFF && !surrogate && is_safe_to_print(code) ? length : 0;
 }
 
 bool equal(const Box& a, const Box& b) {

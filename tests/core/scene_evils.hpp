@@ -395,6 +395,12 @@ inline Evil bad_name(std::string name, std::uint32_t blamed, const std::array<un
 inline std::vector<Evil> utf8_evils() {
   return {bad_name("name_with_escape", 1, {'a', 0x1B, '[', 'm'}),
           bad_name("name_with_delete", 3, {'a', 'b', 'c', 0x7F}),
+          bad_name("name_with_c1_control", 1, {'a', 0xC2, 0x9B, 'c'}),
+          bad_name("name_with_arabic_letter_mark", 1, {'a', 0xD8, 0x9C, 'c'}),
+          bad_name("name_with_right_to_left_mark", 0, {0xE2, 0x80, 0x8F, 'c'}),
+          bad_name("name_with_line_separator", 0, {0xE2, 0x80, 0xA8, 'c'}),
+          bad_name("name_with_right_to_left_override", 0, {0xE2, 0x80, 0xAE, 'c'}),
+          bad_name("name_with_isolate", 1, {'a', 0xE2, 0x81, 0xA6}),
           bad_name("name_with_stray_byte", 1, {'a', 0x80, 'b', 'c'}),
           bad_name("name_with_half_a_character", 1, {'a', 0xC3, 'b', 'c'}),
           bad_name("name_with_two_bytes_for_one", 0, {0xC0, 0xAF, 'b', 'c'}),

@@ -34,7 +34,8 @@ float narrowest_portal(const krait::Scene& scene) {
 void print_work(const std::string& robot, const Work& work) {
   const auto number = [](std::uint64_t n) { return static_cast<unsigned long long>(n); };
   std::printf("%-10sadvance(1) of %s: at most %llu placements, %llu Runge-Kutta steps, %llu polygon distances", "work",
-              robot.c_str(), number(work.placements), number(work.runge_kutta_steps), number(work.polygon_distances));
+              safe_to_print(robot).c_str(), number(work.placements), number(work.runge_kutta_steps),
+              number(work.polygon_distances));
   std::printf(" (%llu pieces near a body), %llu heap operations, %llu sketched steps, %llu discs looked at\n",
               number(work.pieces_near), number(work.heap_operations), number(work.sketched_steps), number(work.discs));
 }

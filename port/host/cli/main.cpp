@@ -19,7 +19,7 @@ constexpr const char* kAbout =
     "krait plan compiles a map itself where it is given one in place of a scene file: krait plan openings.json\n";
 
 int complain(const std::string& what) {
-  std::fprintf(stderr, "krait: %s\n", what.c_str());
+  std::fprintf(stderr, "krait: %s\n", safe_to_print(what).c_str());
   return kBadInput;
 }
 
@@ -62,7 +62,7 @@ int run(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     return complain("not enough memory on this machine for that (a smaller --memory, or a smaller map?)");
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "krait: internal error, please report it: %s\n", error.what());
+    std::fprintf(stderr, "krait: internal error, please report it: %s\n", safe_to_print(error.what()).c_str());
     return kOwnBug;
   }
   return after_printing(kDone);

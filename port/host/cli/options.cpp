@@ -1,5 +1,6 @@
 #include "host/cli/options.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -101,6 +102,11 @@ void QueryOptions::add(CLI::App& command) {
                      "a start of the scene by NAME, or X,Y,HEADING in metres and radians (default: its first)");
   command.add_option("--goal", goal,
                      "a goal of the scene by NAME, or a disc X,Y,RADIUS in metres (default: its first)");
+}
+
+bool QueryOptions::robot_is_file() const {
+  const std::vector<std::string> models = robot_models();
+  return std::find(models.begin(), models.end(), robot.substr(0, robot.find(':'))) == models.end();
 }
 
 void QueryOptions::read(SearchRequest& request) const {

@@ -31,6 +31,7 @@ struct QueryOptions {
   std::string goal;
 
   void add(CLI::App& command);
+  bool robot_is_file() const;  // and not a model's name
   void read(SearchRequest& request) const;
 };
 

@@ -9,6 +9,7 @@
 #include "host/cli/options.hpp"
 #include "host/cli/terminal.hpp"
 #include "host/input/file.hpp"
+#include "host/input/outputs.hpp"
 #include "host/picture/picture.hpp"
 #include "host/verify/verify.hpp"
 
@@ -151,11 +152,18 @@ SearchResult search(const PlanOptions& options, const SearchRequest& request, co
       });
 }
 
-// Before a search that may take long, and before any file is written.
-void check_outputs(const PlanOptions& options) {
-  for (const std::string* path : {&options.json, &options.csv, &options.svg, &options.png, &options.html}) {
-    if (!path->empty()) check_writable(*path);
-  }
+std::vector<Output> outputs_of(const PlanOptions& options) {
+  return {{"-o", options.json},
+          {"--csv", options.csv},
+          {"--svg", options.svg},
+          {"--png", options.png},
+          {"--html", options.html}};
+}
+
+std::vector<std::string> inputs_of(const PlanOptions& options) {
+  std::vector<std::string> inputs = {options.scene};
+  if (options.query.robot_is_file()) inputs.push_back(options.query.robot);
+  return inputs;
 }
 
 SceneBytes compiled(const PlanOptions& options) {
@@ -173,12 +181,13 @@ Ground read_ground(const PlanOptions& options) {
                      " is compiled already: use it with krait compile, or plan in the map itself");
   }
   Workspace map = import_workspace(options.scene, {parse_unknown(options.unknown)});
+  check_outputs(outputs_of(options), map.files);  // also those that the map names
   return {compiled(options), std::move(map)};
 }
 
 void plan(const PlanOptions& options) {
   const SearchRequest request = request_of(options);
-  check_outputs(options);
+  check_outputs(outputs_of(options), inputs_of(options));  // before work that may take long
   const Ground ground = read_ground(options);
   SearchResult result = search(options, request, ground.scene);
   const int code = judge(result, ground, request, options);

@@ -13,6 +13,7 @@
 #include "host/import/import.hpp"
 #include "host/input/file.hpp"
 #include "host/input/json.hpp"
+#include "host/input/outputs.hpp"
 
 namespace {
 
@@ -87,8 +88,10 @@ struct Arguments {
 };
 
 void run(const Arguments& arguments, Progress& progress) {
-  check_writable(arguments.output);
+  const Output output{"-o", arguments.output};
+  check_outputs({output}, {arguments.input});
   Workspace workspace = import_workspace(arguments.input, {arguments.unknown});
+  check_outputs({output}, workspace.files);
   if (!arguments.start.empty()) set_start(workspace, arguments.start);
   if (!arguments.goal.empty()) add_goal(workspace, arguments.goal);
   const CompiledScene scene = compile(workspace, {arguments.tolerance, std::ref(progress)});
@@ -97,11 +100,6 @@ void run(const Arguments& arguments, Progress& progress) {
   const auto warn = [](const std::string& text) { std::fprintf(stderr, "krait-compile: warning: %s\n", text.c_str()); };
   std::for_each(workspace.warnings.begin(), workspace.warnings.end(), warn);
   std::for_each(scene.warnings.begin(), scene.warnings.end(), warn);
-}
-
-std::string one_line(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return text;
 }
 
 }  // namespace
@@ -133,7 +131,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::CallForHelp& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
-    std::fprintf(stderr, "krait-compile: %s (see --help)\n", one_line(error.what()).c_str());
+    std::fprintf(stderr, "krait-compile: %s (see --help)\n", safe_to_print(error.what()).c_str());
     return 2;
   }
   Progress progress;
@@ -142,15 +140,16 @@ int main(int argc, char** argv) {
     return 0;
   } catch (const std::bad_alloc&) {
     progress.end();
-    std::fprintf(stderr, "krait-compile: %s: not enough memory for a map of this size\n", arguments.input.c_str());
+    std::fprintf(stderr, "krait-compile: %s: not enough memory for a map of this size\n",
+                 safe_to_print(arguments.input).c_str());
     return 2;
   } catch (const InputError& error) {
     progress.end();
-    std::fprintf(stderr, "krait-compile: %s\n", one_line(error.what()).c_str());
+    std::fprintf(stderr, "krait-compile: %s\n", error.what());
     return 2;
   } catch (const std::exception& error) {
     progress.end();
-    std::fprintf(stderr, "krait-compile: internal error, please report it: %s\n", one_line(error.what()).c_str());
+    std::fprintf(stderr, "krait-compile: internal error, please report it: %s\n", safe_to_print(error.what()).c_str());
     return 3;
   }
 }

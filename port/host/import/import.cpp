@@ -29,7 +29,11 @@ const std::array<const Format*, 5> kFormats = {&kSceneFile, &kNative, &kMovingAi
 
 Workspace read_workspace(const Source& source, const ImportOptions& options) {
   for (const Format* format : kFormats) {
-    if (format->recognise(source)) return format->read(source, options);
+    if (!format->recognise(source)) continue;
+    Workspace workspace = format->read(source, options);
+    workspace.files.push_back(source.path);
+    for (std::string& warning : workspace.warnings) warning = safe_to_print(warning);
+    return workspace;
   }
   refuse(source);
 }

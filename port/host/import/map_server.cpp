@@ -172,11 +172,16 @@ void read_placement(const Field& field, CellMap& cells) {
   cells.yaw = origin.item(2).number(-kMaxAngle, kMaxAngle);
 }
 
-Image read_map_image(const Field& field, const std::string& file) {
+// Where the image lies: its path is relative to the YAML file's folder.
+std::string image_path(const Field& field, const std::string& file) {
   const std::string name = field.at("image").text();
   if (name.empty() || name.find('\0') != std::string::npos) field.at("image").fail("must be the path of an image");
+  return (std::filesystem::path(file).parent_path() / name).string();
+}
+
+Image read_map_image(const Field& field, const std::string& path) {
   try {
-    return read_image((std::filesystem::path(file).parent_path() / name).string());
+    return read_image(path);
   } catch (const InputError& error) {
     field.at("image").fail(error.what());
   }
@@ -189,7 +194,8 @@ Workspace read(const Source& source, const ImportOptions& options) {
   Workspace workspace;
   workspace.cells.emplace();
   read_placement(field, *workspace.cells);
-  const Counts counts = fill(read_map_image(field, source.path), rules, *workspace.cells);
+  workspace.files.push_back(image_path(field, source.path));
+  const Counts counts = fill(read_map_image(field, workspace.files.back()), rules, *workspace.cells);
   set_bounds(field, workspace);
   warn(source.path, counts, rules, workspace);
   return workspace;

@@ -70,7 +70,8 @@ class Reader {
         name += c;
         continue;
       }
-      all.push_back(cleaned_name(name));
+      if (!is_safe_to_print(name)) refuse("has a name with control characters");
+      all.push_back(name);
       name.clear();
     }
     if (all.size() != 1 + std::size_t{header_.goals} + header_.starts) refuse("has the wrong number of names");

@@ -1,7 +1,9 @@
 #include "host/input/file.hpp"
 
 #include <fcntl.h>
+#include <linux/magic.h>
 #include <sys/stat.h>
+#include <sys/vfs.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -31,7 +33,7 @@ class Descriptor {
 };
 
 [[noreturn]] void fail(const std::string& path, const char* action, int error) {
-  throw InputError(path + ": cannot be " + action + ": " + std::strerror(error));
+  throw InputError((path.empty() ? "\"\"" : path) + ": cannot be " + action + ": " + std::strerror(error));
 }
 
 void write_all(int descriptor, const std::string& path, const std::string& content) {
@@ -43,6 +45,25 @@ void write_all(int descriptor, const std::string& path, const std::string& conte
   }
 }
 
+const char* kind_of(mode_t mode) {
+  if (S_ISFIFO(mode)) return "a pipe";
+  if (S_ISSOCK(mode)) return "a socket";
+  return S_ISBLK(mode) ? "a block device" : "a character device";
+}
+
+// A pipe without a name, which the shell has opened: /dev/stdout before a |, or >(…).
+bool is_pipe_of_the_shell(const std::string& path) {
+  struct statfs system = {};
+  return ::statfs(path.c_str(), &system) == 0 && system.f_type == PIPEFS_MAGIC;
+}
+
+// A named pipe without a reader would never be opened, and a block device holds something else than files.
+void require_writable_kind(const std::string& path, mode_t mode) {
+  if (S_ISREG(mode) || S_ISCHR(mode) || (S_ISFIFO(mode) && is_pipe_of_the_shell(path))) return;
+  const std::string kind = S_ISFIFO(mode) ? "a named pipe" : kind_of(mode);
+  throw InputError(path + ": cannot be written: is " + kind + ", not a regular file");
+}
+
 // Removes the temporary unless it became the file.
 struct Temporary {
   std::string path;
@@ -52,9 +73,10 @@ struct Temporary {
   }
 };
 
+// O_NONBLOCK: opening a terminal does not wait for its other end.
 void write_device(const std::string& path, const std::string& content) {
-  const Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
-  if (file.number() < 0) fail(path, "written", errno);
+  const Descriptor file(::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+  if (file.number() < 0 || ::fcntl(file.number(), F_SETFL, 0) != 0) fail(path, "written", errno);
   write_all(file.number(), path, content);
 }
 
@@ -80,7 +102,10 @@ std::string read_file(const std::string& path, std::uint64_t most) {
   struct stat status = {};
   if (::fstat(file.number(), &status) != 0) fail(path, "read", errno);
   if (S_ISDIR(status.st_mode)) throw InputError(path + ": is a directory, not a file");
-  if (!S_ISREG(status.st_mode)) throw InputError(path + ": is not a regular file");
+  if (!S_ISREG(status.st_mode)) {
+    throw InputError(path + ": is not a regular file but " + kind_of(status.st_mode) +
+                     ": save its content to a file first");
+  }
   const auto size = static_cast<std::uint64_t>(status.st_size);
   if (size == 0) throw InputError(path + ": is empty");
   if (size > most) {
@@ -101,7 +126,9 @@ void check_writable(const std::string& path) {
   struct stat status = {};
   const bool exists = ::stat(path.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode)) throw InputError(path + ": cannot be written: is a directory");
-  const std::string folder = std::filesystem::absolute(path).parent_path().string();
+  if (exists) require_writable_kind(path, status.st_mode);
+  std::error_code nowhere;  // then the folder is "", which cannot be written to
+  const std::string folder = std::filesystem::absolute(path, nowhere).parent_path().string();
   const std::string& written = exists && !S_ISREG(status.st_mode) ? path : folder;
   if (::access(written.c_str(), W_OK) != 0) fail(path, "written", errno);
 }

@@ -7,15 +7,16 @@
 namespace krait::host {
 
 // The bytes of a regular file of 1 to `most` bytes. Throws InputError naming the path: missing, a directory, a
-// device, empty, too large, unreadable.
+// device, a pipe (also the shell's <(…)), empty, too large, unreadable. Never waits.
 std::string read_file(const std::string& path, std::uint64_t most);
 
-// Throws InputError where write_file(path, …) is bound to fail: a folder, no such folder, no permission. Writes
-// nothing.
+// Throws InputError where write_file(path, …) is bound to fail: a folder, no such folder, no permission, a named pipe,
+// a socket, a block device. Writes and opens nothing.
 void check_writable(const std::string& path);
 
-// Writes a file whole or not at all: to a temporary beside it, then by rename; a symbolic link is followed, and a
-// device (/dev/stdout) is written to directly. Throws InputError.
+// Writes a file whole or not at all: to a temporary beside it, then by rename; a symbolic link is followed. A character
+// device (/dev/null, a terminal) and a pipe that the shell has opened (/dev/stdout before a |, >(…)) are written to
+// directly. Opening never waits. Throws InputError.
 void write_file(const std::string& path, const std::string& content);
 
 }  // namespace krait::host

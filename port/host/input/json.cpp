@@ -74,8 +74,11 @@ Json to_json(const Ring& ring) {
 }
 
 std::string cleaned_name(const std::string& text) {
-  std::string name = on_one_line(text.substr(0, kMaxNameBytes));
-  name = Json::parse(Json(name).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
+  std::string name = safe_to_print(text);
+  if (name.size() <= kMaxNameBytes) return name;
+  std::size_t end = kMaxNameBytes;
+  while ((static_cast<unsigned char>(name[end]) & 0xC0U) == 0x80) end -= 1;  // to where a character begins
+  name.resize(end);
   return name;
 }
 
@@ -147,9 +150,15 @@ std::string Field::text() const {
   return value_->get<std::string>();
 }
 
+std::string Field::printed() const {
+  std::string printed = text();
+  if (!is_safe_to_print(printed)) fail_expecting("a text without control characters");
+  return printed;
+}
+
 std::string Field::name() const {
   std::string name = text();
-  if (name.empty() || name.size() > kMaxNameBytes || name != cleaned_name(name)) {
+  if (name.empty() || name.size() > kMaxNameBytes || !is_safe_to_print(name)) {
     fail_expecting("a name of 1 to " + std::to_string(kMaxNameBytes) + " bytes without control characters");
   }
   return name;

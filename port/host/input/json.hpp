@@ -40,7 +40,8 @@ class Field {
   double number(double least, double most) const;  // finite
   long long integer(long long least, long long most) const;
   std::string text() const;
-  std::string name() const;                         // 1 to kMaxNameBytes bytes without control characters
+  std::string printed() const;                      // a text that is_safe_to_print
+  std::string name() const;                         // 1 to kMaxNameBytes bytes that are safe to print
   Point point(double most = kMaxCoordinate) const;  // [x, y], both from -most to most
   Ring ring(std::size_t most = SIZE_MAX, double most_coordinate = kMaxCoordinate) const;  // at least 3 points
 
@@ -57,7 +58,7 @@ class Field {
 
 Json to_json(const Ring& ring);  // [[x, y], …]
 
-// The text as a name may stand: valid UTF-8 (U+FFFD for what is not), cut to kMaxNameBytes, no control characters.
+// The text as a name may stand: escaped (safe_to_print), then cut to kMaxNameBytes between two characters.
 std::string cleaned_name(const std::string& text);
 
 // With at most 8 digits, for messages.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "host/picture/poses.hpp"
 
@@ -129,14 +128,11 @@ void check(const Picture& picture) {
 }
 
 std::string printable(const std::string& text) {
-  using nlohmann::json;
-  const std::string valid = json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace));
   std::string clean;
   std::size_t characters = 0;
-  for (const char c : valid) {
-    const auto byte = static_cast<unsigned char>(c);
-    if ((byte & 0xC0) != 0x80 && characters++ == kLongestText) break;
-    clean += byte < 0x20 || byte == 0x7F ? ' ' : c;
+  for (const char c : safe_to_print(text)) {
+    if ((static_cast<unsigned char>(c) & 0xC0) != 0x80 && characters++ == kLongestText) break;
+    clean += c;
   }
   for (const char* forbidden : {"\xEF\xBF\xBE", "\xEF\xBF\xBF"}) {  // U+FFFE and U+FFFF: XML has no way to hold them
     for (auto at = clean.find(forbidden); at != std::string::npos; at = clean.find(forbidden)) {

@@ -11,7 +11,7 @@ namespace krait::host {
 // Throws InputError with one line that names what is wrong: see Picture.
 void check(const Picture& picture);
 
-// Printable UTF-8: bytes that are none become U+FFFD, control characters blanks; at most 200 characters.
+// The text as a drawing may show it: escaped (safe_to_print), at most 200 characters, U+FFFD for those that XML lacks.
 std::string printable(const std::string& text);
 
 // Facts about the plan, for the line below the title: robot, planner, seed, status, duration, length.

@@ -123,14 +123,14 @@ PlanFile parse_plan(const std::string& text, const std::string& file) {
   const Field field(document, file);
   read_header(field);
   PlanFile plan;
-  plan.status = field.at("status").text();
-  plan.scene = field.at("scene").text();
+  plan.status = field.at("status").printed();
+  plan.scene = field.at("scene").printed();
   plan.seed = read_seed(field.at("seed"));
-  plan.planner = field.at("planner").text();
+  plan.planner = field.at("planner").printed();
   plan.robot = read_robot(field.at("robot"));
   plan.dt = field.at("dt").number(1e-6, 1e3);
   const Field goal = field.at("goal");
-  plan.goal_name = goal.at("name").text();
+  plan.goal_name = goal.at("name").printed();
   const Field polygon = goal.at("polygon");
   if (plan.status == kSolved || polygon.size() > 0) plan.goal_polygon = polygon.ring();
   read_motion(field, plan);

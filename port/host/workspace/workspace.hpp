@@ -1,12 +1,13 @@
 // What an importer yields and everything else on the workstation reads: a map in metres, double precision.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "host/workspace/text.hpp"
 
 namespace krait::host {
 
@@ -59,20 +60,15 @@ struct Workspace {
   std::optional<CellMap> cells;  // a map's obstacles are its occupied cells, in addition to `obstacles`
   std::vector<Goal> goals;
   std::vector<Start> starts;
-  std::vector<std::string> warnings;  // one line each, for the user
+  std::vector<std::string> files;     // that it was read from: the map's own, its image's
+  std::vector<std::string> warnings;  // one line each, for the user, safe to print
 };
 
-// The text with a question mark for every control character.
-inline std::string on_one_line(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 127; }, '?');
-  return text;
-}
-
-// Unusable input: one line that says what, where and what to do. The command line prints it and exits with 2.
+// Unusable input: one line that says what, where and what to do. The command line prints it and exits with 2. What the
+// line quotes of names, files and arguments is safe to print, whatever they hold.
 class InputError : public std::runtime_error {
  public:
-  explicit InputError(const std::string& line) : std::runtime_error(on_one_line(line)) {}
+  explicit InputError(const std::string& line) : std::runtime_error(safe_to_print(line)) {}
 };
 
 }  // namespace krait::host

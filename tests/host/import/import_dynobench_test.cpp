@@ -22,6 +22,19 @@ class DynobenchTest : public ScratchTest {
   }
 };
 
+TEST_F(DynobenchTest, ItsNameHasNoControlCharacters) {
+  EXPECT_EQ(error("name: \"a\\x9Bb\"\n" + kBounds),
+            path("d.yaml") + ": name: must be a name of 1 to 200 bytes without control characters, is \"a\\u009bb\"");
+  EXPECT_EQ(error("name: a\xE2\x80\x8F\n" + kBounds),
+            path("d.yaml") + ": name: must be a name of 1 to 200 bytes without control characters, is \"a\\u200f\"");
+}
+
+TEST_F(DynobenchTest, AFileNameIsEscapedInWarnings) {
+  const Workspace w = import_workspace(write("a\x1B[m.yaml", kBounds + kRobot), {});
+  ASSERT_EQ(w.warnings.size(), 1U);
+  EXPECT_THAT(w.warnings[0], HasSubstr("/a\\u001B[m.yaml: robots[0].goal: reached means within"));
+}
+
 TEST_F(DynobenchTest, ReadsBoxesStartAndGoal) {
   const Workspace w = read("name: park\n" + kBounds +
                            "  obstacles:\n    - {type: box, center: [2, 3], size: [1, 0.5]}\n"

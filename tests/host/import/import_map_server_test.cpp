@@ -49,6 +49,15 @@ TEST_F(MapServerTest, UsualThresholds) {
   EXPECT_THAT(cells({0, 89, 90, 204, 205, 206, 254, 255}, kUsual, Unknown::free), ElementsAre(1, 1, 0, 0, 0, 0, 0, 0));
 }
 
+TEST_F(MapServerTest, SaysWhichFilesItRead) {
+  EXPECT_THAT(read_row({255}, kUsual).files, testing::UnorderedElementsAre(path("m.yaml"), path("m.pgm")));
+}
+
+TEST_F(MapServerTest, TheNameOfTheImageIsEscapedInMessages) {
+  EXPECT_EQ(error("image: \"a\\e[m\\x9B\"\nresolution: 1\norigin: [0, 0, 0]\n" + kUsual),
+            path("m.yaml") + ": image: " + path("a\\u001B[m\\u009B") + ": cannot be read: No such file or directory");
+}
+
 TEST_F(MapServerTest, TheThresholdsThemselvesAreUnknown) {
   // p = 0.4 and 0.6 exactly at both thresholds: neither below nor above.
   const std::string rules = "occupied_thresh: 0.6\nfree_thresh: 0.4\n";

@@ -44,7 +44,10 @@ TEST_F(FileTest, RefusesWhatIsNoReadableFile) {
   EXPECT_THAT(read_error("large"), HasSubstr("has 101 bytes; at most 100"));
   EXPECT_THAT(read_error("folder"), HasSubstr("is a directory"));
   EXPECT_THAT(read_error("loop"), HasSubstr("symbolic links"));
-  EXPECT_THAT(read_error("fifo"), HasSubstr("is not a regular file"));
+  EXPECT_EQ(read_error("fifo"), path("fifo") + ": is not a regular file but a pipe: save its content to a file first");
+  EXPECT_EQ(error_of([] { read_file("/dev/zero", 100); }),
+            "/dev/zero: is not a regular file but a character device: save its content to a file first");
+  EXPECT_EQ(error_of([] { read_file("", 100); }), "\"\": cannot be read: No such file or directory");
 }
 
 TEST_F(FileTest, ReplacesAFileAndLeavesNoTemporary) {
@@ -71,6 +74,34 @@ TEST_F(FileTest, SaysWhereItCannotWrite) {
   EXPECT_THAT(error_of([&] { write_file(path("no/such"), "x"); }), HasSubstr("no/such: cannot be written: No such"));
   EXPECT_THAT(error_of([&] { write_file(directory().string(), "x"); }), HasSubstr("is a directory"));
   EXPECT_THAT(error_of([&] { write_file("/dev/full", "x"); }), HasSubstr("No space left"));
+}
+
+// Neither is opened: without a reader, opening would never end.
+TEST_F(FileTest, DoesNotWriteToNamedPipesAndSockets) {
+  ASSERT_EQ(::mkfifo(path("fifo").c_str(), 0600), 0);
+  ASSERT_EQ(::mknod(path("socket").c_str(), S_IFSOCK | 0600, 0), 0);
+  const auto expect_refused = [](const std::string& file, const std::string& kind) {
+    const std::string expected = file + ": cannot be written: is " + kind + ", not a regular file";
+    EXPECT_EQ(error_of([&] { check_writable(file); }), expected);
+    EXPECT_EQ(error_of([&] { write_file(file, "x"); }), expected);
+  };
+  expect_refused(path("fifo"), "a named pipe");
+  expect_refused(path("socket"), "a socket");
+}
+
+TEST_F(FileTest, WritesToAPipeThatIsOpenAlready) {
+  int ends[2];
+  ASSERT_EQ(::pipe(ends), 0);
+  const std::string name = "/dev/fd/" + std::to_string(ends[1]);
+  EXPECT_EQ(error_of([&] { check_writable(name); }), "");
+  write_file(name, "content");
+  char text[16];
+  EXPECT_EQ(::read(ends[0], text, sizeof text), 7);
+  EXPECT_EQ(std::string(text, 7), "content");
+  ::close(ends[0]);
+  std::signal(SIGPIPE, SIG_IGN);
+  EXPECT_EQ(error_of([&] { write_file(name, "content"); }), name + ": cannot be written: Broken pipe");
+  ::close(ends[1]);
 }
 
 TEST_F(FileTest, KeepsTheOldFileWhenTheNewOneDoesNotFit) {

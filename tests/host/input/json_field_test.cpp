@@ -67,13 +67,36 @@ TEST(Field, NamesHaveNoControlCharacters) {
   EXPECT_NE(field_error(R"("a\nb")", read), "");
   EXPECT_NE(field_error(R"("a\u0000b")", read), "");
   EXPECT_NE(field_error("\"" + std::string(201, 'n') + "\"", read), "");
+  EXPECT_EQ(field_error(R"("a\u009bb")", read),
+            "f.json: must be a name of 1 to 200 bytes without control characters, is \"a\\u009bb\"");
+  for (const char* mark : {"\\u007f", "\\u0080", "\\u061c", "\\u200e", "\\u200f", "\\u2028", "\\u202e", "\\u2069"}) {
+    EXPECT_THAT(field_error("\"a" + std::string(mark) + "b\"", read), HasSubstr("without control characters")) << mark;
+  }
+}
+
+TEST(Field, PrintedTextsMayBeEmptyOrLong) {
+  const auto read = [](const Field& f) { f.printed(); };
+  EXPECT_EQ(field_error(R"("")", read), "");
+  EXPECT_EQ(field_error("\"" + std::string(1000, 'n') + "\"", read), "");
+  EXPECT_EQ(field_error(R"("a\u202eb")", read), "f.json: must be a text without control characters, is \"a\\u202eb\"");
+}
+
+TEST(Field, MessagesQuoteKeysEscaped) {
+  EXPECT_EQ(field_error("{\"a\xC2\x9B\": 1}", [](const Field& f) { f.keys({"box"}); }),
+            "f.json: unknown key \"a\\u009B\"; known here: box");
 }
 
 TEST(CleanedName, IsAlwaysValid) {
   for (const std::string& text : {std::string("a\xFF\n"), std::string(500, '\xC3'), std::string("\xE2\x82")}) {
     EXPECT_NO_THROW(Json(cleaned_name(text)).dump()) << text;
-    EXPECT_EQ(cleaned_name(text).find('\n'), std::string::npos);
+    EXPECT_TRUE(is_safe_to_print(cleaned_name(text))) << text;
+    EXPECT_LE(cleaned_name(text).size(), kMaxNameBytes);
   }
+  EXPECT_EQ(cleaned_name("a\n\xE2\x80\xAE"), "a\\u000A\\u202E");
+  EXPECT_EQ(cleaned_name("a" + std::string(100, '\n')).size(), kMaxNameBytes);
+  std::string umlauts = "a";
+  for (int i = 0; i < 150; ++i) umlauts += "\xC3\xA4";
+  EXPECT_EQ(cleaned_name(umlauts), umlauts.substr(0, 199));
 }
 
 }  // namespace

@@ -49,6 +49,22 @@ TEST_F(PlanTest, ReadsBackWhatWasWritten) {
   EXPECT_EQ(copy.origin.x, 1234.5);
 }
 
+TEST_F(PlanTest, ItsTextsHaveNoControlCharacters) {
+  const std::string expected = ": must be a text without control characters, is \"a\\u009bb\"";
+  for (const char* key : {"status", "scene", "planner"}) {
+    Json json = to_json(example());
+    json[key] =
+        "a\xC2\x9B"
+        "b";
+    EXPECT_EQ(read_error(json), path("p.json") + ": " + key + expected);
+  }
+  Json json = to_json(example());
+  json["goal"]["name"] =
+      "a\xC2\x9B"
+      "b";
+  EXPECT_EQ(read_error(json), path("p.json") + ": goal.name" + expected);
+}
+
 TEST_F(PlanTest, EveryFloatKeepsItsBits) {
   PlanFile plan = example();
   plan.robot = parse_robot("unicycle");
