@@ -210,8 +210,8 @@ typedef struct krait_query {
   uint64_t seed;
 } krait_query;
 
-/* Begins a search, ending any other. KRAIT_SEARCHING, or how it has ended at once: KRAIT_BAD_SCENE where the file or the
-   scene is found to be another than at krait_init. */
+/* Begins a search, ending any other. KRAIT_SEARCHING, or how it has ended at once: KRAIT_BAD_SCENE where the file or
+   the scene is found to be another than at krait_init. */
 krait_status krait_start(krait_planner* planner, const krait_query* query);
 
 /* At most `iterations` expansions more. The plan does not depend on how a search is cut into calls. */
