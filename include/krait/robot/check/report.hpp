@@ -45,8 +45,8 @@ struct Sample {
 
 inline std::string number(double x, int digits = 4) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.*g", digits, x);
-  return text;
+  const int length = std::snprintf(text, sizeof text, "%.*g", digits, x);
+  return {text, static_cast<std::size_t>(length)};
 }
 
 // Nine digits tell a float from every other.
