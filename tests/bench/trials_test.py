@@ -84,7 +84,7 @@ class Trials(unittest.TestCase):
         trial = [{"trial": 1, "seed": 7}]
         usual, same, other = (
             self.answers(SEARCH, "adaptive", trial, *files, *setting)[0]["hash"]
-            for setting in ((), ("--set", "slowest=0.75"), ("--set", "slowest=0.5"))
+            for setting in ((), ("--set", "beta=0.85"), ("--set", "alpha=1"))
         )
         self.assertEqual(usual, same)
         self.assertNotEqual(usual, other)
