@@ -51,6 +51,8 @@ class Judge {
       : equations_(robot), drive_(equations_), sweep_(equations_, bodies_of(robot), field), goal_(goal), plan_(plan) {
     size_ = static_cast<std::size_t>(equations_.state_size());
     chain_ = robot.is_chain();
+    const Convex first = bodies_of(robot).front();
+    for (int i = 0; i < first.count; ++i) radius_ = std::max(radius_, std::hypot(first.x[i], first.y[i]));
   }
 
   Verdict verdict() {
@@ -112,7 +114,10 @@ class Judge {
       if ((chain_ && i == 3) || (!chain_ && i > 2)) continue;  // a speed
       angle = std::max(angle, std::abs(said[i] - driven[i]));
     }
-    if (step > 0) way_ += std::hypot(said[0] - stored(step - 1)[0], said[1] - stored(step - 1)[1]);
+    if (step > 0) {
+      const State before = stored(step - 1);
+      way_ += std::hypot(said[0] - before[0], said[1] - before[1]) + radius_ * std::abs(said[2] - before[2]);
+    }
     if ((position > kPositionError + kPositionShare * way_ || angle > kAngleError) && verdict_.others.empty()) {
       verdict_.others.push_back(
           text("state %zu: %.3g m and %.3g rad from where the controls lead", step, position, angle));
@@ -145,7 +150,8 @@ class Judge {
   std::size_t size_;
   bool chain_;
   Verdict verdict_;
-  double way_ = 0;  // m, up to the last state that was compared
+  double radius_ = 0;  // m, of body 0 around its frame's origin
+  double way_ = 0;     // m, of body 0's ends, up to the last state that was compared
 };
 
 }  // namespace

@@ -111,8 +111,8 @@ class PlanDrive {
     rates(at, middle);
     rates(next(), last);
     for (int i = 0; i < size; ++i) {
-      at[i] = at[i] + kMagnified * rests_[here_][i];
       if (first[i] == middle[i] && middle[i] == last[i]) move_steadily(i, first[i]);
+      at[i] = at[i] + kMagnified * 0.5F * (rests_[here_][i] + rests_[1 - here_][i]);
     }
     rates(at, last);
     for (int i = 0; i < size; ++i) add(i, dt_ / kMagnified * (last[i] - middle[i]));

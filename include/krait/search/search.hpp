@@ -233,7 +233,7 @@ class Search {
   static constexpr float kLeastCost = 0.05F;      // of an edge, in robot lengths: keeps h + C above h
   static constexpr float kDepthKept = 0.1F;       // share of the goal's margin that a plan keeps
   static constexpr float kDriveError = 1e-4F;     // metres: how far the driven states may be off, and
-  static constexpr float kDriftShare = 5e-6F;     // by how much of the plan's length more
+  static constexpr float kDriftShare = 5e-6F;     // by how much of the way of body 0's ends more
 
   struct NewState {
     Index region;
@@ -470,6 +470,7 @@ class Search {
     driven_ = path_;
     steps_left_ = 0;
     meter_ = {};
+    turned_ = 0.0F;
     plan_drive_.begin(*robot_, parameters_.dt, tree_.state(kRoot));
     if (driven_ == kNone) return finish_plan();
     keep_for_plan();
@@ -477,7 +478,7 @@ class Search {
   }
 
   void keep_for_plan() {
-    const float error = kDriveError + kDriftShare * meter_.length();
+    const float error = kDriveError + kDriftShare * (meter_.length() + turned_ * robot_length_);
     check_.keep(parameters_.clearance + error, longest_plan_step(*robot_, parameters_.dt));
   }
 
@@ -496,12 +497,15 @@ class Search {
   }
 
   bool drive_step() {
+    const SinCos heading = check_.poses()[0].heading;
     plan_drive_.step(check_.poses());
     const float* const state = plan_drive_.state();
     const float* const control = plan_drive_.control();
     if (!step_holds(state, control, plan_drive_.next())) return false;
     meter_.add(state, robot_->state_size(), control, robot_->control_size(), plan_drive_.next());
     plan_drive_.go();
+    const SinCos after = check_.poses()[0].heading;
+    turned_ += length(Vec2{after.cos - heading.cos, after.sin - heading.sin});
     return true;
   }
 
@@ -554,6 +558,7 @@ class Search {
   Branch reached_;                // the state of the way that reached the goal
   PlanDrive<R> plan_drive_;
   PlanMeter meter_;
+  float turned_ = 0.0F;  // radians, of body 0 in the plan so far, as chords
 };
 
 }  // namespace krait
