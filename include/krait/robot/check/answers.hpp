@@ -14,7 +14,7 @@ inline bool same_bits(const std::vector<float>& a, const std::vector<float>& b) 
 inline std::vector<float> numbers_of(const std::vector<Pose>& poses) {
   std::vector<float> numbers;
   for (const Pose& p : poses) {
-    numbers.insert(numbers.end(), {p.position.x, p.position.y, p.heading.sin, p.heading.cos});
+    for (const float x : {p.position.x, p.position.y, p.heading.sin, p.heading.cos}) numbers.push_back(x);
   }
   return numbers;
 }
