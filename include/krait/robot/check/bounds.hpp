@@ -138,7 +138,8 @@ void check_quick_bound(const Case<R>& c) {
   check_repeats(c, "quick_bound", [&](const std::vector<float>& state, float) {
     const QuickBound quick = quick_bound_of(c.robot, {state, c.sample.control, c.sample.dt}, c.next);
     std::vector<float> numbers = numbers_of(quick.most);
-    numbers.insert(numbers.end(), {quick.limited ? 1.0F : 0.0F, quick.separation});
+    numbers.push_back(quick.limited ? 1.0F : 0.0F);
+    numbers.push_back(quick.separation);
     return numbers;
   });
   const QuickBound quick = quick_bound_of(c.robot, c.sample, c.next);
