@@ -18,7 +18,7 @@ class Drive {
 
   explicit Drive(const Equations& equations) : equations_(equations) {}
 
-  // Holds the control for `time` seconds. Gives the states on the way, equally far apart in time, the first and the
+  // Holds the control for `time` seconds. Returns the states on the way, equally far apart in time, the first and the
   // last included; none where kMostParts parts are not accurate.
   const std::vector<State>& hold(const State& from, const double* u, double time);
 

@@ -1,4 +1,4 @@
-// What controllers ask for, where it can be told by hand.
+// What controllers ask for, where it can be computed by hand.
 #include <gtest/gtest.h>
 
 #include "krait/krait.hpp"

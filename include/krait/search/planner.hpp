@@ -118,7 +118,7 @@ class Planner : public GroupedSearch<Planner<R>, R> {
     return way;
   }
 
-  // Also gives h of the point's region.
+  // Writes h of the point's region to `cost`.
   Vec2 point_ahead(Index group, Vec2 from, float& cost) {
     const Regions& regions = this->regions_;
     for (std::uint32_t tries = 1;; ++tries) {

@@ -55,7 +55,7 @@ std::vector<float> steer_of(const R& robot, const std::vector<float>& state, con
   return control;
 }
 
-// Asks twice, about the other state in between. ask(state, fill) gives numbers.
+// Asks twice, about the other state in between. ask(state, fill) returns numbers.
 template <Robot R, class Ask>
 void check_repeats(const Case<R>& c, const char* function, Ask ask) {
   const std::vector<float> first = ask(c.sample.state, kFills[0]);
