@@ -211,8 +211,7 @@ void Chain::track(StateView s, StateView reference, float dt, ControlRef u) cons
   const float speed = reference[3];
   const float distance = 4.0F * p.wheelbase;
   const Correction change = correction(deviation(s, reference), speed, distance, dt);
-  const float way = absolute(speed) * dt;
-  const float bend = p.wheelbase * 4.0F * change.heading / (distance > 8.0F * way ? distance : 8.0F * way);
+  const float bend = p.wheelbase * 4.0F * change.heading / tracking_distance(speed, distance, dt);
   approach(s, speed + u[0] * dt + change.speed, reference[4] + u[1] * dt + (speed < 0.0F ? -bend : bend), dt, u);
 }
 

@@ -43,11 +43,10 @@ void DifferentialDrive::approach(StateView s, const float* wanted, float dt, Con
 }
 
 void DifferentialDrive::track(StateView s, StateView reference, float dt, ControlRef u) const {
-  constexpr float kShare = 0.2F;  // of a heading's error that a time step takes away
   const DifferentialDriveParameters& p = parameters_;
   const float speed = 0.5F * p.wheel_radius * (reference[3] + reference[4]);
   const Correction change = correction(deviation(s, reference), speed, p.body_length, dt);
-  const float turn = 0.5F * p.track_width * kShare * change.heading / dt;
+  const float turn = 0.5F * p.track_width * kHeadingShare * change.heading / dt;
   const float wanted[2] = {reference[3] + u[0] * dt + (change.speed - turn) / p.wheel_radius,
                            reference[4] + u[1] * dt + (change.speed + turn) / p.wheel_radius};
   approach(s, wanted, dt, u);

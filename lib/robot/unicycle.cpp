@@ -27,11 +27,10 @@ void Unicycle::steer(StateView s, const Target& target, Steering& steering, Cont
 }
 
 void Unicycle::track(StateView s, StateView reference, float dt, ControlRef u) const {
-  constexpr float kShare = 0.2F;  // of a heading's error that a time step takes away
   const UnicycleParameters& p = parameters_;
   const Correction change = correction(deviation(s, reference), u[0], p.body_length, dt);
   u[0] = clamp(u[0] + change.speed, p.min_speed, p.max_speed);
-  u[1] = clamp(u[1] + kShare * change.heading / dt, -p.max_turn_rate, p.max_turn_rate);
+  u[1] = clamp(u[1] + kHeadingShare * change.heading / dt, -p.max_turn_rate, p.max_turn_rate);
 }
 
 bool Unicycle::within_limits(StateView s) const { return finite(position(s)) && absolute(s[2]) <= kMaxAngle; }

@@ -20,6 +20,8 @@ inline Deviation deviation(StateView s, StateView reference) {
   return {dot(along, apart), cross(along, apart), s[2] - reference[2]};
 }
 
+inline constexpr float kHeadingShare = 0.2F;  // of a heading's error that a time step takes away, where nothing steers
+
 // What takes deviations back: speed by a tenth of what lags a time step, heading toward the reference's line, so that
 // what is left of it shrinks within `distance` metres.
 struct Correction {
@@ -27,10 +29,15 @@ struct Correction {
   float heading;  // radians, by which the heading should change
 };
 
+// Metres: `distance`, or eight time steps' way where that is more, below which tracking would not be stable.
+inline float tracking_distance(float speed, float distance, float dt) {
+  const float way = absolute(speed) * dt;
+  return distance > 8.0F * way ? distance : 8.0F * way;
+}
+
 inline Correction correction(const Deviation& from, float speed, float distance, float dt) {
   constexpr float kShare = 0.1F;
-  const float way = absolute(speed) * dt;
-  const float sideways = from.left / (distance > 8.0F * way ? distance : 8.0F * way);
+  const float sideways = from.left / tracking_distance(speed, distance, dt);
   return {-kShare * from.ahead / dt, (speed < 0.0F ? sideways : -sideways) - from.heading};
 }
 
