@@ -20,7 +20,7 @@ class SteeringSampler : public oc::DirectedControlSampler {
     double* values = control->as<ValueControl>()->values;
     values[0] = static_cast<double>(peer(dest).position().x);
     values[1] = static_cast<double>(peer(dest).position().y);
-    values[2] = rng_.uniformReal(static_cast<double>(problem_.parameters.slowest), 1.0);
+    values[2] = rng_.uniformReal(static_cast<double>(kRivalsSlowest), 1.0);
     const int steps = rng_.uniformInt(1, static_cast<int>(si_->getMaxControlDuration()));
     return si_->propagateWhileValid(source, control, steps, dest);
   }
@@ -56,8 +56,7 @@ ob::RealVectorBounds control_bounds(const PeerProblem& problem) {
   if (problem.controls == ControlKind::pid) {
     const Box box = problem.scene.bounds();
     ob::RealVectorBounds bounds(3);
-    bounds.low = {static_cast<double>(box.min.x), static_cast<double>(box.min.y),
-                  static_cast<double>(problem.parameters.slowest)};
+    bounds.low = {static_cast<double>(box.min.x), static_cast<double>(box.min.y), static_cast<double>(kRivalsSlowest)};
     bounds.high = {static_cast<double>(box.max.x), static_cast<double>(box.max.y), 1.0};
     return bounds;
   }

@@ -154,7 +154,7 @@ typedef struct krait_parameters {
   uint32_t group_sample;
   float alpha, beta, epsilon;
   float gamma, cost_length;
-  uint32_t kappa;
+  uint32_t kappa, update_regions;
   bool raise_goal;
   float dt;
   uint32_t max_steps, open_steps, path_regions;

@@ -41,6 +41,7 @@ enum class Argument : std::uint8_t {
   beta,
   gamma,
   kappa,
+  update_regions,
   group_sample,
   epsilon,
   dt,

@@ -48,6 +48,7 @@ constexpr Range<float> kNumbers[] = {
 constexpr Range<std::uint32_t> kCounts[] = {
     {offsetof(Parameters, group_sample), Argument::group_sample, 1, kUnboundedSample},
     {offsetof(Parameters, kappa), Argument::kappa, 1, 10000},
+    {offsetof(Parameters, update_regions), Argument::update_regions, 0, 1'000'000},
     {offsetof(Parameters, max_steps), Argument::max_steps, 1, 1000},
     {offsetof(Parameters, open_steps), Argument::open_steps, 0, 1000},
     {offsetof(Parameters, path_regions), Argument::path_regions, 1, 64},
@@ -78,12 +79,14 @@ Parameters Parameters::paper() {
   parameters.gamma = 50.0F;
   parameters.cost_length = 0.0F;
   parameters.kappa = 20;
+  parameters.update_regions = 0;
   parameters.open_steps = 0;
   parameters.path_regions = 8;
   parameters.stray_share = 0.0F;
   parameters.gentle_share = 0.0F;
   parameters.sight_tries = 0;
   parameters.candidates = 0;
+  parameters.slowest = 0.75F;
   parameters.doomed_steps = 0;
   parameters.restart_unit = 0;
   parameters.raise_goal = true;

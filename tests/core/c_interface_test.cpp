@@ -344,6 +344,7 @@ TEST(CInterface, EveryParameterIsInItsPlace) {
   EXPECT_SAME_PLACE(krait_parameters, Parameters, gamma);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, cost_length);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, kappa);
+  EXPECT_SAME_PLACE(krait_parameters, Parameters, update_regions);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, raise_goal);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, dt);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, max_steps);

@@ -127,6 +127,32 @@ TYPED_TEST(PlannerModes, WhereEveryRegionMeetsTheGoalItIsFoundAndNoCostRises) {
   EXPECT_EQ(bench.planner.statistics().regions_repaired, 0U);
 }
 
+// The expansions of a search until the first repair of its paths.
+std::uint64_t first_repair(std::uint32_t kappa, std::uint32_t update_regions) {
+  Bench<Unicycle> bench(two_rooms(0.6), small_unicycle());
+  bench.parameters.kappa = kappa;
+  bench.parameters.update_regions = update_regions;
+  EXPECT_TRUE(bench.init().ok());
+  const float start[] = {2, 6, 0};
+  bench.planner.start({start});
+  while (bench.planner.status() == Status::searching && bench.planner.statistics().regions_repaired == 0) {
+    bench.planner.advance(1);
+  }
+  EXPECT_GT(bench.planner.statistics().regions_repaired, 0U);
+  return bench.planner.statistics().iterations;
+}
+
+TEST(PlannerUpdates, WaitForAnExpansionForSoManyRegions) {
+  const OpenScene open(two_rooms(0.6));
+  const std::uint32_t regions = open.scene.triangle_count();
+  ASSERT_GT(regions, 100U);
+  EXPECT_LT(first_repair(1, 0), 10U);
+  EXPECT_LT(first_repair(1, regions), 10U);
+  EXPECT_EQ(first_repair(1, regions / 50) % (regions / (regions / 50)), 0U);
+  EXPECT_EQ(first_repair(70, regions / 50) % 70, 0U);
+  EXPECT_EQ(Parameters::paper().update_regions, 0U);
+}
+
 // The body begins 0.6 m ahead of the position.
 Unicycle arm() {
   UnicycleParameters p;

@@ -383,6 +383,7 @@ TEST(PlannerParameters, EachCountIsCheckedAtBothEnds) {
                 {Argument::sight_tries, 0, 64, &Parameters::sight_tries},
                 {Argument::candidates, 0, 8, &Parameters::candidates},
                 {Argument::least_sketch, 0, 20, &Parameters::least_sketch},
+                {Argument::update_regions, 0, 1'000'000, &Parameters::update_regions},
                 {Argument::doomed_steps, 0, 3, &Parameters::doomed_steps},
                 {Argument::restart_unit, 0, 1'000'000'000, &Parameters::restart_unit},
                 {Argument::max_steps, 1, 1000, &Parameters::max_steps},

@@ -25,6 +25,7 @@ std::uint64_t hash_with(const Parameters& parameters) {
 TEST(PlannerWays, AreNotThePapersNorOfOtherPlanners) {
   EXPECT_EQ(Parameters::paper().sight_tries, 0U);
   EXPECT_EQ(Parameters::paper().candidates, 0U);
+  EXPECT_EQ(Parameters::paper().slowest, kRivalsSlowest);
   EXPECT_EQ(hash_with<Prior>({}), hash_with<Prior>(without_looks()));
   EXPECT_EQ(hash_with<Rrt>({}), hash_with<Rrt>(without_looks()));
   EXPECT_NE(hash_with<AdaptivePlanner>({}), hash_with<AdaptivePlanner>(without_looks()));

@@ -140,6 +140,8 @@ TYPED_TEST(WrongUse, ParametersAtTheEndsOfTheirRangesPlanOrEnd) {
                                                        [](Parameters& p) { p.cost_length = 10; },
                                                        [](Parameters& p) { p.kappa = 1; },
                                                        [](Parameters& p) { p.kappa = 10000; },
+                                                       [](Parameters& p) { p.update_regions = 0; },
+                                                       [](Parameters& p) { p.update_regions = 1; },
                                                        [](Parameters& p) { p.dt = 0.001F; },
                                                        [](Parameters& p) { p.dt = 1; },
                                                        [](Parameters& p) { p.max_steps = 1; },

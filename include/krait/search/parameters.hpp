@@ -7,8 +7,12 @@
 
 namespace krait {
 
+// What rivals have in place of Parameters::slowest: they drive where nothing has looked.
+inline constexpr float kRivalsSlowest = 0.75F;
+
 // What the planner of prior work adds ([18], PriorPlanner); it has no use for group_sample, epsilon, gamma,
-// cost_length, kappa, raise_goal, open_steps, path_regions, stray_share, doomed_steps and restart_unit.
+// cost_length, kappa, update_regions, raise_goal, open_steps, path_regions, stray_share, sight_tries, candidates,
+// least_sketch, doomed_steps, restart_unit and slowest.
 struct PriorParameters {
   float epsilon = 1e-11F;           // 1e-30 … 1: keeps every weight positive
   std::uint32_t path_regions = 10;  // 1 … 64: as Parameters::path_regions
@@ -36,22 +40,22 @@ struct Parameters {
   float gamma = 20.0F;       // 0 … 1e6: how much a failure raises edge costs; 0: costs never change
   float cost_length = 1.0F;  // 0 … 10, in lengths of body 0: C += gamma l^2 / max(C, l), l this length; 0: gamma / C
   std::uint32_t kappa = 10;  // 1 … 10000: expansions between updates of the heuristic costs
-  bool raise_goal = false;   // whether a failure right before the goal raises the goal's edges as well
+  std::uint32_t update_regions = 250;  // 0 … 1e6: and at least one expansion for so many regions of the scene; 0: none
+  bool raise_goal = false;             // whether a failure right before the goal raises the goal's edges as well
   // Algorithm 2.
-  float dt = 0.1F;               // 0.001 … 1 s: a time step
-  std::uint32_t max_steps = 40;  // 1 … 1000: of one expansion
-  std::uint32_t open_steps =
-      1000;  // 0 … 1000: of one in the open, while it nears its target and has crossed one portal
-  std::uint32_t path_regions = 6;  // 1 … 64: targets come from that many regions after the group's own
-  float near_radius = 0.7F;        // 0 … 10, in lengths of body 0: a target so near is reached
-  float stray_share = 0.1F;        // 0 … 1: share of expansions toward a random point of the workspace instead
+  float dt = 0.1F;                  // 0.001 … 1 s: a time step
+  std::uint32_t max_steps = 40;     // 1 … 1000: of one expansion
+  std::uint32_t open_steps = 1000;  // 0 … 1000: of one in the open, while it nears its target and crosses one portal
+  std::uint32_t path_regions = 6;   // 1 … 64: targets come from that many regions after the group's own
+  float near_radius = 0.7F;         // 0 … 10, in lengths of body 0: a target so near is reached
+  float stray_share = 0.1F;         // 0 … 1: share of expansions toward a random point of the workspace instead
   float gentle_share = 0.35F;      // 0 … 1: share of expansions from a group that was often selected that turn gently
-  std::uint32_t sight_tries = 8;   // 0 … 64: points drawn for one in sight of the vertex; 0: any point will do
+  std::uint32_t sight_tries = 16;  // 0 … 64: points drawn for one in sight of the vertex; 0: any point will do
   std::uint32_t candidates = 4;    // 0 … 8: ways that are sketched before one is driven; 0: any way will do
   std::uint32_t least_sketch = 8;  // 0 … 20: sketched steps, of 2 dt, below which no way is driven and costs are raised
   std::uint32_t doomed_steps = 2;     // 0 … 3: so many states before a collision are not kept to grow from
   std::uint32_t restart_unit = 4000;  // expansions, 0 … 1e9: tries last 1, 1, 2, 1, 1, 2, 4, … of it; 0: one for ever
-  float slowest = 0.75F;       // 0.05 … 1: speed set-points are uniform from this share of the top speed to all of it
+  float slowest = 1.0F;        // 0.05 … 1: speed set-points are uniform from this share of the top speed to all of it
   float reverse_share = 0.2F;  // 0 … 1: share of expansions that drive backwards, of a robot that can
   // Collision.
   float clearance = 1e-3F;          // 0 … 10 m: a plan keeps it between bodies and everything, on top of rounding

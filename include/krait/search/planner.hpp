@@ -36,6 +36,7 @@ class Planner : public GroupedSearch<Planner<R>, R> {
   std::uint32_t restart_unit() const { return this->parameters_.restart_unit; }
   std::uint32_t doomed_steps() const { return this->parameters_.doomed_steps; }
   std::uint32_t open_steps() const { return this->parameters_.open_steps; }
+  float slowest() const { return this->parameters_.slowest; }
 
   // Algorithm 1, lines 4 to 13.
   template <class Watch>
@@ -46,7 +47,7 @@ class Planner : public GroupedSearch<Planner<R>, R> {
       begin_expansion(watch);
     }
     if (this->status() != Status::searching) return;
-    if (this->statistics_.iterations % this->parameters_.kappa == 0) update_costs();
+    if (this->statistics_.iterations % update_interval() == 0) update_costs();
   }
 
   template <class Watch>
@@ -60,6 +61,14 @@ class Planner : public GroupedSearch<Planner<R>, R> {
     } else {
       raise_costs(group_);
     }
+  }
+
+  // Expansions between updates: the work of an update, O(R log R), is shared by at least R / update_regions of them.
+  std::uint32_t update_interval() const {
+    const Parameters& parameters = this->parameters_;
+    if (parameters.update_regions == 0) return parameters.kappa;
+    const std::uint32_t least = this->scene_->triangle_count() / parameters.update_regions;
+    return least > parameters.kappa ? least : parameters.kappa;
   }
 
   // What is learnt from an expansion. A long one that reaches its target does not count as a selection of its group.

@@ -18,6 +18,7 @@ class RrtPlanner : public Search<RrtPlanner<R>, R, NearestPoints> {
   static std::uint32_t restart_unit() { return 0; }
   static std::uint32_t doomed_steps() { return 0; }
   static std::uint32_t open_steps() { return 0; }
+  static float slowest() { return kRivalsSlowest; }
 
   void reset_guide() {
     this->guide_.clear();

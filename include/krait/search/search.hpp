@@ -32,6 +32,7 @@ struct Query {
 //   restart_unit()                 as Restarts::begin has it
 //   doomed_steps()                 Parameters::doomed_steps or 0
 //   open_steps()                   Parameters::open_steps or 0
+//   slowest()                      Parameters::slowest or another such share
 //   iterate(watch)                 one expansion
 //   keep(region, branch, state)    hears of every new state that is not doomed, and may keep it as a vertex; false when
 //                                  it cannot go on
@@ -190,7 +191,8 @@ class Search {
     Target target;
     target.point = point;
     const bool backward = reversible(*robot_) && random_.unit() < parameters_.reverse_share;
-    const float share = parameters_.slowest + (1.0F - parameters_.slowest) * random_.unit();
+    const float slowest = derived().slowest();
+    const float share = slowest + (1.0F - slowest) * random_.unit();
     target.speed = backward ? -share : share;
     const auto patience = static_cast<float>(tries) / static_cast<float>(tries + kPatience);
     if (random_.unit() < parameters_.gentle_share * patience) {
