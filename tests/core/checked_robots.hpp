@@ -173,6 +173,7 @@ inline RobotRanges cart_ranges() {
   ranges.dt = {0.05F, 0.1F, 0.4F};
   ranges.headings = {2};
   ranges.step_rate = 0.5F;
+  ranges.step_error = 1e-4F;
   return ranges;
 }
 
