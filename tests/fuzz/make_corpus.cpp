@@ -35,6 +35,18 @@ Named sound_scenes() {
   return all;
 }
 
+// Doors that a search needs long for: it is restarted and fills its memory.
+Named narrow_scenes() {
+  Named all;
+  for (const double door : {0.45, 0.55, 0.65, 1.0}) {
+    test::Room room = test::two_rooms(door);
+    room.starts = {{2.0F, 6.0F, 0.0F, 0, 0}};
+    room.goals.erase(room.goals.begin() + 1);
+    all.emplace_back("door_" + std::to_string(all.size()), text(test::data_of(room).bytes()));
+  }
+  return all;
+}
+
 Named evil_scenes() {
   Named all = sound_scenes();
   for (const test::evil::Evil& evil : test::evil::all_evils()) {
@@ -212,6 +224,7 @@ int main(int argc, char** argv) {
   const std::filesystem::path folder = argv[1];
   write(folder / "fuzz_open", evil_scenes());
   write(folder / "fuzz_plan", sound_scenes());
+  write(folder / "fuzz_plan", narrow_scenes());
   write(folder / "fuzz_import", evil_scenes(), "scene_");
   write(folder / "fuzz_import", natives(), "native_");
   write(folder / "fuzz_import", dynobenches(), "dynobench_");
