@@ -168,6 +168,7 @@ typedef struct krait_parameters {
   bool prune_portals;
   bool plain;
   float goal_margin;
+  float end_speed; /* m/s; INFINITY: any */
 } krait_parameters;
 krait_parameters krait_default_parameters(void);
 
@@ -230,9 +231,10 @@ typedef struct krait_statistics {
   uint64_t bytes_used, bytes_given; /* of the block behind the planner itself: `krait plan --memory bytes_given` on the
                                        workstation finds the same plan */
   uint32_t plan_steps;
-  float plan_length;   /* metres */
-  float plan_duration; /* seconds */
-  uint64_t hash;       /* of the plan */
+  float plan_length;    /* metres */
+  float plan_duration;  /* seconds */
+  float plan_end_speed; /* m/s */
+  uint64_t hash;        /* of the plan */
 } krait_statistics;
 krait_statistics krait_statistics_of(const krait_planner* planner);
 

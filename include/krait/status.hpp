@@ -61,6 +61,7 @@ enum class Argument : std::uint8_t {
   reverse_share,
   cost_length,
   goal_margin,
+  end_speed,
   max_substeps,
   prior_epsilon,
   prior_path_regions,

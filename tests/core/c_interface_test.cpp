@@ -366,6 +366,7 @@ TEST(CInterface, EveryParameterIsInItsPlace) {
   EXPECT_SAME_PLACE(krait_parameters, Parameters, prune_portals);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, plain);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, goal_margin);
+  EXPECT_SAME_PLACE(krait_parameters, Parameters, end_speed);
   EXPECT_SAME_PLACE(krait_limits, Limits, vertices);
   EXPECT_SAME_PLACE(krait_limits, Limits, expansions);
   EXPECT_SAME_PLACE(krait_limits, Limits, iterations);
@@ -418,6 +419,7 @@ TEST(CInterface, EveryAnswerIsInItsPlace) {
   EXPECT_SAME_PLACE(krait_statistics, Statistics, plan_steps);
   EXPECT_SAME_PLACE(krait_statistics, Statistics, plan_length);
   EXPECT_SAME_PLACE(krait_statistics, Statistics, plan_duration);
+  EXPECT_SAME_PLACE(krait_statistics, Statistics, plan_end_speed);
   EXPECT_SAME_PLACE(krait_statistics, Statistics, hash);
 }
 

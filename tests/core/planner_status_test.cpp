@@ -373,6 +373,18 @@ TEST(PlannerParameters, EachFloatIsCheckedAtBothEnds) {
   }
 }
 
+// Unlike the others it may be infinite.
+TEST(PlannerParameters, AnEndSpeedIsNoNegativeNumber) {
+  for (const float good : {0.0F, 1e-30F, 2.5F, kInfinity}) {
+    EXPECT_TRUE(init_with([&](Parameters& p) { p.end_speed = good; }).ok()) << good;
+  }
+  for (const float bad : {-1e-30F, -kInfinity, kNan}) {
+    const Failure failure = init_with([&](Parameters& p) { p.end_speed = bad; });
+    EXPECT_EQ(failure.status, Status::bad_argument) << bad;
+    EXPECT_EQ(failure.element, blame(Argument::end_speed)) << bad;
+  }
+}
+
 TEST(PlannerParameters, EachCountIsCheckedAtBothEnds) {
   const struct {
     Argument argument;

@@ -59,6 +59,9 @@ class Chain {
   void steer(StateView s, const Target& target, Steering& steering, ControlRef u) const;
   void steer(StateView s, const Pose* poses, const Target& target, Steering& steering, ControlRef u) const;
   void track(StateView s, StateView reference, float dt, ControlRef u) const;
+  // Of the front wheels.
+  float speed(StateView s) const { return absolute(s[3]); }
+  float stopping_way(StateView s) const;
   bool within_limits(StateView s) const;
   // Whether the hitch angles stay 2 mrad below their limit.
   bool keeps_reserve(StateView s) const;

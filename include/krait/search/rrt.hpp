@@ -19,6 +19,7 @@ class RrtPlanner : public Search<RrtPlanner<R>, R, NearestPoints> {
   static std::uint32_t doomed_steps() { return 0; }
   static std::uint32_t open_steps() { return 0; }
   static float slowest() { return kRivalsSlowest; }
+  static float end_speed() { return kInfinity; }
 
   void reset_guide() {
     this->guide_.clear();

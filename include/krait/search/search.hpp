@@ -13,6 +13,7 @@
 #include "krait/random.hpp"
 #include "krait/robot/robot.hpp"
 #include "krait/robot/shape.hpp"
+#include "krait/search/ending.hpp"
 #include "krait/search/motion_tree.hpp"
 #include "krait/search/parameters.hpp"
 #include "krait/search/restarts.hpp"
@@ -33,6 +34,7 @@ struct Query {
 //   doomed_steps()                 Parameters::doomed_steps or 0
 //   open_steps()                   Parameters::open_steps or 0
 //   slowest()                      Parameters::slowest or another such share
+//   end_speed()                    Parameters::end_speed or infinity
 //   iterate(watch)                 one expansion
 //   keep(region, branch, state)    hears of every new state that is not doomed, and may keep it as a vertex; false when
 //                                  it cannot go on
@@ -82,7 +84,7 @@ class Search {
     return {};
   }
 
-  // Begins a search, ending any other. Gives searching; or solved, when the start lies in the goal; or no_route,
+  // Begins a search, ending any other. Gives searching; or solved, when a plan may end with the start; or no_route,
   // goal_in_obstacle, start_outside, start_in_collision, bad_argument; bad_scene, when the scene is found to be another
   // than at init (Scene::fingerprint); after an init that failed, what that one gave. Work: one Dijkstra.
   Status start(const Query& query) {
@@ -93,9 +95,11 @@ class Search {
     return begin(query);
   }
 
-  // At most `iterations` expansions more; returns at once when the search has ended. A way that has reached the goal is
-  // driven once more before it is given out as a plan: up to max_steps steps of it count as one of `iterations` here,
-  // but not in Statistics and Limits. The result does not depend on how a search is cut into calls.
+  // At most `iterations` expansions more; returns at once when the search has ended. Where an expansion comes so near
+  // to the goal that braking may end there, it brakes; such steps count as steps of the expansion for the work of a
+  // call, and it goes on where they lead to nothing. A way that has reached the goal is driven once more before it is
+  // given out as a plan: up to max_steps steps of it count as one of `iterations` here, but not in Statistics and
+  // Limits. The result does not depend on how a search is cut into calls.
   Status advance(std::uint64_t iterations) {
     return advance(iterations, [](const float*, const float*) {});
   }
@@ -201,6 +205,14 @@ class Search {
     return target;
   }
 
+  // Lets the robot drive to a target in the goal so slowly that it can stop there.
+  void slow_for(Target& target, Index from) const {
+    if (!ending_.limits_speed()) return;
+    const float way = absolute(stopping_way(*robot_, StateView(tree_.state(from), robot_->state_size())));
+    const float distance = length(target.point - position(from));
+    if (distance < way) target.speed = target.speed * std::sqrt(distance / way);
+  }
+
   Vec2 random_point_in_bounds() {
     const Box bounds = scene_->bounds();
     const float u = random_.unit();
@@ -280,22 +292,24 @@ class Search {
     }
     robot_length_ = krait::robot_length(robot);
     drive_.assign(robot, parameters.dt);
+    brake_.assign(robot, parameters.dt);
     return failure_ = {};
   }
 
   // Checks the query, computes the heuristic costs and plants the root. searching when the search can begin; solved
-  // when the start lies in the goal.
+  // when a plan may end with the start.
   Status begin(const Query& query) {
     statistics_ = {};
-    tree_.clear(scene_->bounds());
     driven_ = kNone;
+    braking_ = kNone;
     random_ = Random(query.seed);
     check_.assign(*robot_, *scene_, tree_clearance(), static_cast<int>(parameters_.max_substeps), !parameters_.plain);
     keep_for_tree();
-    goal_ = query.goal;
+    ending_.assign(*robot_, *scene_, query.goal, derived().end_speed());
+    tree_.clear(scene_->bounds(), ending_.limits_speed() ? 1 : 0);
     failure_ = check_query(query);
     if (status() != Status::searching) return status();
-    const float tenth = 0.1F * goal_.size(*scene_);
+    const float tenth = 0.1F * query.goal.size(*scene_);
     goal_depth_ = parameters_.goal_margin < tenth ? parameters_.goal_margin : tenth;
     const bool fits = !parameters_.prune_portals || body_fits_through(query.start);
     if (!find_paths()) return finish(Status::goal_in_obstacle);
@@ -305,7 +319,7 @@ class Search {
   // The edge costs as new, and the shortest paths. False when no region belongs to the goal.
   bool find_paths() {
     ++statistics_.dijkstra_runs;
-    return regions_.reset(goal_, least_portal_width(), kLeastCost * robot_length_);
+    return regions_.reset(ending_.goal(), least_portal_width(), kLeastCost * robot_length_);
   }
 
   // Forgets all but the start and where the random numbers have got to.
@@ -313,6 +327,7 @@ class Search {
     ++statistics_.restarts;
     drive_.begin(tree_.state(kRoot));
     tree_.empty();
+    braking_ = kNone;
     derived().reset_guide();
     find_paths();
     derived().keep(root_region_, {}, drive_.state());
@@ -323,7 +338,7 @@ class Search {
     for (int i = 0; i < robot_->state_size(); ++i) {
       if (!finite(query.start[i])) return bad_argument(Argument::start);
     }
-    if (!goal_.valid(*scene_)) return bad_argument(Argument::goal);
+    if (!ending_.goal().valid(*scene_)) return bad_argument(Argument::goal);
     if (!scene_->inside_bounds({query.start[0], query.start[1]})) return {Status::start_outside};
     if (!robot_->within_limits(StateView(query.start, robot_->state_size()))) return bad_argument(Argument::start);
     if (!check_.free(query.start)) return {Status::start_in_collision};
@@ -340,7 +355,7 @@ class Search {
     drive_.begin(start);
     derived().keep(root_region_, {}, drive_.state());
     finish(fits ? Status::searching : Status::no_route);
-    if (goal_.contains(*scene_, at, 0.0F)) begin_plan({});
+    if (ending_.holds(start, 0.0F)) begin_plan({});
     return status();
   }
 
@@ -361,7 +376,7 @@ class Search {
     const Index triangle = locate(*scene_, at);
     if (triangle == kNone) return true;
     const float width = 2.0F * (inner_radius(body, center) + parameters_.clearance);
-    return regions_.connected(triangle, goal_, length(center) + kReachRounding, width);
+    return regions_.connected(triangle, ending_.goal(), length(center) + kReachRounding, width);
   }
 
   // At most max_steps steps, and what becomes of the expansion.
@@ -369,8 +384,9 @@ class Search {
   Expanded drive(Expanded& expanded, Watch watch) {
     bool goes = true;
     for (std::uint32_t left = parameters_.max_steps; goes && left > 0; --left) {
-      expanded.result = grow(expanded, watch);
-      goes = expanded.result == Expansion::target_not_reached && goes_on(expanded);
+      expanded.result = braking() ? brake(expanded) : grow(expanded, watch);
+      const bool under_way = expanded.result == Expansion::target_not_reached;
+      goes = under_way && (braking() || goes_on(expanded));
     }
     if (goes) {
       expanded.result = Expansion::goes_on;
@@ -404,7 +420,7 @@ class Search {
   // One step, and what becomes of it.
   template <class Watch>
   Expansion grow(Expanded& expanded, Watch watch) {
-    if (!take_step()) return Expansion::collision;
+    if (!take_step(drive_)) return Expansion::collision;
     watch(drive_.state(), drive_.next());
     drive_.go();
     ++statistics_.vertices;
@@ -413,11 +429,56 @@ class Search {
     const Index before = expanded.region;
     expanded.region = region_of(at, before);
     if (expanded.region != before) ++expanded.crossed;
-    if (goal_.contains(*scene_, at, goal_depth_)) return Expansion::goal_reached;
+    if (ending_.holds(drive_.state(), goal_depth_)) return Expansion::goal_reached;
+    if (ending_.stops_inside(drive_.state(), check_.poses()[0])) {
+      begin_braking(expanded.last);
+      return Expansion::target_not_reached;
+    }
+    return settle(expanded);
+  }
+
+  // What becomes of an expansion whose last state does not end it in the goal.
+  Expansion settle(const Expanded& expanded) {
+    const Vec2 at{drive_.state()[0], drive_.state()[1]};
     remember(expanded.last.step, expanded.region);
     if (!keep_recent(expanded.last, derived().doomed_steps())) return Expansion::tree_full;
     const bool near = length(drive_.target().point - at) <= parameters_.near_radius * robot_length_;
     return near ? Expansion::target_reached : Expansion::target_not_reached;
+  }
+
+  bool braking() const { return braking_ != kNone; }
+
+  // The brake is an expansion of its own, toward the same target, which the tree has a slot for.
+  void begin_braking(Branch from) {
+    Target target = drive_.target();
+    target.speed = 0.0F;
+    braking_ = tree_.begin_expansion(from, target);
+    brake_steps_ = 0;
+    brake_.begin(drive_.state());
+    brake_.aim(tree_.target(braking_));
+  }
+
+  // One step of the brake. Where it cannot end in the goal, the expansion goes on from where the brake began.
+  Expansion brake(const Expanded& expanded) {
+    if (take_step(brake_)) {
+      const float before = speed_of(*robot_, StateView(brake_.state(), robot_->state_size()));
+      brake_.go();
+      ++brake_steps_;
+      const float* const state = brake_.state();
+      if (ending_.holds(state, goal_depth_)) return end_braking();
+      const bool slower = speed_of(*robot_, StateView(state, robot_->state_size())) < before;
+      if (slower && !ending_.slow(state) && brake_steps_ < MotionTree::kMostSteps) return Expansion::target_not_reached;
+    }
+    tree_.end_expansion(braking_, 0);
+    braking_ = kNone;
+    check_.begin(drive_.state());
+    return settle(expanded);
+  }
+
+  Expansion end_braking() {
+    statistics_.vertices += brake_steps_;
+    drive_.begin(brake_.state());
+    return Expansion::goal_reached;
   }
 
   void remember(std::uint32_t step, Index region) {
@@ -435,14 +496,14 @@ class Search {
   }
 
   // CONTROLLER, MOTION and COLLISION (lines 5 and 6). False when the step is not free or leaves the robot's limits.
-  bool take_step() {
-    drive_.lead(check_.poses());
-    const float* const state = drive_.state();
-    const float* const next = drive_.next();
+  bool take_step(Drive<R>& drive) {
+    drive.lead(check_.poses());
+    const float* const state = drive.state();
+    const float* const next = drive.next();
     if (!check_.lead_free(state, next)) return false;
-    drive_.follow(check_.poses());
+    drive.follow(check_.poses());
     if (!keeps_reserve(*robot_, StateView(next, robot_->state_size()))) return false;
-    return step_holds(state, drive_.control(), next);
+    return step_holds(state, drive.control(), next);
   }
 
   bool step_holds(const float* state, const float* control, const float* next) {
@@ -463,12 +524,13 @@ class Search {
 
   void keep_for_tree() { check_.keep(tree_clearance(), longest_tree_step(*robot_, parameters_.dt)); }
 
-  // The way to `last` has reached the goal. It is driven once more from the start, expansion by expansion, as the
-  // plan's controls alone would drive the robot, and every step is proven again: what holds is the plan. Until then the
-  // tree is used for nothing else. O(expansions of the way).
+  // The way to `last`, and on by the brake if it brakes, has reached the goal. It is driven once more from the start,
+  // expansion by expansion, as the plan's controls alone would drive the robot, and every step is proven again: what
+  // holds is the plan. Until then the tree is used for nothing else. O(expansions of the way).
   void begin_plan(Branch last) {
     reached_ = last;
-    path_ = last.expansion == kNone ? kNone : tree_.turn_path(last);
+    const Branch end = braking() ? Branch{braking_, brake_steps_} : last;
+    path_ = end.expansion == kNone ? kNone : tree_.turn_path(end);
     driven_ = path_;
     steps_left_ = 0;
     meter_ = {};
@@ -521,12 +583,13 @@ class Search {
       return;
     }
     const float depth = path_ == kNone ? 0.0F : kDepthKept * goal_depth_;
-    if (!goal_.contains(*scene_, {end[0], end[1]}, depth)) return refuse_plan();
+    if (!ending_.holds(end, depth)) return refuse_plan();
     finish(Status::solved);
     const PlanMeasures measures = meter_.end(end, robot_->state_size());
     statistics_.plan_steps = measures.steps;
     statistics_.plan_length = measures.length;
     statistics_.plan_duration = found_plan().duration();
+    statistics_.plan_end_speed = speed_of(*robot_, StateView(end, robot_->state_size()));
     statistics_.hash = measures.hash;
   }
 
@@ -534,6 +597,8 @@ class Search {
   void refuse_plan() {
     ++statistics_.plans_refused;
     tree_.turn_path_back(path_);
+    if (braking()) tree_.end_expansion(braking_, brake_steps_);
+    braking_ = kNone;
     tree_.end_expansion(reached_.expansion, reached_.step);
     driven_ = kNone;
     keep_for_tree();
@@ -547,7 +612,7 @@ class Search {
   Failure failure_ = bad_argument(Argument::block);  // until init has one
   Arena arena_;
   MotionCheck<R> check_;
-  Goal goal_ = Goal::named(0);
+  Ending<R> ending_;
   float goal_depth_ = 0.0F;
   Restarts restarts_;
   Expanded expanded_{};       // the last expansion
@@ -557,7 +622,10 @@ class Search {
   Index path_ = kNone;    // the plan's first expansion
   Index driven_ = kNone;  // the expansion of the way to the goal that is driven next; kNone while the tree grows
   std::uint32_t steps_left_ = 0;  // of that expansion
-  Branch reached_;                // the state of the way that reached the goal
+  Branch reached_;                // the state of the way that reached the goal, or where it began to brake
+  Index braking_ = kNone;         // the expansion that brakes for the goal; kNone: none does
+  std::uint32_t brake_steps_ = 0;
+  Drive<R> brake_;
   PlanDrive<R> plan_drive_;
   PlanMeter meter_;
   float turned_ = 0.0F;  // radians, of body 0 in the plan so far, as chords

@@ -17,8 +17,9 @@ struct Statistics {
   std::uint64_t bytes_used = 0;        // of the block: tables, and what vertices and expansions took at most
   std::uint64_t bytes_given = 0;
   std::uint32_t plan_steps = 0;
-  float plan_length = 0.0F;    // metres
-  float plan_duration = 0.0F;  // seconds
+  float plan_length = 0.0F;     // metres
+  float plan_duration = 0.0F;   // seconds
+  float plan_end_speed = 0.0F;  // m/s, of the last state; 0 of a robot whose states have no speed
   std::uint64_t hash = 0;
 };
 

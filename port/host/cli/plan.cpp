@@ -50,13 +50,13 @@ struct Ground {
 
 SearchRequest request_of(const PlanOptions& options) {
   SearchRequest request;
+  if (options.paper) request.parameters = Parameters::paper();
   options.query.read(request);
   request.planner = options.planner;
   request.seed = options.seed;
   request.memory = parse_memory(options.memory);
   request.iterations = options.iterations;
   request.time_limit = options.time_limit;
-  if (options.paper) request.parameters = Parameters::paper();
   Parameters& p = request.parameters;
   if (options.alpha) p.alpha = static_cast<float>(*options.alpha);
   if (options.beta) p.beta = static_cast<float>(*options.beta);
@@ -135,9 +135,9 @@ void print_summary(const PlanFile& plan) {
               static_cast<unsigned long long>(plan.seed), s.at("time_s").get<double>(),
               s.at("iterations").get<unsigned long long>(), s.at("vertices").get<unsigned long long>());
   if (plan.states.empty()) return;
-  std::printf("plan: %zu steps, %.1f s, %.1f m, hash %s, verified\n", plan.controls.size(),
+  std::printf("plan: %zu steps, %.1f s, %.1f m, ends at %.2f m/s, hash %s, verified\n", plan.controls.size(),
               s.at("plan_duration_s").get<double>(), s.at("plan_length_m").get<double>(),
-              s.at("hash").get<std::string>().c_str());
+              s.at("plan_end_speed_m_s").get<double>(), s.at("hash").get<std::string>().c_str());
 }
 
 SearchResult search(const PlanOptions& options, const SearchRequest& request, const SceneBytes& bytes) {

@@ -78,6 +78,7 @@ Asked asked_of(const krait::Scene& scene, const SearchRequest& request, const St
   asked.robot = request.robot;
   asked.start = start;
   asked.dt = static_cast<double>(request.parameters.dt);
+  asked.end_speed = request.end_speed();
   if (goal.is_disc()) {
     asked.disc_center = request.goal->center;
     asked.disc_radius = request.goal->radius;

@@ -47,6 +47,7 @@ nlohmann::ordered_json statistics_json(const Statistics& s, double seconds) {
           {"plan_steps", s.plan_steps},
           {"plan_length_m", static_cast<double>(s.plan_length)},
           {"plan_duration_s", static_cast<double>(s.plan_duration)},
+          {"plan_end_speed_m_s", static_cast<double>(s.plan_end_speed)},
           {"hash", hash}};
 }
 

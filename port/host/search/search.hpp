@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -39,6 +40,13 @@ struct SearchRequest {
   std::uint64_t iterations = 1'000'000;
   std::optional<double> time_limit;  // seconds
   Parameters parameters;
+
+  // m/s: how fast the plan may end; absent: at any speed. Only the adaptive planner is asked to brake.
+  std::optional<double> end_speed() const {
+    const auto speed = static_cast<double>(parameters.end_speed);
+    return planner == "adaptive" && speed < std::numeric_limits<double>::infinity() ? std::optional(speed)
+                                                                                    : std::nullopt;
+  }
 };
 
 // Bytes of a scene file, aligned as Scene::open needs them.

@@ -110,6 +110,12 @@ State Dynamics::at_rest(const Point& position, double heading, const std::vector
   return state;
 }
 
+double Dynamics::speed(const State& state) const {
+  if (model_ == Model::unicycle) return 0;
+  if (model_ == Model::diff_drive) return wheel_radius_ * std::max(std::abs(state[3]), std::abs(state[4]));
+  return std::abs(state[3]);
+}
+
 State Dynamics::derivative(const State& state, const Control& control) const {
   State rate(state.size(), 0.0);
   set_rate(state, control, rate);

@@ -130,7 +130,7 @@ TEST_F(CliPlan, HasTheStatisticsOfTheFormat) {
   const ordered_json& s = plan.at("statistics");
   EXPECT_THAT(keys(s), ElementsAre("time_s", "iterations", "restarts", "vertices", "recycled", "collision_checks",
                                    "dijkstra_runs", "regions_repaired", "plans_refused", "bytes_used", "bytes_given",
-                                   "plan_steps", "plan_length_m", "plan_duration_s", "hash"));
+                                   "plan_steps", "plan_length_m", "plan_duration_s", "plan_end_speed_m_s", "hash"));
   for (const char* whole : {"iterations", "restarts", "vertices", "recycled", "collision_checks", "dijkstra_runs",
                             "regions_repaired", "plans_refused", "bytes_used", "bytes_given", "plan_steps"}) {
     EXPECT_TRUE(s.at(whole).is_number_unsigned()) << whole;
@@ -331,6 +331,25 @@ TEST_F(CliPlan, VerifyTrustsNothingInThePlan) {
   const Outcome outcome = krait({"verify", "room.json", "plan.json", "--robot", "car"});
   EXPECT_EQ(outcome.code, 1);
   EXPECT_THAT(outcome.output, HasSubstr("the plan does not hold"));
+}
+
+TEST_F(CliPlan, EndsAtRestUnlessAskedOtherwise) {
+  const auto end_speed = [this](const std::vector<std::string>& options) {
+    const ordered_json plan = this->plan(options);
+    EXPECT_EQ(plan.at("statistics").at("plan_end_speed_m_s"), plan.at("states").back()[3].get<double>());
+    return plan.at("states").back()[3].get<double>();
+  };
+  EXPECT_LT(end_speed({"--robot", "car"}), 0.005);
+  expect_done({"verify", "room.json", "plan.json", "--robot", "car"});
+  EXPECT_GT(end_speed({"--robot", "car", "--end-speed", "inf"}), 2);
+  expect_done({"verify", "room.json", "plan.json", "--robot", "car", "--end-speed", "inf"});
+  const Outcome fast = krait({"verify", "room.json", "plan.json", "--robot", "car", "--end-speed", "1"});
+  EXPECT_EQ(fast.code, 1);
+  EXPECT_THAT(fast.output, HasSubstr("m/s, asked at most 1 m/s"));
+  EXPECT_EQ(krait({"verify", "room.json", "plan.json", "--robot", "car"}).code, 1) << "at rest is the default";
+  EXPECT_LT(end_speed({"--robot", "car", "--end-speed", "1"}), 1.005);
+  EXPECT_GT(end_speed({"--robot", "car", "--paper"}), 0.1);
+  EXPECT_GT(end_speed({"--robot", "car", "--planner", "prior"}), 0.1);
 }
 
 TEST_F(CliPlan, VerifyOfAnHonestNoSaysSo) {
