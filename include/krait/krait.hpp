@@ -11,3 +11,4 @@
 #include "krait/search/prior.hpp"
 #include "krait/search/rrt.hpp"
 #include "krait/status.hpp"
+#include "krait/version.h"
