@@ -25,7 +25,7 @@ int solved(const krait::Scene& scene, const Snake& robot, std::uint64_t bytes, i
   if (!planner.init(block.data(), bytes, scene, robot, Parameters(), limits).ok()) return 0;
   int count = 0;
   for (int seed = 1; seed <= seeds; ++seed) {
-    planner.start({start.data(), krait::Goal::named(0), static_cast<std::uint64_t>(seed)});
+    (void)planner.start({start.data(), krait::Goal::named(0), static_cast<std::uint64_t>(seed)});
     count += planner.advance(kIterations) == Status::solved ? 1 : 0;
   }
   return count;

@@ -60,7 +60,7 @@ struct Bench {
     return planner.init(block.data(), bytes, open.scene, robot, parameters, limits);
   }
   Status solve(const Query& query) {
-    planner.start(query);
+    (void)planner.start(query);
     return planner.advance(1'000'000'000);
   }
 

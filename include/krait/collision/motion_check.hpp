@@ -32,6 +32,8 @@ class MotionCheck {
     checks_ = 0;
     keep(clearance, kInfinity);
   }
+  void assign(const R&&, const Scene&, float, int, bool) = delete;
+  void assign(const R&, const Scene&&, float, int, bool) = delete;
 
   // From now on bodies keep `clearance` metres on top of what rounding needs, and parts of a step are integrated by
   // Runge-Kutta steps of at most `longest_step` seconds. O(bodies).

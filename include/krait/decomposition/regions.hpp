@@ -19,8 +19,9 @@ struct CostRaise {
 
 class Regions {
  public:
-  // Takes its tables: 9 bytes a triangle (13 from 65,536 on) and 4 a portal.
+  // Takes its tables: 9 bytes a triangle (13 from 65,536 on) and 4 a portal. The scene must outlive this.
   void take(Arena& arena, const Scene& scene);
+  void take(Arena&, const Scene&&) = delete;
 
   // Costs C between centroids, but at least `least_cost` metres; portals narrower than `least_width` are no edges;
   // then Dijkstra. False when no triangle belongs to the goal.

@@ -15,6 +15,7 @@ class Drive {
     dt_ = dt;
     parts_ = parts_of(dt, longest_tree_step(robot, dt), kMostParts);
   }
+  void assign(const R&&, float) = delete;
 
   // Where to start; copied.
   void begin(const float* state) {

@@ -25,6 +25,7 @@ class PlanDrive {
       rests_[here_][i] = 0.0F;
     }
   }
+  void begin(const R&&, float, const float*) = delete;
 
   // Where to go from here, with a fresh controller.
   void aim(const Target& target) { tree_.aim(target); }

@@ -23,7 +23,7 @@ class PlannerSession : public Session {
     Limits limits = P::limits_for(request.memory, scene, robot_);
     limits.iterations = request.iterations;
     refuse(planner_.init(block.data(), request.memory, scene, robot_, request.parameters, limits), request);
-    planner_.start({query_.start.data(), query_.goal, request.seed});
+    (void)planner_.start({query_.start.data(), query_.goal, request.seed});
     refuse(planner_.failure(), request);
   }
   // The planner points to the robot.

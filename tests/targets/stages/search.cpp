@@ -57,7 +57,7 @@ void search(const firmware::Board& board, const Scene& scene, const char* name, 
   robot.forget();
   tree.add(static_cast<std::uint32_t>(planner.init(board.arena, kBlock, scene, robot, Parameters(), limits).status));
   for (std::uint64_t seed = 1; seed <= 2; ++seed) {
-    planner.start({start, Goal::named(0), seed});
+    (void)planner.start({start, Goal::named(0), seed});
     while (planner.advance(1) == Status::searching) add_counts(planner.statistics(), tree);
     plan.add(static_cast<std::uint32_t>(planner.status()));
     add_plan(planner.plan(), plan);
