@@ -11,4 +11,5 @@ worker      a benchmark program that answers trials
 problems    scenes, maps and queries as files
 machine     where the measurements were made
 page        RESULTS.md, tables; pictures: the figures; paper: the paper's own numbers
+prose       its lines, at most 120 columns
 """
