@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Makes the target krait_box2d: the headers and the one file of Box2D 2.4.1 that the core uses, its polygon distance.
 # The variable KRAIT_BOX2D_SOURCE, of CMake or else of the environment, names an unpacked source, for builds without a
 # network or with krait in FetchContent; without it, port/host/setup puts one into build/deps/box2d.

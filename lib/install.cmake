@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # What `cmake --install` puts down: headers, the archive, the page on the scene format, licence and notices, and what
 # find_package and pkg-config read. Box2D's part is inside the archive; Eigen's headers are the user's.
 include(GNUInstallDirs)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # find_package(krait [COMPONENTS cxx c]): the targets krait::krait (cxx), which needs Eigen's headers, and krait::c (c),
 # which needs nothing. Without COMPONENTS: cxx, and c where it is installed.
 include(CMakeFindDependencyMacro)

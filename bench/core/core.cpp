@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // krait-bench-core: what the parts of a search cost, for a snake in a compiled scene over some seeds. Each figure is
 // the time for all seeds together: the search as it is, then its parts done again from a recording of it.
 #include <benchmark/benchmark.h>

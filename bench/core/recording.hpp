@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a search did, step by step, so that each part of a step can be done again and timed alone.
 #pragma once
 

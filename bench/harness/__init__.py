@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Runs the benchmark programs by the paper's protocol and turns their answers into tables, pictures and a page.
 
 cells       what is measured: a cell is problem x robot x planner x settings, a trial one seed or query of it

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The prose of a page in lines of at most 120 columns; headings, tables and pictures stay as they are."""
 
 import itertools

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How many of many seeds a search solves in blocks of different sizes. Counts only: the same on every machine.
 #include <CLI/CLI.hpp>
 #include <cstdio>

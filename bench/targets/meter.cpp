@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What planning costs on a machine, in instructions: a step of Runge-Kutta, a vertex, a call of advance(1). Over all
 // scenes that lie on the board, two seeds each. Prints one line of JSON.
 #include <algorithm>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* krait in C: the adaptive planner and its five robots behind plain structs. Nothing allocates; all memory is the
    caller's. The program needs no special compiler flags and no C++ run-time library: link krait::c (-lkrait_c -lkrait).
    Metres, radians, seconds. What a function gives or refuses is that of the C++ member of the same name. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // krait: kinodynamic, region-guided, adaptive, in-place tree search. Everything that a firmware needs.
 #pragma once
 

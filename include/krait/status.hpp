@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every answer that the core gives, one enum; the names are the ones in JSON.
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* The versions of the library and of the scene files that it reads, for C and C++. CMake reads them from here. */
 #ifndef KRAIT_VERSION_H
 #define KRAIT_VERSION_H

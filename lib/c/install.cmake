@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # The C interface, installed only where it was built: `bash port/host/demo` does not build it.
 install(CODE "if(NOT EXISTS \"$<TARGET_FILE:krait_c>\")
   message(STATUS \"Not installed: the C interface, which is not built (target krait_c)\")

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The application: opens the scene in place, plans, reports. One model of robot a program.
 #pragma once
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The benchmarks' driver itself: known timings in, right statistics out; giving up, censoring, resuming."""
 
 import contextlib

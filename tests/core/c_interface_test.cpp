@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The C interface gives what the C++ one gives: the same plans to the bit, the same refusals, every number in its
 // place.
 #include <gtest/gtest.h>

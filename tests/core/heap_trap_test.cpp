@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The core never calls the heap: malloc and its like abort here while it works.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The motion of a plan, against double precision and against the tree's, and what becomes of ways that do not hold.
 #include "krait/motion/plan_drive.hpp"
 

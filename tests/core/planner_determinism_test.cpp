@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The same query gives the same bits: again, in pieces, in another block, beside another planner.
 #include <set>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The last states before a collision: they are not kept to grow from.
 #include "planner_fixture.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A scene, a robot, a planner and its block together, and the three planners for typed tests.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Planners with parts of them turned off, as the paper has them or for comparison, and robots whose position lies
 // outside their body.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Expansions longer than max_steps: only in the open, and only by the planner that has them.
 #include "planner_fixture.hpp"
 

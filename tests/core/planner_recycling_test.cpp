@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Searches in too little memory: they go on with what they have, and what they call a plan is one.
 #include <algorithm>
 #include <random>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Searches that begin anew: when, from what, and what stays.
 #include <algorithm>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every answer of a planner is reached here, and says what it should.
 #include <cmath>
 #include <functional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Ways are looked at before one is driven: targets in sight, sketches, and giving up.
 #include "planner_fixture.hpp"
 

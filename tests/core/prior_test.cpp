@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The planner of prior work: its group weights and its choice of vertices by their definition. What holds for every
 // planner is tested in planner_*_test.cpp.
 #include "krait/search/prior.hpp"

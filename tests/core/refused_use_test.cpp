@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Wrong programs that do not compile: planners that are copied, and scenes and robots that would be gone when they are
 // used. Results that are thrown away are refused in thrown_away.cpp and thrown_away.c.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // RRT: where connections begin, and that they go on. What holds for every planner is tested in planner_*_test.cpp.
 #include "krait/search/rrt.hpp"
 

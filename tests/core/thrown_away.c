@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* Must not compile: every result that says what went wrong is thrown away. */
 #include "krait/krait.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The versions that version.h states are those of the pages.
 #include "krait/version.h"
 

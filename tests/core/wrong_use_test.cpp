@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Wrong use gives a status, never a wrong plan: blocks, poses, parameters at their ends, robots that break their word.
 #include <cmath>
 #include <functional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A scene as a fuzzer hands it over, made whole: aligned, its length and check sum right.
 // Included once in a harness, which it gives its mutator.
 #pragma once

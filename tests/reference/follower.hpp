@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Follows a search step by step and holds every decision against Algorithms 1 and 2, written here from the paper in
 // double precision: which group is selected (Eqns 5 to 8), how long an expansion is and how it ends, which edges rise
 // (Eqn 9) and when the costs are found anew. Where two ways are equally short within rounding, the search may choose.

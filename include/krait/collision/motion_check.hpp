@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // COLLISION (section 3) for states and for whole time steps.
 //
 // A step is free when it is proven so. In the open, by the clearance grid alone: the circle around body k is at least

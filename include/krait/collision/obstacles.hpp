@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How far a placed body is from the obstacles and the bounds of the workspace.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The workspace decomposition D = (R, E, C) (section 4.1), the heuristic costs h(r) and the shortest-path tree.
 //
 // A region is named by a triangle. All triangles of a named goal form the one region G, named by the first of them;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // CONTROLLER and MOTION (Algorithm 2, lines 5 and 6): from a state toward a target, step by step.
 #pragma once
 

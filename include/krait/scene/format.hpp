@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The bytes of a scene file: header and sections. FORMAT.md beside this file says what they mean;
 // the scene compiler writes these records and Scene::open checks them.
 #pragma once

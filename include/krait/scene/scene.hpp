@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A checked, read-only view of a scene file, used in place (it may lie in flash). scene/FORMAT.md is the bytes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What every planner of the library shares: its memory, the query's checks, the motion tree, the steps of an expansion
 // (Algorithm 2, lines 4 to 15), and the plan at the end.
 #pragma once

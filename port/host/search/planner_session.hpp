@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The template behind Session. Every pair of robot and planner is compiled once, each robot in a file of its own.
 #pragma once
 

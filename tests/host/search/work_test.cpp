@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // No call of advance(1) does more than work_bound says. The calls are counted where they happen: the core is compiled
 // into this test with every function's entry reported (-finstrument-functions).
 #include "host/search/work.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whole searches: every state that was ever placed, in order, then the counts and the plan.
 #include "firmware/application.hpp"
 #include "stages.hpp"
