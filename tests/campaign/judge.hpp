@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Judges a plan by what its controls do: driven from its first state in double precision and swept.
 #pragma once
 

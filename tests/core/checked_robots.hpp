@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A robot that keeps every promise of the concept, and all the ways in which it may break one: one at a time.
 #pragma once
 

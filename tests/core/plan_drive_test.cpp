@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The motion of a plan, against double precision and against the tree's, and what becomes of ways that do not hold.
 #include "krait/motion/plan_drive.hpp"
 
@@ -260,11 +261,11 @@ TEST(PlanDriveCalls, DriveAnExpansionEach) {
   Bench<Unicycle> bench(two_rooms(), small_unicycle());
   bench.parameters.max_steps = 5;
   ASSERT_TRUE(bench.init().ok());
-  bench.planner.start({start});
+  EXPECT_EQ(bench.planner.start({start}), Status::searching);
   std::uint64_t placed = 0, driving = 0;
   while (bench.planner.status() == Status::searching) {
     const Statistics before = bench.planner.statistics();
-    bench.planner.advance(1);
+    (void)bench.planner.advance(1);
     const Statistics after = bench.planner.statistics();
     driving += after.iterations == before.iterations ? 1 : 0;
     placed = std::max(placed, after.collision_checks - before.collision_checks);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plans end at rest, or as slow as asked: the brake is a part of them.
 #include "planner_fixture.hpp"
 

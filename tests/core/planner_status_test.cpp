@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every answer of a planner is reached here, and says what it should.
 #include <cmath>
 #include <functional>
@@ -22,7 +23,7 @@ class PlannerStatus : public ::testing::Test {
   static Failure start(const Room& room, const Query& query) {
     TestBench bench(room, small_unicycle());
     EXPECT_TRUE(bench.init().ok());
-    bench.planner.start(query);
+    (void)bench.planner.start(query);
     EXPECT_EQ(bench.planner.statistics().iterations, 0U);
     EXPECT_TRUE(bench.planner.plan().empty() || bench.planner.status() == Status::solved);
     return bench.planner.failure();

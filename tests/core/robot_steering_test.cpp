@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What controllers ask for, where it can be computed by hand.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scene::open, and every look-up of a scene that it took.
 #include <cstring>
 

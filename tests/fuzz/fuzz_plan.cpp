@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Any scene that opens can be planned in, and the verifier, which reads the file with code of its own, agrees with
 // every plan. The check sum's four bytes, which are repaired, choose robot, planner, seed, and how the search is cut
 // short: by little memory, which is recycled, and by restarts after every few expansions.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Writes the corpora that fuzzing begins with: make_corpus FOLDER gives FOLDER/HARNESS/NAME, each NAME telling what the
 // file is. Sound ones, and one for every way of being wrong that is known.
 #include <filesystem>

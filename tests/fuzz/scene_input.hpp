@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A scene as a fuzzer hands it over, made whole: aligned, its length and check sum right; and how it is changed.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Searches followed by a second planner that is written from the paper alone: every decision is held against it.
 #include "choices.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The motion of a plan: what its controls lead to when they are driven from the start, with an error that hardly grows
 // with the plan's length. The states of the tree carry the rounding and the truncation of every step on to the next;
 // here Runge-Kutta steps are shorter, and a state carries along what rounding took from it. The controls are the
@@ -25,6 +26,7 @@ class PlanDrive {
       rests_[here_][i] = 0.0F;
     }
   }
+  void begin(const R&&, float, const float*) = delete;
 
   // Where to go from here, with a fresh controller.
   void aim(const Target& target) { tree_.aim(target); }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What snake, truck and car share: a car with steered front wheels that pulls N trailers, each hitched to the axle
 // before it. State (x, y, theta0, v, psi, theta1 … thetaN), control (acceleration, steering rate). Body 0's frame is
 // the rear axle, trailer i's its own axle, x forward.

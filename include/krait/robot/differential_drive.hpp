@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Differential drive: state (x, y, theta, left and right wheel speed), control their accelerations.
 #pragma once
 

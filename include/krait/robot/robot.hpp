@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the planner asks of a robot: a class of pure functions over its state and control vectors.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // First-order unicycle: state (x, y, theta), control (speed, turn rate).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a state must be for a plan to end with it: in the goal, and no faster than asked.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The motion tree T = (V, E) (section 4.2), kept small. An expansion is a run of steps toward one target, and is fully
 // told by where it branches off, its target and its number of steps: whoever needs the states drives it again. Only the
 // states that the search may grow from are kept as such.

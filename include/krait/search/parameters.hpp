@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The numbers that steer a search. Defaults first; `paper()` gives the paper's own.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Algorithm 1: the motion tree grows from the group with the largest weight toward the goal along the shortest path of
 // regions; failures raise edge costs, and the shortest paths are found again.
 #pragma once

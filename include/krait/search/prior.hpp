@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The planner of prior work that the paper compares with: [18] E. Plaku, Robot Motion Planning with Dynamics as Hybrid
 // Search, AAAI 2013. Tree, groups and shortest paths are Algorithm 1's, but edge costs never change.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // RRT, the other planner that the paper compares with: [14] S. LaValle, J. Kuffner, Randomized Kinodynamic Planning,
 // IJRR 2001, in the version that connects: from the vertex nearest to a random point the tree grows until the point is
 // reached or a step collides.

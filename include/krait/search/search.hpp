@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What every planner of the library shares: its memory, the query's checks, the motion tree, the steps of an expansion
 // (Algorithm 2, lines 4 to 15), and the plan at the end.
 #pragma once
@@ -41,6 +42,11 @@ struct Query {
 template <class Derived, Robot R, class Guide>
 class Search {
  public:
+  Search() = default;
+  // A copy would write to the same block.
+  Search(const Search&) = delete;
+  Search& operator=(const Search&) = delete;
+
   // Bytes of the block that init needs. The same on every target. O(1).
   static std::uint64_t bytes_required(const Scene& scene, const R& robot, const Limits& limits) {
     Arena counting;
@@ -67,8 +73,8 @@ class Search {
   // Takes the block, aligned to Arena::kAlignment, which like robot and scene must outlive the planner and stay where
   // it is; copies parameters and limits. Gives solved, or why not: bad_arithmetic, bad_argument (a scene that was not
   // opened, too), bad_robot, arena_too_small. May be called again.
-  Failure init(void* block, std::uint64_t bytes, const Scene& scene, const R& robot, const Parameters& parameters,
-               const Limits& limits) {
+  [[nodiscard]] Failure init(void* block, std::uint64_t bytes, const Scene& scene, const R& robot,
+                             const Parameters& parameters, const Limits& limits) {
     ready_ = false;
     if (!check_setup(robot, scene, parameters, limits).ok()) return failure_;
     const std::uint64_t needed = bytes_required(scene, robot, limits);
@@ -83,11 +89,14 @@ class Search {
     failure_ = bad_argument(Argument::start);  // until there is one
     return {};
   }
+  // Temporaries would not outlive the planner.
+  Failure init(void*, std::uint64_t, const Scene&&, const R&, const Parameters&, const Limits&) = delete;
+  Failure init(void*, std::uint64_t, const Scene&, const R&&, const Parameters&, const Limits&) = delete;
 
   // Begins a search, ending any other. Gives searching; or solved, when a plan may end with the start; or no_route,
   // goal_in_obstacle, start_outside, start_in_collision, bad_argument; bad_scene, when the scene is found to be another
   // than at init (Scene::fingerprint); after an init that failed, what that one gave. Work: one Dijkstra.
-  Status start(const Query& query) {
+  [[nodiscard]] Status start(const Query& query) {
     if (!ready_) return status();
     if (scene_->fingerprint() != fingerprint_) return scene_changed();
     derived().reset_guide();
@@ -100,14 +109,14 @@ class Search {
   // call, and it goes on where they lead to nothing. A way that has reached the goal is driven once more before it is
   // given out as a plan: up to max_steps steps of it count as one of `iterations` here, but not in Statistics and
   // Limits. The result does not depend on how a search is cut into calls.
-  Status advance(std::uint64_t iterations) {
+  [[nodiscard]] Status advance(std::uint64_t iterations) {
     return advance(iterations, [](const float*, const float*) {});
   }
 
   // The same, and calls watch(from, to), states, for every step that the tree grows by; before an expansion
   // watch.expands(vertex, target), where there is such a member.
   template <class Watch>
-  Status advance(std::uint64_t iterations, Watch watch) {
+  [[nodiscard]] Status advance(std::uint64_t iterations, Watch watch) {
     for (; iterations > 0 && status() == Status::searching; --iterations) {
       if (driving()) {
         drive_plan();
@@ -130,8 +139,8 @@ class Search {
   const Regions& regions() const { return regions_; }
   const Guide& guide() const { return guide_; }
   // Where the search stands; before the first start, bad_argument.
-  Status status() const { return failure_.status; }
-  const Failure& failure() const { return failure_; }
+  [[nodiscard]] Status status() const { return failure_.status; }
+  [[nodiscard]] const Failure& failure() const { return failure_; }
 
   // Whether a way has reached the goal and is driven once more; the tree does not grow meanwhile.
   bool driving() const { return driven_ != kNone; }

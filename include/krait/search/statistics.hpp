@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a search has done so far, by the names of the plan's JSON.
 #pragma once
 

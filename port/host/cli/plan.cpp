@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // krait plan: compiles the map where it is given one, searches, checks its own result, writes and draws it.
 #include <cstdio>
 #include <memory>

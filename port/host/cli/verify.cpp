@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // krait verify: judges a plan against the map that it was made for, trusting nothing that the plan says.
 #include "host/verify/verify.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The template behind Session. Every pair of robot and planner is compiled once, each robot in a file of its own.
 #pragma once
 
@@ -23,7 +24,7 @@ class PlannerSession : public Session {
     Limits limits = P::limits_for(request.memory, scene, robot_);
     limits.iterations = request.iterations;
     refuse(planner_.init(block.data(), request.memory, scene, robot_, request.parameters, limits), request);
-    planner_.start({query_.start.data(), query_.goal, request.seed});
+    (void)planner_.start({query_.start.data(), query_.goal, request.seed});
     refuse(planner_.failure(), request);
   }
   // The planner points to the robot.

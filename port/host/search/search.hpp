@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs the core on a scene for a robot named by the user: the bridge from the workstation to the library.
 #pragma once
 

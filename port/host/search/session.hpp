@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A search that a request asked for, set up and started: robot and planner behind one interface.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The verifier's own equations of motion, in double precision: lib/DESIGN.md, "Eqn 1 as printed is wrong".
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Judges a plan against the input map, trusting nothing that the plan says of robot, start, goal or map. Double
 // precision throughout, Boost's integrator and Boost's geometry. No code of the planner or of the scene compiler; the
 // readers of maps, robots and plans are those of the other programs of the workstation.

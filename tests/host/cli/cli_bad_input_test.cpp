@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bad input: exit code 2, one clear line, nothing written.
 #include "host/cli/program.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // krait plan and krait verify by their files and exit codes: the plan's JSON field by field, the ends of a search,
 // and that the same arguments give the same bytes.
 #include <cmath>

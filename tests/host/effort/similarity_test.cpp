@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Planning knows no metre: a scene, a robot and its speeds that are a quarter, four times and sixteen times as large
 // cost as many vertices.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sound plans hold, and every way of breaking one is caught.
 #include "host/verify/verify.hpp"
 

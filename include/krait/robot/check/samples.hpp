@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Draws states and controls of a robot from ranges. For hosts.
 #pragma once
 
