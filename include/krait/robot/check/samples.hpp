@@ -25,8 +25,8 @@ struct RobotRanges {
   // The components of the state that are headings, in radians: turning the robot adds to them and changes nothing else
   // but the position. Whether it moves alike in every direction is checked where there are any.
   std::vector<int> headings = {};
-  bool anywhere = true;      // whether it moves alike wherever it stands, which is checked then
-  float leaving = 0.0F;      // 0 … 1: share of steered steps that may leave the limits, as where hitches fold
+  bool anywhere = true;  // whether it moves alike wherever it stands, which is checked then
+  float leaving = 0.0F;  // 0 … 1: share of steered steps that may leave the limits, as where hitches fold
   // A Runge-Kutta step of step_rate / fastest_rate(dt) seconds, and at most dt, is to be accurate to step_error, in
   // metres and radians: as the library makes them while the tree grows (lib/DESIGN.md, "Integration"). 0: not checked.
   float step_rate = kStepRate;
