@@ -137,7 +137,7 @@ TEST(PlannerRest, DoesNotDependOnHowASearchIsCutIntoCalls) {
       bench.parameters.max_steps = 7;
       ASSERT_TRUE(bench.init().ok());
       const std::vector<float> start = standing(bench.robot, {4, 6});
-      bench.planner.start({start.data(), Goal::named(0), seed});
+      ASSERT_EQ(bench.planner.start({start.data(), Goal::named(0), seed}), Status::searching);
       while (bench.planner.advance(whole == 1 ? 1'000'000 : 1) == Status::searching) {
       }
       hashes[whole] = bench.planner.statistics().hash;

@@ -85,6 +85,7 @@ Rules rules_of_prior(const Parameters& p, double length, double inner_radius) {
 Shares shares_of_prior(const Parameters& p) {
   Shares shares = shares_of(p);
   shares.path_regions = p.prior.path_regions;
+  shares.slowest = double{kRivalsSlowest};
   shares.ahead = double{p.prior.path_share};
   shares.goal = double{p.prior.goal_share};
   shares.strays_in_bounds = false;

@@ -337,7 +337,7 @@ TEST_F(CliPlan, VerifyTrustsNothingInThePlan) {
 TEST_F(CliPlan, EndsAtRestUnlessAskedOtherwise) {
   const auto end_speed = [this](const std::vector<std::string>& options) {
     const ordered_json plan = this->plan(options);
-    EXPECT_EQ(plan.at("statistics").at("plan_end_speed_m_s"), plan.at("states").back()[3].get<double>());
+    EXPECT_EQ(plan.at("statistics").at("plan_end_speed_m_s").get<float>(), plan.at("states").back()[3].get<float>());
     return plan.at("states").back()[3].get<double>();
   };
   EXPECT_LT(end_speed({"--robot", "car"}), 0.005);
