@@ -128,12 +128,14 @@ void draw(const SearchRequest& request, const SceneBytes& bytes, const SearchRes
   if (!options.html.empty()) write_file(options.html, draw_html(picture));
 }
 
-void print_summary(const PlanFile& plan) {
+void print_summary(const SearchResult& result) {
+  const PlanFile& plan = result.plan;
   const auto& s = plan.statistics;
   std::printf("%s: %s (%zu bodies) in %s, seed %llu: %.4f s, %llu iterations, %llu vertices\n", plan.status.c_str(),
               plan.robot.model.c_str(), plan.robot.bodies.size(), plan.scene.c_str(),
               static_cast<unsigned long long>(plan.seed), s.at("time_s").get<double>(),
               s.at("iterations").get<unsigned long long>(), s.at("vertices").get<unsigned long long>());
+  for (const std::string& reason : result.why) std::printf("  %s\n", reason.c_str());
   if (plan.states.empty()) return;
   std::printf("plan: %zu steps, %.1f s, %.1f m, hash %s, verified\n", plan.controls.size(),
               s.at("plan_duration_s").get<double>(), s.at("plan_length_m").get<double>(),
@@ -194,7 +196,7 @@ void plan(const PlanOptions& options) {
   if (!options.json.empty()) write_file(options.json, to_json(result.plan).dump() + "\n");
   if (!options.csv.empty()) write_file(options.csv, csv_of(result.plan));
   draw(request, ground.scene, result, options);
-  print_summary(result.plan);
+  print_summary(result);
   throw Exit{code};
 }
 

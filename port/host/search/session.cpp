@@ -4,6 +4,7 @@
 
 #include "host/search/planner_session.hpp"
 #include "host/search/sessions.hpp"
+#include "host/search/why.hpp"
 
 namespace krait::host {
 namespace {
@@ -24,8 +25,6 @@ std::string explanation(const Failure& failure, const SearchRequest& request) {
              " bytes";
     case Status::start_outside:
       return "the start lies outside the workspace's bounds";
-    case Status::start_in_collision:
-      return "the robot overlaps an obstacle, the bounds or itself at the start";
     case Status::goal_in_obstacle:
       return "no free part of the goal is left: it lies in obstacles or outside";
     case Status::bad_robot:
@@ -41,7 +40,8 @@ std::string explanation(const Failure& failure, const SearchRequest& request) {
   }
 }
 
-bool honest_answer(Status status) {
+// Whether a search that ends so has an answer, or its refusal another form.
+bool passes(Status status) {
   switch (status) {
     case Status::searching:
     case Status::solved:
@@ -50,6 +50,7 @@ bool honest_answer(Status status) {
     case Status::tree_full:
     case Status::time_used:
     case Status::internal:
+    case Status::start_in_collision:  // which is refused with the contact
       return true;
     default:
       return false;
@@ -59,8 +60,12 @@ bool honest_answer(Status status) {
 }  // namespace
 
 void refuse(const Failure& failure, const SearchRequest& request) {
-  if (honest_answer(failure.status)) return;
+  if (passes(failure.status)) return;
   throw InputError(std::string(name(failure.status)) + ": " + explanation(failure, request));
+}
+
+void refuse(const Contact& at_start, const krait::Scene& scene, const SearchRequest& request) {
+  throw InputError(std::string(name(Status::start_in_collision)) + ": " + why_not_there(at_start, scene, request));
 }
 
 std::unique_ptr<Session> start_session(const krait::Scene& scene, const SearchRequest& request, Block& block) {
