@@ -32,7 +32,8 @@ std::string explanation(const Failure& failure, const SearchRequest& request) {
     case Status::bad_argument:
       if (argument == name(Argument::goal)) return "the goal's centre lies outside the workspace's bounds";
       if (failure.most > 0) return "dt: at most " + shortest(failure.most) + " s for a robot so fast and so short";
-      return argument + " is not finite or out of its range (krait plan --help has the ranges)";
+      return argument +
+             " is not finite or out of its range (numbers in metres, seconds and radians; krait plan --help)";
     case Status::bad_arithmetic:
       return "the program was built with contracted or relaxed floating point";
     default:

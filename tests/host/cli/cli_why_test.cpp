@@ -102,5 +102,20 @@ TEST_F(CliWhy, HopelessQueriesNameWhatIsInTheWayAndWhatToTry) {
   }
 }
 
+TEST_F(CliWhy, AHeadingInDegreesIsAskedAbout) {
+  expect_refused({"plan", "room.krait", "--robot", "car", "--start", "3,5,90"},
+                 "were degrees meant? 90 degrees are 1.5708");
+  expect_refused({"compile", "room.json", "-o", "x.krait", "--start", "3,5,-45"}, "-45 degrees are -0.7854");
+  expect_done({"plan", "room.krait", "--robot", "car", "--start", "3,5,6.28"});
+}
+
+TEST_F(CliWhy, AMapWithoutFreeSpaceIsRefused) {
+  ordered_json scene = walled({});
+  scene["obstacles"].push_back(box(-1, -1, 21, 11));
+  write("full.json", scene.dump());
+  expect_refused({"compile", "full.json", "-o", "full.krait"}, "no free space is left");
+  expect_refused({"plan", "full.json", "--robot", "car"}, "no free space is left");
+}
+
 }  // namespace
 }  // namespace krait::host
