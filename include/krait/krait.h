@@ -239,6 +239,40 @@ void krait_stop_for_time(krait_planner* planner);
 /* The last answer, with its details. */
 KRAIT_NODISCARD krait_failure krait_last_failure(const krait_planner* planner);
 
+/* What a start lies against: krait/collision/contact.hpp says what each is. */
+enum { KRAIT_NO_CONTACT, KRAIT_WITH_OBSTACLE, KRAIT_WITH_BOUNDS, KRAIT_WITH_BODY, KRAIT_WITH_GROUND };
+
+typedef struct krait_contact {
+  uint8_t with;
+  uint32_t body;  /* of the robot */
+  uint32_t other; /* the obstacle's piece, or the robot's other body; KRAIT_NONE */
+  float distance; /* metres; 0 where they overlap */
+  float needed;   /* metres that they must keep */
+  float x, y;     /* where, local coordinates */
+} krait_contact;
+
+/* After KRAIT_START_IN_COLLISION; KRAIT_NO_CONTACT elsewhere. */
+krait_contact krait_start_contact(krait_planner* planner);
+
+/* The widest way to the goal at its narrowest place; krait/decomposition/bottleneck.hpp. Metres, local coordinates. */
+typedef struct krait_bottleneck {
+  float width; /* 0 where no way leads to the goal at all */
+  float needed;
+  float x, y;
+  bool at_goal; /* the place is the roomiest of the goal itself */
+} krait_bottleneck;
+
+/* Of a search that ended without a plan; all zero elsewhere. After KRAIT_NO_ROUTE it is too narrow. Takes as long as
+   krait_start. */
+krait_bottleneck krait_bottleneck_of(krait_planner* planner);
+
+/* Where a search that has started has made most of its expansions, as a rule in vain. */
+typedef struct krait_effort {
+  float x, y;     /* local coordinates */
+  uint32_t tries; /* 0: none */
+} krait_effort;
+krait_effort krait_effort_of(const krait_planner* planner);
+
 typedef struct krait_statistics {
   uint64_t iterations, restarts, vertices, recycled, collision_checks, dijkstra_runs, regions_repaired, plans_refused;
   uint64_t bytes_used, bytes_given; /* of the block behind the planner itself: `krait plan --memory bytes_given` on the

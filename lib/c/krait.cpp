@@ -20,6 +20,8 @@ static_assert(KRAIT_SOLVED == static_cast<int>(Status::solved));
 static_assert(KRAIT_BAD_SCENE == static_cast<int>(Status::bad_scene));
 static_assert(KRAIT_INTERNAL == static_cast<int>(Status::internal));
 
+static_assert(KRAIT_WITH_GROUND == static_cast<int>(krait::Hindrance::ground));
+
 // The fields of krait_parameters are the first of krait::Parameters; those of the other planners follow.
 static_assert(sizeof(krait_parameters) == offsetof(krait::Parameters, prior));
 
@@ -125,6 +127,18 @@ krait_status krait_advance(krait_planner* planner, uint64_t iterations) {
 void krait_stop_for_time(krait_planner* planner) { planner->model->stop_for_time(planner); }
 
 krait_failure krait_last_failure(const krait_planner* planner) { return failure_of(planner->model->failure(planner)); }
+
+krait_contact krait_start_contact(krait_planner* planner) {
+  return convert<krait_contact>(planner->model->contact(planner));
+}
+
+krait_bottleneck krait_bottleneck_of(krait_planner* planner) {
+  return convert<krait_bottleneck>(planner->model->bottleneck(planner));
+}
+
+krait_effort krait_effort_of(const krait_planner* planner) {
+  return convert<krait_effort>(planner->model->effort(planner));
+}
 
 krait_statistics krait_statistics_of(const krait_planner* planner) {
   return convert<krait_statistics>(planner->model->statistics(planner));

@@ -24,6 +24,9 @@ struct krait_model {
   krait::Status (*advance)(krait_planner* planner, std::uint64_t iterations);
   void (*stop_for_time)(krait_planner* planner);
   krait::Failure (*failure)(const krait_planner* planner);
+  krait::Contact (*contact)(krait_planner* planner);
+  krait::Bottleneck (*bottleneck)(krait_planner* planner);
+  krait::Effort (*effort)(const krait_planner* planner);
   krait::Statistics (*statistics)(const krait_planner* planner);
   bool (*next)(krait_planner* planner, float* state, float* control);
   void (*rewind)(krait_planner* planner);
@@ -131,6 +134,9 @@ struct Model {
   static Status advance(krait_planner* front, std::uint64_t iterations) { return planner(front).advance(iterations); }
   static void stop_for_time(krait_planner* front) { planner(front).stop_for_time(); }
   static Failure failure(const krait_planner* front) { return planner(front).failure(); }
+  static Contact contact(krait_planner* front) { return planner(front).contact(); }
+  static Bottleneck bottleneck(krait_planner* front) { return planner(front).bottleneck(); }
+  static Effort effort(const krait_planner* front) { return planner(front).effort(); }
   static Statistics statistics(const krait_planner* front) { return planner(front).statistics(); }
 
   static bool next(krait_planner* front, float* state, float* control) {
@@ -160,6 +166,9 @@ inline constexpr krait_model kModel = {sizeof(typename Model<R>::Session),
                                        Model<R>::advance,
                                        Model<R>::stop_for_time,
                                        Model<R>::failure,
+                                       Model<R>::contact,
+                                       Model<R>::bottleneck,
+                                       Model<R>::effort,
                                        Model<R>::statistics,
                                        Model<R>::next,
                                        Model<R>::rewind};

@@ -21,8 +21,9 @@ const b2Vec2 b2Vec2_zero(0.0F, 0.0F);  // the one definition that the distance n
 }  // namespace krait::box2d
 
 namespace krait {
+namespace {
 
-float polygon_distance(Polygon a, Polygon b) {
+box2d::b2DistanceOutput measure(Polygon a, Polygon b) {
   static_assert(sizeof(Vec2) == sizeof(box2d::b2Vec2) && alignof(Vec2) == alignof(box2d::b2Vec2));
   box2d::b2DistanceInput input;
   input.proxyA.Set(reinterpret_cast<const box2d::b2Vec2*>(a.vertices), a.count, 0.0F);
@@ -35,7 +36,19 @@ float polygon_distance(Polygon a, Polygon b) {
   box2d::b2DistanceOutput output;
   box2d::b2Distance(&output, &cache, &input);
   constexpr int kMaxRounds = 20;
-  return output.iterations < kMaxRounds ? output.distance : 0.0F;
+  if (output.iterations >= kMaxRounds) output.distance = 0.0F;
+  return output;
+}
+
+}  // namespace
+
+float polygon_distance(Polygon a, Polygon b) { return measure(a, b).distance; }
+
+Gap polygon_gap(Polygon a, Polygon b) {
+  const box2d::b2DistanceOutput output = measure(a, b);
+  const Vec2 on_a{output.pointA.x, output.pointA.y};
+  const Vec2 on_b{output.pointB.x, output.pointB.y};
+  return {output.distance, 0.5F * (on_a + on_b)};
 }
 
 }  // namespace krait

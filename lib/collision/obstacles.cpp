@@ -4,6 +4,8 @@
 namespace krait {
 namespace {
 
+constexpr float kReach = 1e-3F;  // metres: how far beyond the margin pieces are looked for
+
 float least(float a, float b) { return b < a ? b : a; }
 float most(float a, float b) { return b > a ? b : a; }
 
@@ -41,6 +43,21 @@ bool far_apart(Polygon body, Polygon piece, float distance) {
   return false;
 }
 
+// A piece with its vertices relative to a point near it.
+struct ShiftedPiece {
+  ShiftedPiece(Polygon piece, Vec2 at) : count(piece.count) {
+    for (int i = 0; i < count; ++i) {
+      vertices[i] = piece[i] - at;
+      extent = most(extent, most(absolute(vertices[i].x), absolute(vertices[i].y)));
+    }
+  }
+  Polygon polygon() const { return {vertices, count}; }
+
+  Vec2 vertices[format::kMaxPieceVertices];
+  int count;
+  float extent = 0.0F;  // the largest coordinate
+};
+
 // Whether `cell` is the first of the query's cells that the box meets: lets each piece be tested once.
 bool first_meeting(const CellGrid& grid, const Box& box, Cell first, Cell cell) {
   const Cell corner = grid.cell(box.min);
@@ -66,17 +83,11 @@ float Obstacles::room_to_bounds(const Box& box) const {
 }
 
 float Obstacles::room_to_piece(const PlacedBody& body, Index piece, float reach) const {
-  const Polygon source = scene_->piece(piece);
-  Vec2 relative[format::kMaxPieceVertices];
-  float extent = 0.0F;
-  for (int i = 0; i < source.count; ++i) {
-    relative[i] = source[i] - body.at;
-    extent = most(extent, most(absolute(relative[i].x), absolute(relative[i].y)));
-  }
-  const Polygon shifted{relative, source.count};
-  const float taken = margin_ + kRelativeRounding * extent;
-  if (shortcuts_ && far_apart(body.polygon(), shifted, reach + taken + kRelativeRounding * extent)) return reach;
-  return polygon_distance(body.polygon(), shifted) - taken;
+  const ShiftedPiece shifted(scene_->piece(piece), body.at);
+  const float rounding = kRelativeRounding * shifted.extent;
+  const float taken = margin_ + rounding;
+  if (shortcuts_ && far_apart(body.polygon(), shifted.polygon(), reach + taken + rounding)) return reach;
+  return polygon_distance(body.polygon(), shifted.polygon()) - taken;
 }
 
 // Calls visit(piece) for every piece whose box comes within `around` of the box, until it says false.
@@ -118,6 +129,53 @@ float Obstacles::room(const PlacedBody& body, float reach) const {
     return room > 0.0F;
   });
   return room;
+}
+
+// With the vertex that lies furthest out.
+Contact Obstacles::contact_with_bounds(const PlacedBody& body) const {
+  const Box bounds = scene_->bounds();
+  Contact contact{Hindrance::bounds, 0, kNone, kInfinity, margin_, {}};
+  for (int i = 0; i < body.count; ++i) {
+    const Vec2 at = body.at + body.vertices[i];
+    const float room =
+        least(least(at.x - bounds.min.x, bounds.max.x - at.x), least(at.y - bounds.min.y, bounds.max.y - at.y));
+    if (room >= contact.distance) continue;
+    contact.distance = room;
+    contact.at = at;
+  }
+  if (!(contact.distance <= margin_)) return {};
+  contact.distance = most(contact.distance, 0.0F);
+  return contact;
+}
+
+Contact Obstacles::contact(const PlacedBody& body) const {
+  Box box = bounding_box(body.polygon());
+  box = {body.at + box.min, body.at + box.max};
+  Contact worst = contact_with_bounds(body);
+  if (!(finite(box.min) && finite(box.max))) return worst;
+  pieces_around(box, kReach + margin_, [&](Index piece) {
+    const ShiftedPiece shifted(scene_->piece(piece), body.at);
+    const float needed = margin_ + kRelativeRounding * shifted.extent;
+    const Gap gap = polygon_gap(body.polygon(), shifted.polygon());
+    const float lacking = needed - gap.distance;
+    if (!(lacking < 0.0F) && (worst.with == Hindrance::none || lacking > worst.needed - worst.distance)) {
+      worst = {Hindrance::obstacle, 0, piece, gap.distance, needed, body.at + gap.middle};
+    }
+    return true;
+  });
+  return worst;
+}
+
+float Obstacles::distance(Vec2 point, float reach) const {
+  const Vec2 origin[1] = {};
+  float nearest = least(room_to_bounds({point, point}) + margin_, reach);
+  if (!(nearest > 0.0F)) return 0.0F;
+  pieces_around({point, point}, reach, [&](Index piece) {
+    const ShiftedPiece shifted(scene_->piece(piece), point);
+    nearest = least(nearest, polygon_distance({origin, 1}, shifted.polygon()));
+    return nearest > 0.0F;
+  });
+  return nearest;
 }
 
 }  // namespace krait

@@ -68,9 +68,20 @@ bool Goal::may_reach(const Scene& scene, Index triangle, float reach) const {
   if (is_disc()) return triangle_meets_disc(scene, triangle, center_, radius_ + reach);
   const Vec2 corners[3] = {scene.corner(triangle, 0), scene.corner(triangle, 1), scene.corner(triangle, 2)};
   const Box a = bounding_box({corners, 3});
-  const Box b = bounding_box(scene.goal_polygon(index_));
+  const Box b = box(scene);
   return a.min.x - reach <= b.max.x && b.min.x - reach <= a.max.x && a.min.y - reach <= b.max.y &&
          b.min.y - reach <= a.max.y;
+}
+
+bool Goal::near(const Scene& scene, Vec2 p, float reach) const {
+  if (is_disc()) return length(p - center_) <= radius_ + reach;
+  const Polygon polygon = scene.goal_polygon(index_);
+  return inside(polygon, p) || distance_to_border(polygon, p) <= reach;
+}
+
+Box Goal::box(const Scene& scene) const {
+  if (is_disc()) return {center_ - Vec2{radius_, radius_}, center_ + Vec2{radius_, radius_}};
+  return bounding_box(scene.goal_polygon(index_));
 }
 
 float Goal::size(const Scene& scene) const {

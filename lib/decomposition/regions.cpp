@@ -84,6 +84,75 @@ bool Regions::connected(Index from, const Goal& goal, float reach, float least_w
   return false;
 }
 
+Bottleneck Regions::widest_way(Index from, float reach) {
+  settle_widest(reach);
+  const Bottleneck narrowest = narrowest_on_way(from);
+  update();
+  return narrowest;
+}
+
+// Dijkstra with the width of a way in place of its length: h is minus the width of the widest way to the goal, and
+// next_ the edge that it crosses first.
+void Regions::settle_widest(float reach) {
+  heap_.reset();
+  for (Index t = 0; t < scene_->triangle_count(); ++t) {
+    const bool source = reach > 0.0F ? goal_.may_reach(*scene_, t, reach) : goal_.covers(*scene_, t);
+    h_[t] = source ? -kInfinity : 0.0F;
+    next_[t] = kNoEdge;
+    if (source) heap_.push(t);
+  }
+  while (!heap_.empty()) {
+    const Index triangle = heap_.pop();
+    for (int edge = 0; edge < 3; ++edge) {
+      const Index n = scene_->neighbor(triangle, edge);
+      if (n == kNone) continue;
+      const float portal = -scene_->portal_width(scene_->portal(triangle, edge));
+      const float through = h_[triangle] > portal ? h_[triangle] : portal;
+      if (!(through < h_[n])) continue;
+      h_[n] = through;
+      next_[n] = edge_to(n, triangle);
+      heap_.push(n);
+    }
+  }
+}
+
+// The edge that the triangle shares with its neighbour.
+std::uint8_t Regions::edge_to(Index triangle, Index neighbor) const {
+  std::uint8_t edge = 0;
+  while (edge < 2 && scene_->neighbor(triangle, edge) != neighbor) ++edge;
+  return edge;
+}
+
+// The first portal on the widest way that is as narrow as the way.
+Bottleneck Regions::narrowest_on_way(Index from) const {
+  Bottleneck narrowest;
+  if (h_[from] == 0.0F) return narrowest;
+  narrowest.width = -h_[from];
+  Index triangle = from;
+  for (std::uint8_t edge = next_[triangle]; edge != kNoEdge; edge = next_[triangle]) {
+    if (scene_->portal_width(scene_->portal(triangle, edge)) == narrowest.width) {
+      narrowest.at = roomiest_point(triangle, edge);
+      break;
+    }
+    triangle = scene_->neighbor(triangle, edge);
+  }
+  return narrowest;
+}
+
+// Of some points of the edge the one that has the most clearance by the grid, the middle where none has more.
+Vec2 Regions::roomiest_point(Index triangle, int edge) const {
+  constexpr int kPoints = 8;  // on each side of the middle
+  const Vec2 a = scene_->corner(triangle, edge);
+  const Vec2 half = 0.5F * (scene_->corner(triangle, (edge + 1) % 3) - a);
+  const Vec2 middle = a + half;
+  Vec2 best = middle;
+  for (int i = 1 - kPoints; i < kPoints; ++i) {
+    const Vec2 point = middle + (static_cast<float>(i) / kPoints) * half;
+    if (scene_->clearance().at(point) > scene_->clearance().at(best)) best = point;
+  }
+  return best;
+}
+
 Vec2 Regions::region_center(Index region) const {
   return region == goal_region_ ? goal_center_ : scene_->centroid(region);
 }

@@ -325,6 +325,34 @@ TEST(CInterface, DiscsAndQueriesAreTheCpps) {
   EXPECT_FALSE(krait_next(given.planner, state, control));
 }
 
+TEST(CInterface, SaysWhyThereIsNoPlan) {
+  Given given;
+  ASSERT_EQ(given.init(given.needed).status, KRAIT_SOLVED);
+  const float start[] = {2, 6, 0};
+  const float at_wall[] = {5.9F, 1, 0};
+  const krait_query cramped = {start, krait_disc_goal(0.1F, 0.1F, 0.05F), 1};
+  EXPECT_EQ(krait_start(given.planner, &cramped), KRAIT_NO_ROUTE);
+  const krait_bottleneck bottleneck = krait_bottleneck_of(given.planner);
+  EXPECT_TRUE(bottleneck.at_goal);
+  EXPECT_GT(bottleneck.needed, bottleneck.width);
+  EXPECT_GT(bottleneck.width, 0.0F);
+  EXPECT_NEAR(static_cast<double>(bottleneck.x), 0.13, 0.03);
+  EXPECT_EQ(krait_start_contact(given.planner).with, KRAIT_NO_CONTACT);
+  const krait_query blocked = {at_wall, krait_named_goal(0), 1};
+  EXPECT_EQ(krait_start(given.planner, &blocked), KRAIT_START_IN_COLLISION);
+  const krait_contact contact = krait_start_contact(given.planner);
+  EXPECT_EQ(contact.with, KRAIT_WITH_OBSTACLE);
+  EXPECT_EQ(contact.other, 0U);
+  EXPECT_GT(contact.needed, contact.distance);
+  EXPECT_NEAR(static_cast<double>(contact.x), 6.1, 0.1);
+  EXPECT_EQ(krait_bottleneck_of(given.planner).needed, 0.0F);
+  const krait_query query = {start, krait_named_goal(0), 1};
+  EXPECT_EQ(krait_start(given.planner, &query), KRAIT_SEARCHING);
+  EXPECT_EQ(krait_effort_of(given.planner).tries, 0U);
+  krait_advance(given.planner, 3);
+  EXPECT_GT(krait_effort_of(given.planner).tries, 0U);
+}
+
 TEST(CInterface, NamesAreTheCpps) {
   for (std::uint32_t i = 0; i <= KRAIT_INTERNAL; ++i) {
     EXPECT_STREQ(krait_status_name(static_cast<krait_status>(i)), name(static_cast<Status>(i)));
@@ -408,6 +436,18 @@ TEST(CInterface, EveryAnswerIsInItsPlace) {
   EXPECT_SAME_PLACE(krait_failure, Failure, section);
   EXPECT_SAME_PLACE(krait_failure, Failure, element);
   EXPECT_SAME_PLACE(krait_failure, Failure, bytes_needed);
+  EXPECT_SAME_PLACE(krait_contact, Contact, with);
+  EXPECT_SAME_PLACE(krait_contact, Contact, body);
+  EXPECT_SAME_PLACE(krait_contact, Contact, other);
+  EXPECT_SAME_PLACE(krait_contact, Contact, distance);
+  EXPECT_SAME_PLACE(krait_contact, Contact, needed);
+  EXPECT_EQ(offsetof(krait_contact, x), offsetof(Contact, at));
+  EXPECT_SAME_PLACE(krait_bottleneck, Bottleneck, width);
+  EXPECT_SAME_PLACE(krait_bottleneck, Bottleneck, needed);
+  EXPECT_EQ(offsetof(krait_bottleneck, x), offsetof(Bottleneck, at));
+  EXPECT_SAME_PLACE(krait_bottleneck, Bottleneck, at_goal);
+  EXPECT_EQ(offsetof(krait_effort, x), offsetof(Effort, at));
+  EXPECT_SAME_PLACE(krait_effort, Effort, tries);
   EXPECT_SAME_PLACE(krait_statistics, Statistics, iterations);
   EXPECT_SAME_PLACE(krait_statistics, Statistics, vertices);
   EXPECT_SAME_PLACE(krait_statistics, Statistics, recycled);

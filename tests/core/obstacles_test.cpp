@@ -140,6 +140,53 @@ TEST(Obstacles, RoomByTheGridIsNeverMoreThanThereIs) {
   EXPECT_GT(positive, 100);
 }
 
+TEST(Obstacles, ContactIsWithWhatLacksMostOfTheMargin) {
+  const OpenScene open(crowded(4));
+  const Obstacles obstacles(open.scene, 0.3F);
+  const auto margin = static_cast<double>(obstacles.margin());
+  std::mt19937 random(4);
+  int near = 0, hit = 0, free = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Vec2 at{uniform_float(random, 0, 12), uniform_float(random, 0, 12)};
+    const PlacedBody body = body_at(at, random_convex(random, {0, 0}, 0.4));
+    const double expected = std::max(true_room(open.scene, body), 0.0);
+    const Contact contact = obstacles.contact(body);
+    if (contact.with == Hindrance::none) {
+      ASSERT_GT(expected, margin - 1e-4);
+      ++free;
+      continue;
+    }
+    ASSERT_NEAR(static_cast<double>(contact.distance), expected, 1e-4);
+    ASSERT_NEAR(static_cast<double>(contact.needed), margin, 1e-4);
+    if (contact.with == Hindrance::obstacle) {
+      const Ring piece = ring(open.scene.piece(contact.other));
+      ASSERT_NEAR(distance(placed(body), piece), expected, 1e-4);
+      ASSERT_NEAR(distance_to_convex(point(contact.at), piece), expected / 2, 1e-3);
+      ASSERT_NEAR(distance_to_convex(point(contact.at), placed(body)), expected / 2, 1e-3);
+    }
+    (contact.distance > 0.0F ? near : hit) += 1;
+  }
+  EXPECT_GT(near, 100);
+  EXPECT_GT(hit, 100);
+  EXPECT_GT(free, 100);
+}
+
+TEST(Obstacles, DistanceOfAPoint) {
+  const OpenScene open(crowded(5));
+  const Obstacles obstacles(open.scene, 0.3F);  // which a distance leaves out
+  std::mt19937 random(5);
+  for (int i = 0; i < 3000; ++i) {
+    const Vec2 at{uniform_float(random, -1, 13), uniform_float(random, -1, 13)};
+    const float reach = uniform_float(random, 0.01, 2);
+    double expected = room_inside({point(at)}, kBounds);
+    for (Index p = 0; p < open.scene.piece_count(); ++p) {
+      expected = std::min(expected, distance_to_convex(point(at), ring(open.scene.piece(p))));
+    }
+    expected = std::clamp(expected, 0.0, static_cast<double>(reach));
+    ASSERT_NEAR(static_cast<double>(obstacles.distance(at, reach)), expected, 1e-4);
+  }
+}
+
 TEST(Obstacles, BodyWithAVertexAtInfinityHasNoRoom) {
   const OpenScene open{Room{}};
   const Obstacles obstacles(open.scene, 0.0F);

@@ -132,6 +132,50 @@ class Graph {
   std::vector<Edge> edges_;
 };
 
+// The widest way by its definition: the largest width at which a flood from `from` through portals of at least that
+// width meets the goal; 0 where none does.
+double widest_way(const Scene& scene, const Goal& goal, Index from) {
+  const auto connected = [&](float width) {
+    std::vector<Index> found = {from};
+    std::set<Index> seen = {from};
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      if (goal.covers(scene, found[i])) return true;
+      for (int edge = 0; edge < 3; ++edge) {
+        const Index n = scene.neighbor(found[i], edge);
+        if (n == kNone || scene.portal_width(scene.portal(found[i], edge)) < width || !seen.insert(n).second) continue;
+        found.push_back(n);
+      }
+    }
+    return false;
+  };
+  float widest = 0;
+  for (Index p = 0; p < scene.portal_count(); ++p) {
+    const float width = scene.portal_width(p);
+    if (width > widest && connected(width)) widest = width;
+  }
+  return static_cast<double>(widest);
+}
+
+TEST(Regions, TheWidestWayIsThatOfAFloodAtEveryWidth) {
+  int ways = 0;
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    const OpenScene open(random_room(seed, 8, 8));
+    Decomposition d(open.scene);
+    for (const Goal& goal : {Goal::named(0), Goal::disc({4, 4}, 0.3F)}) {
+      if (!d.regions.reset(goal, 0.6F, 0.01F)) continue;
+      for (Index from = 0; from < open.scene.triangle_count(); from += 17) {
+        if (goal.covers(open.scene, from)) continue;
+        const float before = d.regions.cost(d.regions.region(from));
+        const Bottleneck bottleneck = d.regions.widest_way(from, 0.0F);
+        EXPECT_EQ(static_cast<double>(bottleneck.width), widest_way(open.scene, goal, from)) << seed << " " << from;
+        EXPECT_EQ(d.regions.cost(d.regions.region(from)), before);
+        ways += bottleneck.width > 0.0F ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(ways, 50);
+}
+
 void expect_costs(const Regions& regions, const Graph& graph) {
   const Scene& scene = regions.scene();
   const auto expected = graph.distances();

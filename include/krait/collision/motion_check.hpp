@@ -62,6 +62,26 @@ class MotionCheck {
     return R::kMaxBodies == 1 || bodies_ <= gap_ || still_apart();
   }
 
+  // What lacks most of the margin where the robot stands in `state`, the first among equals; none where it keeps the
+  // margin everywhere. The next step must begin anew.
+  Contact contact(const float* state) {
+    Placement& placement = right();
+    robot_->place(StateView(state, robot_->state_size()), placement.poses);
+    Contact worst;
+    const auto consider = [&worst](Contact contact, int body) {
+      if (contact.with == Hindrance::none) return;
+      contact.body = static_cast<Index>(body);
+      const bool worse = contact.needed - contact.distance > worst.needed - worst.distance;
+      if (worst.with == Hindrance::none || worse) worst = contact;
+    };
+    for (int k = 0; k < bodies_; ++k)
+      consider(obstacles_.contact(placed(placement, k, placement.poses[k].position)), k);
+    for (int i = 0; i + gap_ < bodies_; ++i) {
+      for (int j = i + gap_; j < bodies_; ++j) consider(contact_of_pair(placement, i, j), i);
+    }
+    return worst;
+  }
+
   // False where body 0 does not keep the margin at the end of the step to be asked next, of which `next` has only the
   // leading components: the step is not free then, and the rest need not be found. True promises nothing.
   bool lead_free(const float* state, const float* next) {
@@ -387,6 +407,13 @@ class MotionCheck {
       }
     }
     return true;
+  }
+
+  Contact contact_of_pair(const Placement& placement, int i, int j) const {
+    const Vec2 at = placement.poses[i].position;
+    const Gap gap = polygon_gap(placed(placement, i, at).polygon(), placed(placement, j, at).polygon());
+    if (!(gap.distance <= obstacles_.margin())) return {};
+    return {Hindrance::body, 0, static_cast<Index>(j), gap.distance, obstacles_.margin(), at + gap.middle};
   }
 
   bool pair_free(int i, int j) const {

@@ -2,6 +2,7 @@
 // How far a placed body is from the obstacles and the bounds of the workspace.
 #pragma once
 
+#include "krait/collision/contact.hpp"
 #include "krait/collision/distance.hpp"
 #include "krait/scene/scene.hpp"
 
@@ -33,6 +34,13 @@ class Obstacles {
   // the body's box, grown by `reach` and the margin, meets, one GJK each.
   float room(const PlacedBody& body, float reach) const;
 
+  // Of the obstacles and the bounds the one that the body lacks most distance to, the first among equals; with none
+  // where it keeps the margin to all. `body` and the numbers of bodies are the caller's. O(pieces near the body).
+  Contact contact(const PlacedBody& body) const;
+
+  // Metres from a point to the nearest obstacle or bound, or `reach` where that is less; 0 in an obstacle or outside.
+  float distance(Vec2 point, float reach) const;
+
   float margin() const { return margin_; }
 
  private:
@@ -41,6 +49,7 @@ class Obstacles {
   static constexpr float kRelativeRounding = 1e-6F;  // of a piece's largest coordinate seen from the body
 
   float room_to_bounds(const Box& box) const;
+  Contact contact_with_bounds(const PlacedBody& body) const;
   // As room, to one piece.
   float room_to_piece(const PlacedBody& body, Index piece, float reach) const;
   template <class Visit>

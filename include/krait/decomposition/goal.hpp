@@ -31,6 +31,12 @@ class Goal {
   // polygon).
   bool may_reach(const Scene& scene, Index triangle, float reach) const;
 
+  // Whether p lies in the goal or at most `reach` metres away from it. O(vertices of the polygon).
+  bool near(const Scene& scene, Vec2 p, float reach) const;
+
+  // The smallest box around the goal. O(vertices of the polygon).
+  Box box(const Scene& scene) const;
+
   // Square root of the area, metres: above 0, since Scene::open refuses a goal without area. O(vertices of the
   // polygon).
   float size(const Scene& scene) const;

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "krait/arena.hpp"
+#include "krait/decomposition/bottleneck.hpp"
 #include "krait/decomposition/goal.hpp"
 #include "krait/decomposition/indexed_heap.hpp"
 #include "krait/scene/scene.hpp"
@@ -31,6 +32,11 @@ class Regions {
   // Whether a disc could get from triangle `from` to within `reach` metres of the goal through portals of at least
   // `least_width`. Uses the tables as scratch: reset must follow. O(R).
   bool connected(Index from, const Goal& goal, float reach, float least_width);
+
+  // The widest way from triangle `from` to within `reach` metres of the goal of the last reset (into it for 0), through
+  // portals of any width, and its narrowest portal; `needed` is the caller's. Then finds h anew, as update does.
+  // O(R log R).
+  Bottleneck widest_way(Index from, float reach);
 
   // Dijkstra from the goal over the costs as they are: h and the shortest-path tree. O(R log R).
   void update();
@@ -74,6 +80,10 @@ class Regions {
     return goal_region_ != kNone && scene_->goal_of(triangle) == goal_.index();
   }
   Vec2 region_center(Index region) const;
+  void settle_widest(float reach);
+  std::uint8_t edge_to(Index triangle, Index neighbor) const;
+  Bottleneck narrowest_on_way(Index from) const;
+  Vec2 roomiest_point(Index triangle, int edge) const;
   void set_costs(float least_width, float least_cost);
   void push_sources();
   void settle();

@@ -7,6 +7,12 @@
 
 namespace krait {
 
+// The place where a search has tried most, as a rule in vain.
+struct Effort {
+  Vec2 at{};                // the middle of a region, local coordinates
+  std::uint32_t tries = 0;  // expansions from there since the search last began anew; 0: none
+};
+
 template <class Derived, Robot R>
 class GroupedSearch : public Search<Derived, R, Groups> {
   using Base = Search<Derived, R, Groups>;
@@ -27,6 +33,16 @@ class GroupedSearch : public Search<Derived, R, Groups> {
     }
     this->guide_.insert(this->regions_, region, this->tree_.add(branch, state));
     return true;
+  }
+
+  // Where a search that has started has made most of its expansions, the first among equals. O(R).
+  Effort effort() const {
+    Effort most;
+    for (Index region = 0; region < this->scene_->triangle_count(); ++region) {
+      const std::uint32_t tries = this->guide_.selections(region);
+      if (tries > most.tries) most = {this->scene_->centroid(region), tries};
+    }
+    return most;
   }
 
  protected:

@@ -5,6 +5,7 @@
 
 #include "krait/arena.hpp"
 #include "krait/arithmetic.hpp"
+#include "krait/collision/goal_room.hpp"
 #include "krait/collision/motion_check.hpp"
 #include "krait/decomposition/locate.hpp"
 #include "krait/decomposition/regions.hpp"
@@ -95,7 +96,7 @@ class Search {
 
   // Begins a search, ending any other. Gives searching; or solved, when a plan may end with the start; or no_route,
   // goal_in_obstacle, start_outside, start_in_collision, bad_argument; bad_scene, when the scene is found to be another
-  // than at init (Scene::fingerprint); after an init that failed, what that one gave. Work: one Dijkstra.
+  // than at init (Scene::fingerprint); after an init that failed, what that one gave. Work: a Dijkstra, 2730 distances.
   [[nodiscard]] Status start(const Query& query) {
     if (!ready_) return status();
     if (scene_->fingerprint() != fingerprint_) return scene_changed();
@@ -141,6 +142,27 @@ class Search {
   // Where the search stands; before the first start, bad_argument.
   [[nodiscard]] Status status() const { return failure_.status; }
   [[nodiscard]] const Failure& failure() const { return failure_; }
+
+  // After start_in_collision: what the robot is too near to at its start; else Hindrance::none. O(pieces near the robot
+  // + bodies^2).
+  Contact contact() {
+    if (status() != Status::start_in_collision) return {};
+    Contact contact = check_.contact(drive_.state());
+    if (contact.with == Hindrance::none) contact = {.with = Hindrance::ground, .at = start_position()};
+    return contact;
+  }
+
+  // Of a search that ended without a plan: the widest way, which after no_route is too narrow for the robot; all zero
+  // else. Work: at most two Dijkstras for the widest way, two for the costs, and 4,095 distances of a point.
+  Bottleneck bottleneck() {
+    const Status ended = status();
+    if (ended == Status::no_route) {
+      const Bottleneck bottleneck = bottleneck_for(body_disc());
+      return bottleneck.width < bottleneck.needed ? bottleneck : bottleneck_for(position_disc());
+    }
+    const bool in_vain = ended == Status::budget_used || ended == Status::tree_full || ended == Status::time_used;
+    return in_vain ? bottleneck_for(body_disc()) : Bottleneck{};
+  }
 
   // Whether a way has reached the goal and is driven once more; the tree does not grow meanwhile.
   bool driving() const { return driven_ != kNone; }
@@ -320,9 +342,9 @@ class Search {
     if (status() != Status::searching) return status();
     const float tenth = 0.1F * query.goal.size(*scene_);
     goal_depth_ = parameters_.goal_margin < tenth ? parameters_.goal_margin : tenth;
-    const bool fits = !parameters_.prune_portals || body_fits_through(query.start);
+    const bool fits = !parameters_.prune_portals || body_fits();
     if (!find_paths()) return finish(Status::goal_in_obstacle);
-    return plant(query.start, fits);
+    return plant(fits);
   }
 
   // The edge costs as new, and the shortest paths. False when no region belongs to the goal.
@@ -347,6 +369,7 @@ class Search {
     for (int i = 0; i < robot_->state_size(); ++i) {
       if (!finite(query.start[i])) return bad_argument(Argument::start);
     }
+    drive_.begin(query.start);
     if (!ending_.goal().valid(*scene_)) return bad_argument(Argument::goal);
     if (!scene_->inside_bounds({query.start[0], query.start[1]})) return {Status::start_outside};
     if (!robot_->within_limits(StateView(query.start, robot_->state_size()))) return bad_argument(Argument::start);
@@ -354,18 +377,42 @@ class Search {
     return {Status::searching};
   }
 
-  Status plant(const float* start, bool fits) {
-    const Vec2 at{start[0], start[1]};
+  Status plant(bool fits) {
+    const Vec2 at = start_position();
     const Index triangle = locate(*scene_, at);
     if (triangle == kNone) return finish(Status::start_in_collision);
     root_region_ = regions_.region(triangle);
     statistics_.vertices = 1;
     if (regions_.cost(root_region_) == kInfinity) return finish(Status::no_route);
-    drive_.begin(start);
     derived().keep(root_region_, {}, drive_.state());
     finish(fits ? Status::searching : Status::no_route);
-    if (ending_.holds(start, 0.0F)) begin_plan({});
+    if (ending_.holds(drive_.state(), 0.0F)) begin_plan({});
     return status();
+  }
+
+  // Before the first step.
+  Vec2 start_position() const { return {drive_.state()[0], drive_.state()[1]}; }
+
+  // A disc that lies in body 0, and goes where the body goes.
+  struct InnerDisc {
+    Vec2 at;       // its centre at the start
+    float radius;  // metres, the clearance included
+    float reach;   // metres: how far the centre may be from the goal while the position is inside
+  };
+
+  // Around the middle of body 0.
+  InnerDisc body_disc() {
+    const Polygon body = robot_->body(0);
+    const Vec2 center = middle(body);
+    check_.begin(drive_.state());
+    const Pose& pose = check_.poses()[0];
+    const float radius = inner_radius(body, center) + parameters_.clearance;
+    return {pose.position + turned(pose.heading, center), radius, length(center) + kReachRounding};
+  }
+
+  // Around the position: smaller, but where the position is.
+  InnerDisc position_disc() const {
+    return {start_position(), inner_radius(robot_->body(0), {}) + parameters_.clearance, 0.0F};
   }
 
   // No obstacle comes nearer to the position than the disc around it that lies in body 0, if there is one.
@@ -374,18 +421,30 @@ class Search {
     return parameters_.prune_portals && inner > 0.0F ? 2.0F * (inner + parameters_.clearance) : 0.0F;
   }
 
-  // The disc in body 0 goes where the body goes: where it finds no way from the start to so near the goal that the
-  // position could be inside, there is none. False then.
-  bool body_fits_through(const float* start) {
-    const Polygon body = robot_->body(0);
-    const Vec2 center = middle(body);
-    check_.begin(start);
-    const Pose& pose = check_.poses()[0];
-    const Vec2 at = pose.position + turned(pose.heading, center);
-    const Index triangle = locate(*scene_, at);
-    if (triangle == kNone) return true;
-    const float width = 2.0F * (inner_radius(body, center) + parameters_.clearance);
-    return regions_.connected(triangle, ending_.goal(), length(center) + kReachRounding, width);
+  // Where a disc in body 0 finds no room in the goal, or no way from the start to so near the goal that the position
+  // could be inside, there is no way for the robot. False then.
+  bool body_fits() {
+    const InnerDisc disc = body_disc();
+    if (!room_at_goal(position_disc()).enough || !room_at_goal(disc).enough) return false;
+    const Index triangle = locate(*scene_, disc.at);
+    return triangle == kNone || regions_.connected(triangle, ending_.goal(), disc.reach, 2.0F * disc.radius);
+  }
+
+  // Of the points that the disc's centre may be at in the end.
+  GoalRoom room_at_goal(const InnerDisc& disc) const {
+    const Obstacles obstacles(*scene_, 0.0F);
+    return goal_room(*scene_, obstacles, ending_.goal(), disc.reach, disc.radius - 2.0F * obstacles.margin());
+  }
+
+  Bottleneck bottleneck_for(const InnerDisc& disc) {
+    const float needed = 2.0F * disc.radius;
+    const GoalRoom room = room_at_goal(disc);
+    if (!room.enough) return {2.0F * room.found, needed, room.at, true};
+    const Index triangle = locate(*scene_, disc.at);
+    if (triangle == kNone) return {};
+    Bottleneck bottleneck = regions_.widest_way(triangle, disc.reach);
+    bottleneck.needed = needed;
+    return bottleneck;
   }
 
   // At most max_steps steps, and what becomes of the expansion.

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "host/workspace/heading.hpp"
+
 namespace krait::host {
 namespace {
 
@@ -52,10 +54,11 @@ std::uint64_t parse_memory(const std::string& text) {
 
 void parse_start(const std::string& text, SearchRequest& request) {
   if (const auto pose = parse_triple(text, {kMaxCoordinate, kMaxCoordinate, kMaxAngle})) {
+    check_heading("--start " + text, (*pose)[2]);
     request.start = StartPose{{(*pose)[0], (*pose)[1]}, (*pose)[2]};
   } else if (text.find(',') != std::string::npos) {
     throw InputError("--start " + text +
-                     ": give X,Y,HEADING (metres to 1e7, metres to 1e7, radians to 1000) or a start's name");
+                     ": give X,Y,HEADING (metres to 1e7, metres to 1e7, radians to 2 pi) or a start's name");
   } else {
     request.start_name = text;
   }
@@ -71,15 +74,25 @@ void parse_goal(const std::string& text, SearchRequest& request) {
   }
 }
 
-CLI::Validator whole_number(std::uint64_t most) {
-  const auto check = [most](const std::string& text) -> std::string {
+CLI::Validator whole_number(std::uint64_t most, const std::string& unit) {
+  const auto check = [most, unit](const std::string& text) -> std::string {
     std::uint64_t value = 0;
     const char* end = text.data() + text.size();
     const auto [rest, error] = std::from_chars(text.data(), end, value);
     if (error == std::errc() && rest == end && value <= most) return {};
-    return text + " is no whole number from 0 to " + std::to_string(most);
+    return text + " is no whole number " + (unit.empty() ? "" : "of " + unit + " ") + "from 0 to " +
+           std::to_string(most);
   };
   return {check, "", "whole number"};
+}
+
+CLI::Validator number_in(double least, double most, const std::string& unit) {
+  const auto check = [least, most, unit](const std::string& text) -> std::string {
+    const std::optional<double> value = parse_number(text);
+    if (value && *value >= least && *value <= most) return {};
+    return "give " + unit + " from " + shown(least) + " to " + shown(most) + ", not " + text;
+  };
+  return {check, "", "number"};
 }
 
 Unknown parse_unknown(const std::string& text) {

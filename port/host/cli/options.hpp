@@ -22,7 +22,10 @@ void parse_start(const std::string& text, SearchRequest& request);
 void parse_goal(const std::string& text, SearchRequest& request);
 
 // Lets an option take whole numbers from 0 to `most` only: -1 and numbers that do not fit are refused, not wrapped.
-CLI::Validator whole_number(std::uint64_t most);
+CLI::Validator whole_number(std::uint64_t most, const std::string& unit = {});
+
+// Lets an option take finite numbers from `least` to `most` only; the refusal names the unit.
+CLI::Validator number_in(double least, double most, const std::string& unit);
 
 Unknown parse_unknown(const std::string& text);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // krait plan: compiles the map where it is given one, searches, checks its own result, writes and draws it.
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -12,7 +13,10 @@
 #include "host/input/file.hpp"
 #include "host/input/outputs.hpp"
 #include "host/picture/picture.hpp"
+#include "host/search/query.hpp"
+#include "host/search/shortest_way.hpp"
 #include "host/verify/verify.hpp"
+#include "krait/robot/shape.hpp"
 
 namespace krait::host {
 namespace {
@@ -65,7 +69,6 @@ SearchRequest request_of(const PlanOptions& options) {
   if (options.kappa) p.kappa = *options.kappa;
   if (options.clearance) p.clearance = static_cast<float>(*options.clearance);
   if (options.dt) p.dt = static_cast<float>(*options.dt);
-  if (request.time_limit && !(*request.time_limit > 0)) throw InputError("--time-limit: give seconds above 0");
   return request;
 }
 
@@ -103,10 +106,12 @@ Verdict verdict_on(const SearchResult& result, const Ground& ground, const Searc
   return verify(import_workspace(options.scene, {}), result.plan, result.asked);
 }
 
-// A plan that does not hold is no plan: its arrays are emptied and the status says why.
-int judge(SearchResult& result, const Ground& ground, const SearchRequest& request, const PlanOptions& options) {
+// A plan that does not hold is no plan: its arrays are emptied and the status says why. Returns the exit code, and
+// writes the verdict on a plan.
+int judge(SearchResult& result, const Ground& ground, const SearchRequest& request, const PlanOptions& options,
+          Verdict& verdict) {
   if (result.plan.status != "solved") return result.plan.status == "internal" ? kOwnBug : kHonestNo;
-  const Verdict verdict = verdict_on(result, ground, request, options);
+  verdict = verdict_on(result, ground, request, options);
   if (verdict.holds) return kDone;
   result.plan.status = "verification_failed";
   result.plan.states.clear();
@@ -129,16 +134,46 @@ void draw(const SearchRequest& request, const SceneBytes& bytes, const SearchRes
   if (!options.html.empty()) write_file(options.html, draw_html(picture));
 }
 
-void print_summary(const PlanFile& plan) {
+// Metres: the width of the largest disc around the middle of body 0 that lies in it.
+float disc_width(const RobotSpec& robot) {
+  std::vector<Vec2> corners;
+  for (const Point& p : robot.bodies[0]) corners.push_back({static_cast<float>(p.x), static_cast<float>(p.y)});
+  const Polygon body{corners.data(), static_cast<int>(corners.size())};
+  return 2 * inner_radius(body, middle(body));
+}
+
+// Metres, from the plan's start to its end; NaN where the regions know none.
+double shortest_way_of(const SearchResult& result, const SearchRequest& request, const SceneBytes& bytes) {
+  const krait::Scene scene = open_scene(result.plan.scene, bytes);
+  const auto position = [](const std::vector<float>& state) { return Vec2{state[0], state[1]}; };
+  return shortest_way(scene, resolve_goal(scene, request), disc_width(request.robot),
+                      position(result.plan.states.front()), position(result.plan.states.back()));
+}
+
+void print_quality(const SearchResult& result, const SearchRequest& request, const SceneBytes& bytes,
+                   const Verdict& verdict) {
+  const bool far = verdict.clearance >= kLargestClearance;
+  std::printf("as driven: least clearance %s%.4g m, speed at the end %.3g m/s", far ? "at least " : "",
+              verdict.clearance, verdict.end_speed);
+  const double shortest = shortest_way_of(result, request, bytes);
+  const double length = result.plan.statistics.at("plan_length_m").get<double>();
+  if (shortest > 0.1)
+    std::printf(", %.2f times the shortest way that is wide enough (%.1f m)", length / shortest, shortest);
+  std::printf("\n");
+}
+
+void print_summary(const SearchResult& result) {
+  const PlanFile& plan = result.plan;
   const auto& s = plan.statistics;
   std::printf("%s: %s (%zu bodies) in %s, seed %llu: %.4f s, %llu iterations, %llu vertices\n", plan.status.c_str(),
               plan.robot.model.c_str(), plan.robot.bodies.size(), plan.scene.c_str(),
               static_cast<unsigned long long>(plan.seed), s.at("time_s").get<double>(),
               s.at("iterations").get<unsigned long long>(), s.at("vertices").get<unsigned long long>());
+  for (const std::string& reason : result.why) std::printf("  %s\n", reason.c_str());
   if (plan.states.empty()) return;
-  std::printf("plan: %zu steps, %.1f s, %.1f m, ends at %.2f m/s, hash %s, verified\n", plan.controls.size(),
+  std::printf("plan: %zu steps, %.1f s, %.1f m, hash %s, verified\n", plan.controls.size(),
               s.at("plan_duration_s").get<double>(), s.at("plan_length_m").get<double>(),
-              s.at("plan_end_speed_m_s").get<double>(), s.at("hash").get<std::string>().c_str());
+              s.at("hash").get<std::string>().c_str());
 }
 
 SearchResult search(const PlanOptions& options, const SearchRequest& request, const SceneBytes& bytes) {
@@ -191,11 +226,13 @@ void plan(const PlanOptions& options) {
   check_outputs(outputs_of(options), inputs_of(options));  // before work that may take long
   const Ground ground = read_ground(options);
   SearchResult result = search(options, request, ground.scene);
-  const int code = judge(result, ground, request, options);
+  Verdict verdict;
+  const int code = judge(result, ground, request, options, verdict);
   if (!options.json.empty()) write_file(options.json, to_json(result.plan).dump() + "\n");
   if (!options.csv.empty()) write_file(options.csv, csv_of(result.plan));
   draw(request, ground.scene, result, options);
-  print_summary(result.plan);
+  print_summary(result);
+  if (code == kDone) print_quality(result, request, ground.scene, verdict);
   throw Exit{code};
 }
 
@@ -239,7 +276,7 @@ void add_plan(CLI::App& app, const char* program) {
   command
       ->add_option("--tolerance", o->tolerance,
                    "how much a map's passages may get narrower, in metres, as for krait compile")
-      ->check(CLI::Range(0.0, 1e6));
+      ->check(number_in(0, 1e6, "metres"));
   command
       ->add_option("--planner", o->planner,
                    "the search: adaptive (the paper's), prior ([18], its costs never change), rrt")
@@ -250,21 +287,30 @@ void add_plan(CLI::App& app, const char* program) {
       ->capture_default_str();
   command->add_option("--memory", o->memory, "the planner's one block, as 128K, 64M")->capture_default_str();
   command->add_option("--iterations", o->iterations, "expansions, at most")
-      ->check(whole_number(UINT64_MAX))
+      ->check(whole_number(UINT64_MAX, "expansions"))
       ->capture_default_str();
-  command->add_option("--time-limit", o->time_limit,
-                      "seconds (default: none; a limit makes the result depend on the machine)");
-  command->add_option("--alpha", o->alpha, with_default("strength of the heuristic, 1 to 64", defaults.alpha));
-  command->add_option("--beta", o->beta, with_default("penalty of a selection, between 0 and 1", defaults.beta));
-  command->add_option("--gamma", o->gamma,
-                      with_default("how much failures raise edge costs, 0 (never) to 1e6", defaults.gamma));
+  command
+      ->add_option("--time-limit", o->time_limit,
+                   "seconds (default: none; a limit makes the result depend on the machine)")
+      ->check(number_in(1e-9, 1e9, "seconds"));
+  command->add_option("--alpha", o->alpha, with_default("strength of the heuristic, 1 to 64", defaults.alpha))
+      ->check(number_in(1, 64, "a number without unit"));
+  command->add_option("--beta", o->beta, with_default("penalty of a selection, between 0 and 1", defaults.beta))
+      ->check(number_in(1e-6, 1 - 1e-6, "a number without unit"));
+  command
+      ->add_option("--gamma", o->gamma,
+                   with_default("how much failures raise edge costs, 0 (never) to 1e6", defaults.gamma))
+      ->check(number_in(0, 1e6, "a number without unit"));
   command
       ->add_option("--kappa", o->kappa,
                    with_default("expansions between updates of the costs, 1 to 10000", defaults.kappa))
-      ->check(whole_number(UINT32_MAX));
-  command->add_option("--clearance", o->clearance,
-                      with_default("metres kept to obstacles on top of rounding, 0 to 10", defaults.clearance));
-  command->add_option("--dt", o->dt, "a time step, seconds, 0.001 to 1 (default: 0.1)");
+      ->check(whole_number(10000, "expansions"));
+  command
+      ->add_option("--clearance", o->clearance,
+                   with_default("metres kept to obstacles on top of rounding, 0 to 10", defaults.clearance))
+      ->check(number_in(0, 10, "metres"));
+  command->add_option("--dt", o->dt, "a time step, seconds, 0.001 to 1 (default: 0.1)")
+      ->check(number_in(0.001, 1, "seconds"));
   command->add_flag("--paper", o->paper,
                     "Algorithms 1 and 2 with the paper's constants: states are checked, steps between them are not");
   command->add_option("-o,--output", o->json, "write the plan as JSON");

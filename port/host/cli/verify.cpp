@@ -2,6 +2,7 @@
 // krait verify: judges a plan against the map that it was made for, trusting nothing that the plan says.
 #include "host/verify/verify.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -19,10 +20,40 @@ struct VerifyOptions {
   QueryOptions query;
   std::string unknown = "map";
   double dt = 0.1;
+  bool all = false;  // complaints, not the first only
 };
 
-void print_verdict(const Verdict& verdict) {
-  for (const std::string& complaint : verdict.complaints) std::printf("%s\n", complaint.c_str());
+// The start of the plan's own, where none is asked for: its first state, which is held to stand still in any case.
+Start start_of(const PlanFile& plan) {
+  constexpr std::size_t kCarState = 5;  // before the trailers' headings
+  Start start{"the plan's", {}, 0, {}};
+  if (plan.states.empty() || plan.states[0].size() < 3) return start;
+  const std::vector<float>& state = plan.states[0];
+  start.position = {plan.origin.x + static_cast<double>(state[0]), plan.origin.y + static_cast<double>(state[1])};
+  start.heading = static_cast<double>(state[2]);
+  if (plan.robot.links > 0 && state.size() > kCarState) start.angles.assign(state.begin() + kCarState, state.end());
+  return start;
+}
+
+Asked asked_of(const Workspace& workspace, SearchRequest request, const PlanFile& plan) {
+  if (request.start || !request.start_name.empty()) return asked_of(workspace, request);
+  const Start start = start_of(plan);
+  request.start = StartPose{start.position, start.heading};
+  Asked asked = asked_of(workspace, request);
+  asked.start = start;
+  return asked;
+}
+
+// The first complaint, of robot and query before the motion, explains most of the others.
+void print_complaints(const Verdict& verdict, bool all) {
+  const std::size_t shown = all ? verdict.complaints.size() : std::min<std::size_t>(verdict.complaints.size(), 1);
+  for (std::size_t i = 0; i < shown; ++i) std::printf("%s\n", verdict.complaints[i].c_str());
+  const std::size_t more = verdict.complaints.size() - shown;
+  if (more > 0) std::printf("%zu more, which the first may explain: --all prints them\n", more);
+}
+
+void print_verdict(const Verdict& verdict, bool all) {
+  print_complaints(verdict, all);
   if (std::isnan(verdict.goal_depth)) {  // the plan could not be driven, or not to its end
     std::printf("the plan does not hold\n");
     return;
@@ -37,13 +68,17 @@ void print_verdict(const Verdict& verdict) {
 void judge(const VerifyOptions& options) {
   SearchRequest request;
   options.query.read(request);
-  if (!(options.dt >= 0.001 && options.dt <= 1)) throw InputError("--dt: give seconds from 0.001 to 1");
   request.parameters.dt = static_cast<float>(options.dt);
   const Workspace workspace = import_workspace(options.input, {parse_unknown(options.unknown)});
   for (const std::string& warning : workspace.warnings) std::fprintf(stderr, "krait: warning: %s\n", warning.c_str());
   const PlanFile plan = read_plan(options.plan);
-  const Verdict verdict = verify(workspace, plan, asked_of(workspace, request));
-  print_verdict(verdict);
+  const Asked asked = asked_of(workspace, request, plan);
+  const Verdict verdict = verify(workspace, plan, asked);
+  print_verdict(verdict, options.all);
+  if (verdict.holds) {
+    std::printf("from %.10g,%.10g,%.10g%s\n", asked.start.position.x, asked.start.position.y, asked.start.heading,
+                options.query.start.empty() ? ", the plan's own start: --start asks for another" : "");
+  }
   throw Exit{verdict.holds ? kDone : kHonestNo};
 }
 
@@ -56,11 +91,17 @@ void add_verify(CLI::App& app) {
   command->add_option("PLAN", o->plan, "a plan's JSON")->required();
   o->query.add(*command);
   add_unknown(*command, o->unknown);
-  command->add_option("--dt", o->dt, "the plan's time step, seconds, 0.001 to 1")->capture_default_str();
+  command->add_option("--dt", o->dt, "the plan's time step, seconds, 0.001 to 1")
+      ->check(number_in(0.001, 1, "seconds"))
+      ->capture_default_str();
+  command->add_flag("--all", o->all, "print every complaint, not only the first, which explains most others");
   command->footer(
-      "Robot, start, goal, end speed and time step are what you ask here, with the defaults of krait plan, never what\n"
-      "the plan says; plans of --paper, prior and rrt end at any speed: --end-speed inf. The last figures are metres\n"
-      "and radians, of the stored states against those that the controls lead to.");
+      "Robot, goal, end speed and time step are what you ask here, with the defaults of krait plan, never what the "
+      "plan\n"
+      "says; plans of --paper, prior and rrt end at any speed: --end-speed inf. So is the start, if you give one; "
+      "else\n"
+      "it is where the plan begins, and is printed. The last figures are metres and radians, of the stored states\n"
+      "against those that the controls lead to.");
   command->callback([o] { judge(*o); });
 }
 

@@ -133,6 +133,11 @@ CompiledScene compile(const Workspace& workspace, const CompileOptions& options)
 
   tell("triangulating the free space");
   parts.mesh = free_mesh(with_goals(space.boundary, parts.goals), bounds);
+  if (parts.mesh.triangles.empty()) {
+    throw InputError(
+        "no free space is left: obstacles cover all of the workspace (are its unknown cells free? see --unknown; a "
+        "map's free and occupied values exchanged? a --tolerance too large?)");
+  }
   warn_of_blocked_goals(workspace, parts.mesh, result.warnings);
 
   tell("measuring clearances");

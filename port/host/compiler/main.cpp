@@ -14,6 +14,7 @@
 #include "host/input/file.hpp"
 #include "host/input/json.hpp"
 #include "host/input/outputs.hpp"
+#include "host/workspace/heading.hpp"
 
 namespace {
 
@@ -42,7 +43,8 @@ std::vector<double> numbers(const std::string& text, const std::string& option, 
 }
 
 void set_start(Workspace& workspace, const std::string& text) {
-  const auto v = numbers(text, "--start", "X,Y,HEADING (metres to 1e7, metres to 1e7, radians to 1000)", kMaxAngle);
+  const auto v = numbers(text, "--start", "X,Y,HEADING (metres to 1e7, metres to 1e7, radians to 2 pi)", kMaxAngle);
+  check_heading("--start '" + text + "'", v[2]);
   workspace.starts = {{"start", {v[0], v[1]}, v[2], {}}};
 }
 

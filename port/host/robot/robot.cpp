@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 
 #include "host/input/file.hpp"
@@ -19,6 +20,7 @@ struct Parameter {
   double normal;  // the default
   double least;
   double most;
+  const char* unit = "";
   bool whole = false;
 };
 
@@ -28,8 +30,10 @@ struct Model {
   std::vector<Parameter> parameters;
 };
 
-Parameter length(const char* name, double normal) { return {name, normal, 0.001, kMaxLength}; }
-Parameter limit(const char* name, double normal) { return {name, normal, 0.001, 1e4}; }
+Parameter length(const char* name, double normal) { return {name, normal, 0.001, kMaxLength, "metres"}; }
+Parameter limit(const char* name, double normal, const char* unit) { return {name, normal, 0.001, 1e4, unit}; }
+
+constexpr const char* kSpeed = "metres a second";
 
 // Snake, truck and car: the front axle steers, the control is the acceleration and the steering rate.
 std::vector<Parameter> steered(double body_length, double body_width) {
@@ -37,13 +41,13 @@ std::vector<Parameter> steered(double body_length, double body_width) {
           length("body_width", body_width),
           length("wheelbase", 0.8),
           length("hitch_length", 0.8),
-          limit("max_speed", 2.5),
-          {"min_speed", 0, -1e4, 0},
-          {"max_steering", 1, 0.001, 1.57},
-          limit("max_acceleration", 5),
-          limit("max_steering_rate", 4),
-          {"self_collision_gap", 2, 1, 1000, true},
-          {"max_hitch_angle", 1.5707963, 0.001, 1.5707963}};
+          limit("max_speed", 2.5, kSpeed),
+          {"min_speed", 0, -1e4, 0, kSpeed},
+          {"max_steering", 1, 0.001, 1.57, "radians"},
+          limit("max_acceleration", 5, "metres a second squared"),
+          limit("max_steering_rate", 4, "radians a second"),
+          {"self_collision_gap", 2, 1, 1000, "bodies", true},
+          {"max_hitch_angle", 1.5707963, 0.001, 1.5707963, "radians"}};
 }
 
 const std::vector<Model>& models() {
@@ -55,13 +59,14 @@ const std::vector<Model>& models() {
        0,
        {length("body_length", 0.5),
         length("body_width", 0.4),
-        limit("max_speed", 1),
-        {"min_speed", -1, -1e4, 0},
-        limit("max_turn_rate", 2)}},
+        limit("max_speed", 1, kSpeed),
+        {"min_speed", -1, -1e4, 0, kSpeed},
+        limit("max_turn_rate", 2, "radians a second")}},
       {"diff_drive",
        0,
        {length("body_length", 0.5), length("body_width", 0.4), length("wheel_radius", 0.08),
-        length("track_width", 0.36), limit("max_wheel_speed", 12), limit("max_wheel_acceleration", 24)}}};
+        length("track_width", 0.36), limit("max_wheel_speed", 12, "radians a second"),
+        limit("max_wheel_acceleration", 24, "radians a second squared")}}};
   return all;
 }
 
@@ -126,6 +131,16 @@ RobotSpec default_robot(const Model& model, int links) {
   return robot;
 }
 
+double read_parameter(const Field& field, const Parameter& parameter) {
+  const bool number = field.value().is_number();
+  const double value = number ? field.value().get<double>() : std::nan("");
+  const bool usable = value >= parameter.least && value <= parameter.most;
+  if (usable && (!parameter.whole || value == std::floor(value))) return value;
+  field.fail("must be " + std::string(parameter.whole ? "a whole number of " : "") + parameter.unit + " from " +
+             shown(parameter.least) + " to " + shown(parameter.most) +
+             (number ? ", is " + shown(value) : ", no number"));
+}
+
 void read_parameters(const Field& field, const Model& model, std::map<std::string, double>& values) {
   if (!field.value().is_object()) field.fail("must be an object of numbers by name");
   for (const auto& item : field.value().items()) {
@@ -136,10 +151,7 @@ void read_parameters(const Field& field, const Model& model, std::map<std::strin
       for (const Parameter& p : model.parameters) names += (names.empty() ? "" : ", ") + std::string(p.name);
       field.fail("unknown parameter \"" + cleaned_name(item.key()) + "\"; a " + model.name + " has " + names);
     }
-    const Field value = field.at(known->name);
-    values[known->name] = known->whole ? static_cast<double>(value.integer(static_cast<long long>(known->least),
-                                                                           static_cast<long long>(known->most)))
-                                       : value.number(known->least, known->most);
+    values[known->name] = read_parameter(field.at(known->name), *known);
   }
 }
 

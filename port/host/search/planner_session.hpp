@@ -13,8 +13,10 @@
 
 namespace krait::host {
 
-// Throws InputError with one line for every status that is not an honest answer.
+// Throws InputError with one line for every status that is not an honest answer, a start in collision with what it lies
+// against.
 void refuse(const Failure& failure, const SearchRequest& request);
+[[noreturn]] void refuse(const Contact& at_start, const krait::Scene& scene, const SearchRequest& request);
 
 template <class R, class P>
 class PlannerSession : public Session {
@@ -26,6 +28,7 @@ class PlannerSession : public Session {
     refuse(planner_.init(block.data(), request.memory, scene, robot_, request.parameters, limits), request);
     (void)planner_.start({query_.start.data(), query_.goal, request.seed});
     refuse(planner_.failure(), request);
+    if (planner_.status() == Status::start_in_collision) refuse(planner_.contact(), scene, request);
   }
   // The planner points to the robot.
   PlannerSession(const PlannerSession&) = delete;
@@ -36,6 +39,11 @@ class PlannerSession : public Session {
   Status status() const override { return planner_.status(); }
   Statistics statistics() const override { return planner_.statistics(); }
   const Regions& regions() const override { return planner_.regions(); }
+  Bottleneck bottleneck() override { return planner_.bottleneck(); }
+  Effort effort() const override {
+    if constexpr (requires { planner_.effort(); }) return planner_.effort();
+    return {};
+  }
   Status advance_watched(const Watch& watch) override {
     return planner_.advance(1, [&](const float* from, const float* to) {
       const int n = robot_.state_size();

@@ -8,6 +8,7 @@
 
 #include "host/input/file.hpp"
 #include "host/search/session.hpp"
+#include "host/search/why.hpp"
 
 namespace krait::host {
 namespace {
@@ -125,6 +126,7 @@ SearchResult run_search(const std::string& scene_path, const SceneBytes& bytes, 
   result.plan.status = name(session->status());
   session->copy_plan(result.plan);
   result.plan.statistics = statistics_json(session->statistics(), result.seconds);
+  result.why = why_no_plan(*session, scene, request);
   return result;
 }
 

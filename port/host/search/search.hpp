@@ -78,8 +78,9 @@ using Progress = std::function<void(std::uint64_t iterations, std::uint64_t vert
 
 struct SearchResult {
   PlanFile plan;
-  Asked asked;     // what the verifier holds it to, world coordinates
-  double seconds;  // from opening the scene to the plan
+  Asked asked;                     // what the verifier holds it to, world coordinates
+  double seconds;                  // from opening the scene to the plan
+  std::vector<std::string> why{};  // there is no plan, a line each
 };
 
 // Opens, plans, and takes the plan out. Every end of a search (Status) that is an honest answer comes back in

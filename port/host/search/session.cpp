@@ -5,6 +5,7 @@
 
 #include "host/search/planner_session.hpp"
 #include "host/search/sessions.hpp"
+#include "host/search/why.hpp"
 
 namespace krait::host {
 namespace {
@@ -25,8 +26,6 @@ std::string explanation(const Failure& failure, const SearchRequest& request) {
              " bytes";
     case Status::start_outside:
       return "the start lies outside the workspace's bounds";
-    case Status::start_in_collision:
-      return "the robot overlaps an obstacle, the bounds or itself at the start";
     case Status::goal_in_obstacle:
       return "no free part of the goal is left: it lies in obstacles or outside";
     case Status::bad_robot:
@@ -34,7 +33,8 @@ std::string explanation(const Failure& failure, const SearchRequest& request) {
     case Status::bad_argument:
       if (argument == name(Argument::goal)) return "the goal's centre lies outside the workspace's bounds";
       if (failure.most > 0) return "dt: at most " + shortest(failure.most) + " s for a robot so fast and so short";
-      return argument + " is not finite or out of its range (krait plan --help has the ranges)";
+      return argument +
+             " is not finite or out of its range (numbers in metres, seconds and radians; krait plan --help)";
     case Status::bad_arithmetic:
       return "the program was built with contracted or relaxed floating point";
     default:
@@ -42,7 +42,8 @@ std::string explanation(const Failure& failure, const SearchRequest& request) {
   }
 }
 
-bool honest_answer(Status status) {
+// Whether a search that ends so has an answer, or its refusal another form.
+bool passes(Status status) {
   switch (status) {
     case Status::searching:
     case Status::solved:
@@ -51,6 +52,7 @@ bool honest_answer(Status status) {
     case Status::tree_full:
     case Status::time_used:
     case Status::internal:
+    case Status::start_in_collision:  // which is refused with the contact
       return true;
     default:
       return false;
@@ -60,8 +62,12 @@ bool honest_answer(Status status) {
 }  // namespace
 
 void refuse(const Failure& failure, const SearchRequest& request) {
-  if (honest_answer(failure.status)) return;
+  if (passes(failure.status)) return;
   throw InputError(std::string(name(failure.status)) + ": " + explanation(failure, request));
+}
+
+void refuse(const Contact& at_start, const krait::Scene& scene, const SearchRequest& request) {
+  throw InputError(std::string(name(Status::start_in_collision)) + ": " + why_not_there(at_start, scene, request));
 }
 
 std::unique_ptr<Session> start_session(const krait::Scene& scene, const SearchRequest& request, Block& block) {

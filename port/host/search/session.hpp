@@ -10,6 +10,7 @@
 #include "host/search/query.hpp"
 #include "host/search/search.hpp"
 #include "krait/decomposition/regions.hpp"
+#include "krait/search/grouped.hpp"
 #include "krait/search/statistics.hpp"
 
 namespace krait::host {
@@ -27,6 +28,8 @@ class Session {
   virtual Status status() const = 0;
   virtual Statistics statistics() const = 0;
   virtual const Regions& regions() const = 0;
+  virtual Bottleneck bottleneck() = 0;
+  virtual Effort effort() const = 0;  // none of a planner without groups
   // The states and controls of the plan, if there is one.
   virtual void copy_plan(PlanFile& file) const = 0;
   virtual const ResolvedQuery& query() const = 0;

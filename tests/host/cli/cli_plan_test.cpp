@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // krait plan and krait verify by their files and exit codes: the plan's JSON field by field, the ends of a search,
 // and that the same arguments give the same bytes.
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 
 #include "host/cli/program.hpp"
@@ -351,6 +353,47 @@ TEST_F(CliPlan, EndsAtRestUnlessAskedOtherwise) {
   EXPECT_LT(end_speed({"--robot", "car", "--end-speed", "1"}), 1.005);
   EXPECT_GT(end_speed({"--robot", "car", "--paper"}), 0.1);
   EXPECT_GT(end_speed({"--robot", "car", "--planner", "prior"}), 0.1);
+}
+
+TEST_F(CliPlan, VerifyBeginsWhereThePlanDoesUnlessAskedOtherwise) {
+  plan({"--robot", "truck:2", "--start", "north"});
+  const Outcome own = krait({"verify", "room.json", "plan.json", "--robot", "truck:2"});
+  EXPECT_EQ(own.code, 0);
+  EXPECT_THAT(own.output, HasSubstr("from 3,8,-0.5, the plan's own start"));
+  const Outcome asked = krait({"verify", "room.json", "plan.json", "--robot", "truck:2", "--start", "west"});
+  EXPECT_EQ(asked.code, 1);
+  EXPECT_THAT(asked.output, testing::StartsWith("start: state 0 lies 3 m from the start asked for\n"));
+}
+
+TEST_F(CliPlan, VerifyPrintsTheFirstComplaintAndAllWhereAsked) {
+  plan({"--robot", "car"});
+  const std::vector<std::string> verify = {"verify", "room.json", "plan.json", "--robot", "unicycle"};
+  const std::string first = krait(verify).output;
+  EXPECT_EQ(std::count(first.begin(), first.end(), '\n'), 3);
+  EXPECT_THAT(first, testing::StartsWith("robot: model is \"car\", asked \"unicycle\"\n"));
+  EXPECT_THAT(first, HasSubstr("more, which the first may explain: --all prints them"));
+  std::vector<std::string> all = verify;
+  all.emplace_back("--all");
+  EXPECT_GT(krait(all).output.size(), 2 * first.size());
+}
+
+TEST_F(CliPlan, SaysHowGoodThePlanIs) {
+  const Outcome outcome = krait({"plan", "room.krait", "--robot", "car", "-o", "plan.json"});
+  EXPECT_THAT(outcome.output, HasSubstr("\nas driven: least clearance 0."));
+  EXPECT_THAT(outcome.output, HasSubstr(" m, speed at the end "));
+  const ordered_json plan = json("plan.json");
+  const std::size_t at = outcome.output.find(" m/s, ");
+  ASSERT_NE(at, std::string::npos);
+  double ratio = 0, shortest = 0;
+  ASSERT_EQ(std::sscanf(outcome.output.c_str() + at, " m/s, %lf times the shortest way that is wide enough (%lf m)",
+                        &ratio, &shortest),
+            2);
+  const auto& first = plan.at("states").front();
+  const auto& last = plan.at("states").back();
+  const double straight =
+      std::hypot(last[0].get<double>() - first[0].get<double>(), last[1].get<double>() - first[1].get<double>());
+  EXPECT_NEAR(shortest, straight, 0.06);  // the door is in the middle
+  EXPECT_NEAR(ratio, plan.at("statistics").at("plan_length_m").get<double>() / straight, 0.02);
 }
 
 TEST_F(CliPlan, VerifyOfAnHonestNoSaysSo) {

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "krait/collision/goal_room.hpp"
+
+namespace krait {
+namespace {
+
+constexpr int kDeepest = 5;  // how often squares are quartered
+constexpr float kDiagonal = 1.4142136F;
+
+struct Square {
+  Vec2 center;
+  float half;  // of a side
+  int depth;
+};
+
+Square around(const Box& box, float reach) {
+  const Vec2 size = box.max - box.min;
+  return {0.5F * (box.min + box.max), 0.5F * (size.x > size.y ? size.x : size.y) + reach, 0};
+}
+
+}  // namespace
+
+GoalRoom goal_room(const Scene& scene, const Obstacles& obstacles, const Goal& goal, float reach, float enough) {
+  GoalRoom room;
+  Square squares[3 * kDeepest + 1] = {around(goal.box(scene), reach)};
+  for (int left = 1; left > 0 && !room.enough;) {
+    const Square square = squares[--left];
+    const float radius = kDiagonal * square.half;
+    if (!goal.near(scene, square.center, reach + radius)) continue;
+    const float clearance = obstacles.distance(square.center, enough + radius);
+    if (clearance > room.found && goal.near(scene, square.center, reach)) {
+      room.found = clearance;
+      room.at = square.center;
+    }
+    const float most = clearance + radius;  // of any point of the square
+    const bool undecided = square.depth == kDeepest && most >= enough;
+    room.enough = room.found >= enough || undecided;
+    if (most <= room.found || square.depth == kDeepest) continue;
+    const float half = 0.5F * square.half;
+    for (int i = 0; i < 4; ++i) {
+      const Vec2 aside{(i & 1) == 0 ? half : -half, (i & 2) == 0 ? half : -half};
+      squares[left++] = {square.center + aside, half, square.depth + 1};
+    }
+  }
+  return room;
+}
+
+}  // namespace krait

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// What krait plan says where there is no plan: ten blocked scenes and ten hopeless queries in one table, and what is
+// common to all of them.
+#include "host/cli/program.hpp"
+
+namespace krait::host {
+namespace {
+
+using nlohmann::ordered_json;
+using testing::HasSubstr;
+
+// A wall of 0.2 m across room.json's bounds, from x on, with a door around y.
+struct Door {
+  double x, y, width;
+};
+
+ordered_json box(double x0, double y0, double x1, double y1) {
+  return {{"box", {{"center", {(x0 + x1) / 2, (y0 + y1) / 2}}, {"size", {x1 - x0, y1 - y0}}, {"angle", 0}}}};
+}
+
+ordered_json walled(const std::vector<Door>& doors) {
+  ordered_json scene = {{"name", "walled"},
+                        {"bounds", {{"min", {0, 0}}, {"max", {20, 10}}}},
+                        {"obstacles", ordered_json::array()},
+                        {"goals", {{{"name", "east"}, {"box", {{"center", {17, 5}}, {"size", {2, 2}}, {"angle", 0}}}}}},
+                        {"starts", {{{"name", "west"}, {"position", {3, 5}}, {"heading", 0}}}}};
+  for (const Door& door : doors) {
+    scene["obstacles"].push_back(box(door.x, 0, door.x + 0.2, door.y - door.width / 2));
+    scene["obstacles"].push_back(box(door.x, door.y + door.width / 2, door.x + 0.2, 10));
+  }
+  return scene;
+}
+
+struct Blocked {
+  std::vector<Door> doors;
+  std::vector<std::string> options;
+  std::string says;
+};
+
+const std::string kNarrow = "every way to the goal is narrower than the robot: ";
+
+const std::vector<Blocked> kBlocked = {
+    {{{10, 5, 0}}, {"--robot", "car"}, "no way leads from the start to the goal: obstacles or the bounds close it off"},
+    {{{10, 5, 0.5}}, {"--robot", "car"}, kNarrow + "0.5"},
+    {{{10, 2, 0.3}}, {"--robot", "car"}, kNarrow + "0.3"},
+    {{{10, 8, 0.59}}, {"--robot", "car"}, ", it needs 0.602 m"},
+    {{{8, 5, 2}, {12, 5, 0.4}}, {"--robot", "car"}, " at 12"},
+    {{{8, 5, 0.4}, {12, 5, 2}}, {"--robot", "car"}, " at 8"},
+    {{{8, 5, 0.4}, {12, 5, 0.3}}, {"--robot", "snake:3"}, " at 12"},
+    {{{10, 5, 0.45}}, {"--robot", "truck:1"}, ", it needs 0.502 m"},
+    {{{10, 5, 0.38}}, {"--robot", "diff_drive"}, ", it needs 0.402 m"},
+    {{{10, 5, 0.7}},
+     {"--robot", "car", "--clearance", "0.1"},
+     ", it needs 0.8 m; without the --clearance on both sides it would need 0.6 m"}};
+
+class CliWhy : public CliTest {};
+
+TEST_F(CliWhy, BlockedScenesNameTheNarrowestPlaceOfTheWidestWay) {
+  for (std::size_t i = 0; i < kBlocked.size(); ++i) {
+    write("walled.json", walled(kBlocked[i].doors).dump());
+    std::vector<std::string> arguments = {"plan", "walled.json"};
+    arguments.insert(arguments.end(), kBlocked[i].options.begin(), kBlocked[i].options.end());
+    const Outcome outcome = krait(arguments);
+    EXPECT_EQ(outcome.code, 1) << i << outcome.errors;
+    EXPECT_THAT(outcome.output, testing::StartsWith("no_route: ")) << i;
+    EXPECT_THAT(outcome.output, HasSubstr("0 iterations")) << i;
+    EXPECT_THAT(outcome.output, HasSubstr("\n  " + (kBlocked[i].says.front() == ' ' || kBlocked[i].says.front() == ','
+                                                        ? kNarrow
+                                                        : kBlocked[i].says)))
+        << i;
+    EXPECT_THAT(outcome.output, HasSubstr(kBlocked[i].says)) << i;
+  }
+}
+
+struct Hopeless {
+  std::vector<std::string> options;
+  int code;
+  std::string says;
+};
+
+const std::vector<Hopeless> kHopeless = {
+    {{"--start", "10,2,0"}, 2, "start_in_collision: the robot overlaps an obstacle (piece "},
+    {{"--start", "-11.9,5,0"}, 2, "the robot reaches to or beyond the bounds of the workspace at -12.1,"},
+    {{"--start", "8.35,2,0", "--clearance", "0.3"}, 2, "the start does not keep the clearance: the robot is 0.1"},
+    {{"--robot", "snake:3", "--start", "11.3,2,0"}, 2, "trailer 1 (body 1) overlaps an obstacle"},
+    {{"--robot", "truck:2", "--start", "-10.4,2,0"}, 2, "trailer 2 (body 2) reaches to or beyond the bounds"},
+    {{"--start", "-50,5,0"}, 2, "start_outside: "},
+    {{"--goal", "19.9,0.1,0.05"}, 1, "the robot cannot stand in the goal: its roomiest place is 0.26"},
+    {{"--robot", "unicycle", "--goal", "19.95,5,0.04"}, 1, ", it needs 0.402 m"},
+    {{"--goal", "17,5,0.001", "--iterations", "500"}, 1, "  most expansions, "},
+    {{"--goal", "17,5,0.001", "--iterations", "500", "--planner", "rrt"}, 1, "  try more --iterations\n"},
+    {{"--goal", "17,5,0.001", "--robot", "unicycle", "--memory", "16K", "--iterations", "2000"}, 1, "--memory"}};
+
+TEST_F(CliWhy, HopelessQueriesNameWhatIsInTheWayAndWhatToTry) {
+  for (std::size_t i = 0; i < kHopeless.size(); ++i) {
+    std::vector<std::string> arguments = {"plan", "room.krait", "--robot", "car"};
+    const std::vector<std::string>& options = kHopeless[i].options;
+    if (std::find(options.begin(), options.end(), "--robot") != options.end()) arguments.resize(2);
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = krait(arguments);
+    EXPECT_EQ(outcome.code, kHopeless[i].code) << i << outcome.errors;
+    EXPECT_THAT(outcome.code == 2 ? outcome.errors : outcome.output, HasSubstr(kHopeless[i].says)) << i;
+  }
+}
+
+TEST_F(CliWhy, AHeadingInDegreesIsAskedAbout) {
+  expect_refused({"plan", "room.krait", "--robot", "car", "--start", "3,5,90"},
+                 "were degrees meant? 90 degrees are 1.5708");
+  expect_refused({"compile", "room.json", "-o", "x.krait", "--start", "3,5,-45"}, "-45 degrees are -0.7854");
+  expect_done({"plan", "room.krait", "--robot", "car", "--start", "3,5,6.28"});
+}
+
+TEST_F(CliWhy, AMapWithoutFreeSpaceIsRefused) {
+  ordered_json scene = walled({});
+  scene["obstacles"].push_back(box(-1, -1, 21, 11));
+  write("full.json", scene.dump());
+  expect_refused({"compile", "full.json", "-o", "full.krait"}, "no free space is left");
+  expect_refused({"plan", "full.json", "--robot", "car"}, "no free space is left");
+}
+
+}  // namespace
+}  // namespace krait::host
