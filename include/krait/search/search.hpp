@@ -452,7 +452,7 @@ class Search {
   Expanded drive(Expanded& expanded, Watch watch) {
     bool goes = true;
     for (std::uint32_t left = parameters_.max_steps; goes && left > 0; --left) {
-      expanded.result = braking() ? brake(expanded) : grow(expanded, watch);
+      expanded.result = braking() ? brake(expanded, watch) : grow(expanded, watch);
       const bool under_way = expanded.result == Expansion::target_not_reached;
       goes = under_way && (braking() || goes_on(expanded));
     }
@@ -527,10 +527,13 @@ class Search {
   }
 
   // One step of the brake. Where it cannot end in the goal, the expansion goes on from where the brake began.
-  Expansion brake(const Expanded& expanded) {
+  template <class Watch>
+  Expansion brake(const Expanded& expanded, Watch watch) {
     if (take_step(brake_)) {
+      watch(brake_.state(), brake_.next());
       const float before = speed_of(*robot_, StateView(brake_.state(), robot_->state_size()));
       brake_.go();
+      ++statistics_.vertices;
       ++brake_steps_;
       const float* const state = brake_.state();
       if (ending_.holds(state, goal_depth_)) return end_braking();
@@ -544,7 +547,6 @@ class Search {
   }
 
   Expansion end_braking() {
-    statistics_.vertices += brake_steps_;
     drive_.begin(brake_.state());
     return Expansion::goal_reached;
   }
