@@ -20,6 +20,7 @@ struct Statistics {
   float plan_length = 0.0F;    // metres
   float plan_duration = 0.0F;  // seconds
   std::uint64_t hash = 0;
+  std::uint64_t improvements = 0;  // better plans that improve has found
 };
 
 }  // namespace krait

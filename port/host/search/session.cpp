@@ -1,5 +1,6 @@
 #include "host/search/session.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "host/search/planner_session.hpp"
@@ -61,6 +62,11 @@ bool honest_answer(Status status) {
 void refuse(const Failure& failure, const SearchRequest& request) {
   if (honest_answer(failure.status)) return;
   throw InputError(std::string(name(failure.status)) + ": " + explanation(failure, request));
+}
+
+std::uint32_t way_legs(const SearchRequest& request) {
+  if (!(request.improve > 0)) return 0;
+  return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(request.memory / 1024, 16, 4096));
 }
 
 std::unique_ptr<Session> start_session(const krait::Scene& scene, const SearchRequest& request, Block& block) {
