@@ -1,12 +1,16 @@
+# SPDX-License-Identifier: Apache-2.0
 # Makes the target krait_box2d: the headers and the one file of Box2D 2.4.1 that the core uses, its polygon distance.
-# BOX2D_SOURCE_DIR names an unpacked source; port/host/setup puts one into build/deps/box2d.
-set(BOX2D_SOURCE_DIR "$ENV{BOX2D_SOURCE_DIR}" CACHE PATH "Unpacked source of Box2D 2.4.1")
-if(NOT BOX2D_SOURCE_DIR)
-  set(BOX2D_SOURCE_DIR ${PROJECT_SOURCE_DIR}/build/deps/box2d)
+# The variable KRAIT_BOX2D_SOURCE, of CMake or else of the environment, names an unpacked source, for builds without a
+# network or with krait in FetchContent; without it, port/host/setup puts one into build/deps/box2d.
+set(KRAIT_BOX2D_SOURCE "$ENV{KRAIT_BOX2D_SOURCE}" CACHE PATH "Unpacked source of Box2D 2.4.1")
+set(box2d ${KRAIT_BOX2D_SOURCE})
+if(NOT box2d)
+  set(box2d ${PROJECT_SOURCE_DIR}/build/deps/box2d)
 endif()
-set(box2d_distance ${BOX2D_SOURCE_DIR}/src/collision/b2_distance.cpp)
+set(box2d_distance ${box2d}/src/collision/b2_distance.cpp)
 if(NOT EXISTS ${box2d_distance})
-  message(FATAL_ERROR "krait: no Box2D source in ${BOX2D_SOURCE_DIR}: run port/host/setup or set BOX2D_SOURCE_DIR")
+  message(FATAL_ERROR "krait: no source of Box2D 2.4.1 in ${box2d}: "
+    "run port/host/setup, or set KRAIT_BOX2D_SOURCE to an unpacked one")
 endif()
 
 # Its call counters are writable globals: a data race between planners, and they overflow. The copy goes without them.
@@ -35,5 +39,5 @@ void b2Log(const char* format, ...);
 configure_file(${box2d_copy}/b2_user_settings.h.in ${box2d_copy}/b2_user_settings.h COPYONLY)
 
 add_library(krait_box2d INTERFACE)
-target_include_directories(krait_box2d SYSTEM INTERFACE ${BOX2D_SOURCE_DIR}/include ${box2d_copy})
+target_include_directories(krait_box2d SYSTEM INTERFACE ${box2d}/include ${box2d_copy})
 target_compile_definitions(krait_box2d INTERFACE B2_USER_SETTINGS)

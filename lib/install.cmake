@@ -1,14 +1,20 @@
-# What `cmake --install` puts down: headers, archives, the page on the scene format, the licence, and what find_package
-# and pkg-config read. Box2D's part is inside the archive; Eigen's headers are the user's.
+# SPDX-License-Identifier: Apache-2.0
+# What `cmake --install` puts down: headers, the archive, the page on the scene format, licence and notices, and what
+# find_package and pkg-config read. Box2D's part is inside the archive; Eigen's headers are the user's.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/krait)
 
-install(TARGETS krait krait_c EXPORT krait-targets INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+# First of all: an install that cannot be whole writes nothing.
+install(CODE "if(NOT EXISTS \"$<TARGET_FILE:krait>\")
+  message(FATAL_ERROR \"krait: nothing is installed, since $<TARGET_FILE:krait> is missing: build the target krait\")
+endif()")
+
+install(TARGETS krait EXPORT krait-targets INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/krait DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-  FILES_MATCHING PATTERN *.h PATTERN *.hpp)
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/include/krait/scene/FORMAT.md
-  DESTINATION ${CMAKE_INSTALL_DOCDIR})
+  FILES_MATCHING PATTERN *.hpp PATTERN version.h)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/NOTICE
+  ${PROJECT_SOURCE_DIR}/include/krait/scene/FORMAT.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 install(EXPORT krait-targets NAMESPACE krait:: DESTINATION ${package_folder})
 write_basic_package_version_file(krait-config-version.cmake

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "krait/status.hpp"
 
 #include <cstddef>
@@ -45,6 +46,7 @@ constexpr const char* kArgumentNames[] = {"none",
                                           "reverse_share",
                                           "cost_length",
                                           "goal_margin",
+                                          "end_speed",
                                           "max_substeps",
                                           "prior_epsilon",
                                           "prior_path_regions",

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The contract between a program that plans and the machine it runs on. The core never calls a port: the program hands
 // the core numbers (a seed, a budget) and asks the port for the rest.
 #pragma once

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Linux on 64-bit Arm.
 set(krait_triplet aarch64-linux-gnu)
 set(krait_processor aarch64)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # GNU Arm Embedded for a Cortex-M core. The file that includes this one sets
 #   krait_core     the core, as -mcpu= takes it
 #   krait_fpu      the options that choose its floating point

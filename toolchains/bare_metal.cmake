@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # GNU for a machine without an operating system, run by QEMU with semihosting. The file that includes this one sets
 #   CMAKE_SYSTEM_PROCESSOR
 #   krait_triplet   of the compiler

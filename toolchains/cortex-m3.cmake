@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Cortex-M3: no floating point in hardware.
 set(krait_core cortex-m3)
 set(krait_fpu "-mfloat-abi=soft")

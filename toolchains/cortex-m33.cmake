@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Cortex-M33 with single-precision floating point.
 set(krait_core cortex-m33)
 set(krait_fpu "-mfpu=fpv5-sp-d16 -mfloat-abi=hard")

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Cortex-M4 with single-precision floating point.
 set(krait_core cortex-m4)
 set(krait_fpu "-mfpu=fpv4-sp-d16 -mfloat-abi=hard")

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Cortex-M55 without its vector unit, whose arithmetic flushes denormals.
 set(krait_core cortex-m55+nomve)
 set(krait_fpu "-mfloat-abi=hard")

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # GNU for Linux. The file that includes this one sets
 #   krait_triplet    of the compiler
 #   krait_processor  as uname -m gives it

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # GNU for bare-metal RISC-V with picolibc. The file that includes this one sets
 #   krait_arch     as -march= takes it. Not with _zicsr, which silently picks the wrong libraries; -misa-spec=2.2
 #                  has those instructions in the base set

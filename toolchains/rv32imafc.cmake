@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # 32-bit RISC-V with single-precision floating point.
 set(krait_arch rv32imafc)
 set(krait_abi ilp32f)

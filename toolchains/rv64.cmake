@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # 64-bit RISC-V with double-precision floating point.
 set(krait_arch rv64imafdc)
 set(krait_abi lp64d)

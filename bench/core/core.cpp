@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // krait-bench-core: what the parts of a search cost, for a snake in a compiled scene over some seeds. Each figure is
 // the time for all seeds together: the search as it is, then its parts done again from a recording of it.
 #include <benchmark/benchmark.h>
@@ -56,7 +57,7 @@ class Workload {
     if (!planner.init(block_.data(), kMemory, scene_, robot, parameters_, limits_).ok()) {
       throw host::InputError("the planner refuses the robot or its memory");
     }
-    planner.start({start_.data(), Goal::named(0), seed});
+    (void)planner.start({start_.data(), Goal::named(0), seed});
   }
 
   // Calls visit(expansion) for every expansion of every search.
@@ -242,7 +243,7 @@ void shortest_paths(benchmark::State& state, Workload& work) {
 void select_group(benchmark::State& state, Workload& work) {
   Planner<Snake> planner;
   work.set_up(planner, work.robot(), 1);
-  planner.advance(UINT64_MAX);
+  (void)planner.advance(UINT64_MAX);
   Groups groups = planner.guide();
   for (auto _ : state) {
     for (std::uint64_t seed = 1; seed <= work.seeds(); ++seed)

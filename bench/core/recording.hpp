@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a search did, step by step, so that each part of a step can be done again and timed alone.
 #pragma once
 
@@ -48,7 +49,7 @@ inline std::vector<Expansion> record(const RecordingSnake& snake, Planner<Record
   (void)snake.take();
   while (planner.status() == Status::searching) {
     std::size_t taken = 0;
-    planner.advance(1, [&](const float*, const float*) { ++taken; });
+    (void)planner.advance(1, [&](const float*, const float*) { ++taken; });
     Expansion expansion = snake.take();
     // After a last step that was taken only the plan is driven again; one that was not may follow.
     if (expansion.attempts.size() > taken + 1) expansion.attempts.resize(taken);

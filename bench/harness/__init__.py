@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Runs the benchmark programs by the paper's protocol and turns their answers into tables, pictures and a page.
 
 cells       what is measured: a cell is problem x robot x planner x settings, a trial one seed or query of it
@@ -11,4 +12,5 @@ worker      a benchmark program that answers trials
 problems    scenes, maps and queries as files
 machine     where the measurements were made
 page        RESULTS.md, tables; pictures: the figures; paper: the paper's own numbers
+prose       its lines, at most 120 columns
 """

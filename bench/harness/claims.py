@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Goals that were set before measuring, held against what was measured."""
 
 import math

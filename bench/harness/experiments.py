@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Which cells belong to which table or figure."""
 
 from harness.cells import PEER, Cell

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The journal: a file of JSON lines that is only ever appended to."""
 
 import fcntl

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """RESULTS.md and its tables."""
 
 import subprocess
@@ -8,6 +9,7 @@ from harness.claims import best_peer, claims
 from harness.experiments import LINKS, PARAMETERS, ROBOT, SCALED_SCENE, SCALES, SCENES, scaled, with_setting
 from harness.machine import cores_described
 from harness.problems import BIN
+from harness.prose import wrapped
 from harness.results import to_csv, to_json, write
 from harness.statistics import quantile, rounded
 
@@ -321,4 +323,4 @@ def write_page(results, folder):
     write(folder / "results/cells.json", to_json(rows))
     write(folder / "results/cells.csv", to_csv(rows))
     pictures.draw_all(results, folder / "results")
-    write(folder / "RESULTS.md", page(results))
+    write(folder / "RESULTS.md", wrapped(page(results)))

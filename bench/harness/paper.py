@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The paper's own numbers (A. Wells, E. Plaku, TAROS 2015): seconds, mean and standard deviation of 50 of 60 runs.
 
 Figure 4 gives its numbers as bars only. None stands for the paper's X, a failure.

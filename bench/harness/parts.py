@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """What the parts of a search cost: krait-bench-core's figures, a scene each."""
 
 import json

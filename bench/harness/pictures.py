@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The figures: bars on a logarithmic axis as in the paper's figure 4, growth curves, success over time."""
 
 import matplotlib

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Several cores at once: a thread for each takes the next item; the first failure ends them all."""
 
 from concurrent.futures import ThreadPoolExecutor, as_completed

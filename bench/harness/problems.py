@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Problems as files: the shipped scenes at any scale, and foreign maps with their queries, read where they lie.
 
 "rooms", "rooms@2" (scale 2), "dynobench/bugtrap_0", "movingai/arena"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """How far a measurement is and how long it will still take: a line that is rewritten on a terminal, else one a cell."""
 
 import sys

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The paper's protocol: how long a run may take, when a cell is given up, and what need not be measured again."""
 
 from dataclasses import dataclass

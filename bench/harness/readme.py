@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The table of scenes in README.md."""
 
 from harness.cells import Cell

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """What the journal says about finished cells, and an earlier table about others; their files: JSON, CSV."""
 
 import copy

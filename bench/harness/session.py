@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Measures cells: the protocol, with real programs and a real journal."""
 
 from dataclasses import asdict

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """What the runs of a cell amount to. Runs without a verified plan are censored: their time is at least the limit."""
 
 import math

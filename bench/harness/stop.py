@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """One word to all threads: stop."""
 
 import os

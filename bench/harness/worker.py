@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """A benchmark program that answers trials, alone on one core."""
 
 import json

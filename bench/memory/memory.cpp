@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How many of many seeds a search solves in blocks of different sizes. Counts only: the same on every machine.
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -25,7 +26,7 @@ int solved(const krait::Scene& scene, const Snake& robot, std::uint64_t bytes, i
   if (!planner.init(block.data(), bytes, scene, robot, Parameters(), limits).ok()) return 0;
   int count = 0;
   for (int seed = 1; seed <= seeds; ++seed) {
-    planner.start({start.data(), krait::Goal::named(0), static_cast<std::uint64_t>(seed)});
+    (void)planner.start({start.data(), krait::Goal::named(0), static_cast<std::uint64_t>(seed)});
     count += planner.advance(kIterations) == Status::solved ? 1 : 0;
   }
   return count;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How long Scene::open takes for each file, and per byte: linear in the size.
 #include <algorithm>
 #include <chrono>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which controls OMPL's planners try: targets for our controller, or the robot's own at random.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The robot's motion for OMPL: a step of the core's integrator under a control, and whether that step is free by the
 // core's own proof (MotionCheck), which looks at whole steps.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // krait-bench-peers: trials of OMPL's planners.
 #include <ompl/util/Console.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "peers/planners.hpp"
 
 #include <ompl/control/planners/est/EST.h>

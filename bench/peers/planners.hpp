@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // OMPL's planners, each with the parameters that served it best on the shipped scenes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What OMPL's planners are asked: our robot, scene, goal and parameters behind OMPL's interfaces.
 #pragma once
 

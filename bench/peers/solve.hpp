@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A search by one of OMPL's planners, timed and taken out as run_search does for the core's.
 #pragma once
 

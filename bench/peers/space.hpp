@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The robot's states for OMPL: their distance, samples (straight chains at rest steering) and projection to the plane.
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* A plugin of QEMU (TCG plugin API, version 1) that counts the instructions of every translated block, exactly:
  *   -plugin libcount.so,out=FILE
  * FILE gets a line `ADDRESS INSTRUCTIONS RUNS` a block, the address in hexadecimal. Debian ships no header for plugins:

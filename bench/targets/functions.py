@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Adds the counts of translated blocks up by function: nm -nC PROGRAM | python3 bench/targets/functions.py COUNTS"""
 
 import bisect

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What planning costs on a machine, in instructions: a step of Runge-Kutta, a vertex, a call of advance(1). Over all
 // scenes that lie on the board, two seeds each. Prints one line of JSON.
 #include <algorithm>
@@ -64,7 +65,7 @@ template <Robot R>
 std::uint64_t expand(const Board& board, Planner<R>& planner, Costs& costs) {
   const Statistics before = planner.statistics();
   const std::uint64_t begin = instructions(board);
-  planner.advance(1);
+  (void)planner.advance(1);
   const std::uint64_t cost = instructions(board) - begin;
   const Statistics after = planner.statistics();
   costs.search += cost;
@@ -102,10 +103,10 @@ void search_everywhere(const Board& board, const Request& request, const R& robo
     float start[R::kMaxState];
     firmware::rest_at_start(scene, robot, request, start);
     const Limits limits = planner.limits_for(kBlock, scene, robot);
-    planner.init(board.arena, kBlock, scene, robot, Parameters(), limits);
+    (void)planner.init(board.arena, kBlock, scene, robot, Parameters(), limits);
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
       const std::uint64_t begin = instructions(board);
-      planner.start({start, Goal::named(0), seed});
+      (void)planner.start({start, Goal::named(0), seed});
       costs.start = std::max(costs.start, instructions(board) - begin);
       search(board, planner, costs);
       ++costs.searches;
@@ -122,7 +123,7 @@ void add_pools(firmware::JsonLine& line, const Board& board, const R& robot, std
   firmware::for_each_scene(board, [&](const Scene& scene) {
     if (!first) return;
     first = false;
-    planner.init(board.arena, block, scene, robot, Parameters(), planner.limits_for(block, scene, robot));
+    (void)planner.init(board.arena, block, scene, robot, Parameters(), planner.limits_for(block, scene, robot));
     for (std::size_t pool = 0; pool < kPoolCount; ++pool) {
       const std::uint64_t bytes = planner.arena().needed(static_cast<Pool>(pool));
       if (bytes > 0) line.add(name(static_cast<Pool>(pool)), bytes);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The median of many counts in little memory, to within four thousandths.
 #pragma once
 

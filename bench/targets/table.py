@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The table of bench/targets/run: python3 bench/targets/table.py FOLDER [--print] [BUILD…]
 
 FOLDER holds `scenes`, the scenes of the measurement one behind the other; the builds go there too."""

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The planners of the core that are measured: each a name for a search and its parameters.
 #pragma once
 

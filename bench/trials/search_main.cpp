@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // krait-bench-search: trials of the core's planners.
 #include <cstdio>
 

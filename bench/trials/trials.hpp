@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What every benchmark program does: answer trials. A trial is a line of JSON on standard input; its answer, a line on
 // standard output, tells the outcome, the time, and what the verifier found.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One block of the caller's memory, cut into pools front to back. Nothing is ever given back.
 #pragma once
 

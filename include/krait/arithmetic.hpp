@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Refuses compilers and machines that change float arithmetic: the same plan on every target needs each operation as
 // written.
 #pragma once

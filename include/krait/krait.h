@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* krait in C: the adaptive planner and its five robots behind plain structs. Nothing allocates; all memory is the
    caller's. The program needs no special compiler flags and no C++ run-time library: link krait::c (-lkrait_c -lkrait).
    Metres, radians, seconds. What a function gives or refuses is that of the C++ member of the same name. */
@@ -8,8 +9,19 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "krait/version.h"
+
 #ifdef __cplusplus
 extern "C" {
+#endif
+
+/* Whose result must be looked at: the compiler warns where it is thrown away. */
+#if defined(__cplusplus)
+#define KRAIT_NODISCARD [[nodiscard]]
+#elif defined(__GNUC__)
+#define KRAIT_NODISCARD __attribute__((warn_unused_result))
+#else
+#define KRAIT_NODISCARD
 #endif
 
 #define KRAIT_NONE UINT32_MAX
@@ -61,7 +73,7 @@ typedef union krait_scene {
 
 /* Checks the whole file, then views it. `file` is aligned to 4 and must stay for as long as the scene is used.
    KRAIT_SOLVED or KRAIT_BAD_SCENE. */
-krait_failure krait_open(krait_scene* scene, const void* file, size_t file_bytes);
+KRAIT_NODISCARD krait_failure krait_open(krait_scene* scene, const void* file, size_t file_bytes);
 
 typedef struct krait_scene_facts {
   const char* name;
@@ -145,7 +157,7 @@ uint32_t krait_state_size(const krait_robot* robot);
 
 /* Writes the state of the robot standing still there. False, and nothing written, where the robot's parameters cannot
    be used, or a robot with trailers is given another number of angles. */
-bool krait_rest(const krait_robot* robot, krait_pose pose, float* state);
+KRAIT_NODISCARD bool krait_rest(const krait_robot* robot, krait_pose pose, float* state);
 
 /* ---- Planning ---- */
 
@@ -168,6 +180,7 @@ typedef struct krait_parameters {
   bool prune_portals;
   bool plain;
   float goal_margin;
+  float end_speed; /* m/s; INFINITY: any */
 } krait_parameters;
 krait_parameters krait_default_parameters(void);
 
@@ -201,8 +214,9 @@ krait_limits krait_limits_to_improve(uint64_t bytes, const krait_scene* scene, c
 
 /* Makes a planner in the block, which is aligned to 8 and, like scene and file, must outlive it and stay where it is;
    robot, parameters and limits are copied. `*planner` is NULL where it fails. */
-krait_failure krait_init(krait_planner** planner, void* block, uint64_t bytes, const krait_scene* scene,
-                         const krait_robot* robot, const krait_parameters* parameters, const krait_limits* limits);
+KRAIT_NODISCARD krait_failure krait_init(krait_planner** planner, void* block, uint64_t bytes, const krait_scene* scene,
+                                         const krait_robot* robot, const krait_parameters* parameters,
+                                         const krait_limits* limits);
 
 typedef struct krait_goal {
   uint32_t index; /* of the scene's goals, or KRAIT_NONE for the disc */
@@ -219,21 +233,21 @@ typedef struct krait_query {
 
 /* Begins a search, ending any other. KRAIT_SEARCHING, or how it has ended at once: KRAIT_BAD_SCENE where the file or
    the scene is found to be another than at krait_init. */
-krait_status krait_start(krait_planner* planner, const krait_query* query);
+KRAIT_NODISCARD krait_status krait_start(krait_planner* planner, const krait_query* query);
 
 /* At most `iterations` expansions more. The plan does not depend on how a search is cut into calls. */
-krait_status krait_advance(krait_planner* planner, uint64_t iterations);
+KRAIT_NODISCARD krait_status krait_advance(krait_planner* planner, uint64_t iterations);
 
 /* At most `iterations` more of looking for a plan of fewer steps: the plan is then the best so far, and krait_next
    begins again with its first state. The plan does not depend on how the iterations are cut into calls. KRAIT_SOLVED;
    where there is no plan, the search's status; KRAIT_BAD_ARGUMENT where krait_limits has no way_legs. */
-krait_status krait_improve(krait_planner* planner, uint64_t iterations);
+KRAIT_NODISCARD krait_status krait_improve(krait_planner* planner, uint64_t iterations);
 
 /* Ends a search as KRAIT_TIME_USED, for a program whose clock says so. */
 void krait_stop_for_time(krait_planner* planner);
 
 /* The last answer, with its details. */
-krait_failure krait_last_failure(const krait_planner* planner);
+KRAIT_NODISCARD krait_failure krait_last_failure(const krait_planner* planner);
 
 typedef struct krait_statistics {
   uint64_t iterations, restarts, vertices, recycled, collision_checks, dijkstra_runs, regions_repaired, plans_refused;
@@ -242,6 +256,7 @@ typedef struct krait_statistics {
   uint32_t plan_steps;
   float plan_length;     /* metres */
   float plan_duration;   /* seconds */
+  float plan_end_speed;  /* m/s */
   uint64_t hash;         /* of the plan */
   uint64_t improvements; /* better plans that krait_improve has found */
 } krait_statistics;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // krait: kinodynamic, region-guided, adaptive, in-place tree search. Everything that a firmware needs.
 #pragma once
 
@@ -11,3 +12,4 @@
 #include "krait/search/prior.hpp"
 #include "krait/search/rrt.hpp"
 #include "krait/status.hpp"
+#include "krait/version.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An array of indices in a pool, two bytes each where all of them fit.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A solved plan: driven again from the start by a cursor in O(1) memory, or copied. Its states are those of PlanDrive.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The core's random numbers: xoshiro128++ (Blackman, Vigna 2018), seeded by SplitMix64. Integers only, so that
 // the sequence is the same on every target.
 #pragma once

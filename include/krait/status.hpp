@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every answer that the core gives, one enum; the names are the ones in JSON.
 #pragma once
 
@@ -62,6 +63,7 @@ enum class Argument : std::uint8_t {
   reverse_share,
   cost_length,
   goal_margin,
+  end_speed,
   max_substeps,
   prior_epsilon,
   prior_path_regions,
@@ -85,7 +87,7 @@ struct Failure {
   std::uint64_t bytes_needed = 0;  // arena_too_small
   float most = 0.0F;               // bad_argument, dt: the longest time step in seconds that the robot allows
 
-  bool ok() const { return status == Status::solved; }
+  [[nodiscard]] bool ok() const { return status == Status::solved; }
 };
 
 }  // namespace krait

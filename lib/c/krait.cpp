@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The functions of krait.h, of any model.
 #include "krait/krait.h"
 

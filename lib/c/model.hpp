@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the C interface needs of a model of robot, and how it comes from the C++ class.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "c/model.hpp"
 
 krait_robot krait_unicycle() {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "krait/collision/distance.hpp"
 
 // Box2D lives in a namespace of our own, so that a program may link another Box2D beside it. Everything that its

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sines and cosines of many angles, as many at a time as the processor takes. The same bits however many that are.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compiled for AVX2 as no other file is: nothing here runs before the processor was asked.
 #include "lanes/kernels.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What lanes/angles.hpp declares, for any number of lanes. Templates alone: what one file makes of them with
 // instructions of its own no other file can come to use.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Several floats at a time where the processor can: four with SSE2 and 64-bit Arm's NEON, eight with AVX2. Every lane
 // does the scalar code's operations in the scalar code's order, so that it has the same bits. Not 32-bit Arm's NEON,
 // which flushes denormals to zero.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "krait/robot/chain.hpp"
 
 #include "krait/robot/box.hpp"
@@ -181,7 +182,8 @@ void Chain::steer(StateView s, const Pose* poses, const Target& target, Steering
   const SinCos heading = poses[0].heading;
   const Vec2 to{target.point.x - s[0], target.point.y - s[1]};
   const Vec2 along{heading.cos, heading.sin};
-  const bool backward = target.speed < 0.0F;
+  const bool stops = target.speed == 0.0F;
+  const bool backward = target.speed < 0.0F || (stops && s[3] < 0.0F);
   const float error = backward ? -atan2(-cross(along, to), -dot(along, to)) : atan2(cross(along, to), dot(along, to));
   const float wanted = steering.heading(kHeadingGains, error, target.dt);
   const float lock = p.max_steering * kInside * target.turn;
@@ -191,7 +193,13 @@ void Chain::steer(StateView s, const Pose* poses, const Target& target, Steering
   const float set_point = target.speed * (backward ? -p.min_speed : p.max_speed);
   const float push = steering.speed(kSpeedGains, set_point - s[3], target.dt);
   const float gain = clamp(push, -p.max_acceleration, p.max_acceleration);
-  approach(s, s[3] + gain * target.dt, clamp(psi, -lock, lock), target.dt, u);
+  const float speed = stops ? 0.0F : s[3] + gain * target.dt;
+  approach(s, speed, clamp(psi, -lock, lock), target.dt, u);
+}
+
+// The rear axle's, with the steering angle held.
+float Chain::stopping_way(StateView s) const {
+  return 0.5F * s[3] * absolute(s[3]) / parameters_.max_acceleration * sin_cos(s[4]).cos;
 }
 
 // The control that brings speed and steering angle as near to the wanted ones as the limits allow in a time step.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "krait/robot/differential_drive.hpp"
 
 #include "krait/robot/tracking.hpp"
@@ -21,6 +22,11 @@ bool DifferentialDrive::sound() const {
 // Wanted speed and turn rate become wheel speeds; where a wheel would be too fast, speed yields to turning.
 void DifferentialDrive::steer(StateView s, const Target& target, Steering& steering, ControlRef u) const {
   const DifferentialDriveParameters& p = parameters_;
+  if (target.speed == 0.0F) {
+    constexpr float kStill[2] = {0.0F, 0.0F};
+    approach(s, kStill, target.dt, u);
+    return;
+  }
   const float error = heading_error(s, target);
   const float along = sin_cos(error).cos;
   const float most = p.max_wheel_speed * kInside;
@@ -55,6 +61,13 @@ void DifferentialDrive::track(StateView s, StateView reference, float dt, Contro
 bool DifferentialDrive::within_limits(StateView s) const {
   const float most = parameters_.max_wheel_speed;
   return finite(position(s)) && absolute(s[2]) <= kMaxAngle && absolute(s[3]) <= most && absolute(s[4]) <= most;
+}
+
+// Each wheel stops by itself.
+float DifferentialDrive::stopping_way(StateView s) const {
+  const DifferentialDriveParameters& p = parameters_;
+  const float turned = s[3] * absolute(s[3]) + s[4] * absolute(s[4]);  // times twice the acceleration, of both wheels
+  return 0.25F * p.wheel_radius * turned / p.max_wheel_acceleration;
 }
 
 float DifferentialDrive::fastest_rate(float dt) const {

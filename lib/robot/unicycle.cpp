@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "krait/robot/unicycle.hpp"
 
 #include "krait/robot/tracking.hpp"
@@ -20,6 +21,10 @@ bool Unicycle::sound() const {
 // Turns on the spot until the target lies ahead, then drives, slower the further it lies to the side.
 void Unicycle::steer(StateView s, const Target& target, Steering& steering, ControlRef u) const {
   const UnicycleParameters& p = parameters_;
+  if (target.speed == 0.0F) {
+    u.setZero();
+    return;
+  }
   const float error = heading_error(s, target);
   const float along = sin_cos(error).cos;
   u[0] = target.speed * (target.speed < 0.0F ? -p.min_speed : p.max_speed) * (along > 0.0F ? along : 0.0F);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which cells of a bucket or clearance grid a box or a convex polygon meets, in exact integers.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks the bytes of a scene file before anything else reads them.
 #pragma once
 

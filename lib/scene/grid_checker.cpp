@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The part of the checker that holds the bucket lists and the clearances to the geometry: what they leave out or call
 // free a planner would drive through.
 #include "scene/cells.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "krait/search/motion_tree.hpp"
 
 namespace krait {
@@ -11,8 +12,9 @@ void MotionTree::take(Arena& arena, std::uint32_t vertices, std::uint32_t expans
   states_ = arena.take<float>(Pool::states, std::uint64_t{vertices} * state_size_);
 }
 
-void MotionTree::clear(const Box& bounds) {
+void MotionTree::clear(const Box& bounds, std::uint32_t spare) {
   empty();
+  spare_ = spare;
   vertex_most_ = 0;
   expansion_most_ = 0;
   grid_ = TargetGrid(bounds);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "krait/search/parameters.hpp"
 
 #include <bit>
@@ -39,6 +40,7 @@ constexpr Range<float> kNumbers[] = {
     {offsetof(Parameters, reverse_share), Argument::reverse_share, 0.0F, 1.0F},
     {offsetof(Parameters, clearance), Argument::clearance, 0.0F, 10.0F},
     {offsetof(Parameters, goal_margin), Argument::goal_margin, 0.0F, 10.0F},
+    {offsetof(Parameters, end_speed), Argument::end_speed, 0.0F, kInfinity},
     {offsetof(Parameters, prior.epsilon), Argument::prior_epsilon, 1e-30F, 1.0F},
     {offsetof(Parameters, prior.path_share), Argument::prior_path_share, 0.0F, 1.0F},
     {offsetof(Parameters, prior.goal_share), Argument::prior_goal_share, 0.0F, 1.0F},
@@ -94,6 +96,7 @@ Parameters Parameters::paper() {
   parameters.continuous = false;
   parameters.prune_portals = false;
   parameters.goal_margin = 0.0F;
+  parameters.end_speed = kInfinity;
   return parameters;
 }
 

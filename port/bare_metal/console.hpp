@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How a bare-metal program is asked, answers and ends. semihosting.cpp does it through a debugger or an emulator; a
 // board may bring its own (port/template).
 #pragma once

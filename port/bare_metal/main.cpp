@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "bare_metal/main.hpp"
 
 #include "bare_metal/console.hpp"

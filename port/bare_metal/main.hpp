@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the start-up code of every architecture calls, and what it gives.
 #pragma once
 

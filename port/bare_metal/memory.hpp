@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The memory of a bare-metal program, as the linker script lays it out.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The scene, linked into the program: KRAIT_SCENE names the file.
 __asm(
     "  .section .scene, \"a\"\n"

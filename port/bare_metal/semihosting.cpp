@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The console by semihosting ("Semihosting for AArch32 and AArch64", Arm; RISC-V uses the same operations).
 #include <cstdint>
 

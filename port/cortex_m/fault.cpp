@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fault report of a Cortex-M (Armv7-M Architecture Reference Manual, B1.5.6 stack frame, B3.2.15 to B3.2.18 registers).
 #include "bare_metal/main.hpp"
 #include "bare_metal/memory.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A semihosting call of a Cortex-M: BKPT 0xAB, operation in r0, argument in r1, result in r0.
 #include <cstdint>
 

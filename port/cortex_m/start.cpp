@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Vector table and reset of a Cortex-M (Armv7-M Architecture Reference Manual, B1.5; Armv8-M, B3.30).
 // Section numbers in this file are the Armv7-M manual's.
 #include <cstdint>

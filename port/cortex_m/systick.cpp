@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The clock: SysTick, a 24-bit counter that counts down (Armv7-M Architecture Reference Manual, B3.3). Its interrupt
 // counts the rounds.
 #include "bare_metal/main.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The application: opens the scene in place, plans, reports. One model of robot a program.
 #pragma once
 
@@ -75,7 +76,7 @@ Failure set_up(const Board& board, const Request& request, const R& robot, Scene
   limits.iterations = request.iterations;
   const Failure ready = planner.init(board.arena, bytes, scene, robot, Parameters(), limits);
   if (!ready.ok()) return ready;
-  planner.start({state, Goal::named(0), request.seed});
+  (void)planner.start({state, Goal::named(0), request.seed});
   return planner.failure();
 }
 
@@ -88,7 +89,7 @@ void plan_for(const Board& board, const Request& request, const R& robot, Report
   report.setup = watch.lap();
   report.nanoseconds = report.setup;
   while (report.failure.status == Status::searching) {
-    planner.advance(1);
+    (void)planner.advance(1);
     report.failure = planner.failure();
     const std::uint64_t lap = watch.lap();
     report.nanoseconds += lap;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a port hands to the firmware application besides its callbacks.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Text put together without the C library's formatting.
 #pragma once
 

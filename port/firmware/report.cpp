@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "firmware/report.hpp"
 
 #include "firmware/line.hpp"
@@ -62,6 +63,7 @@ void add_statistics(JsonLine& line, const Report& report) {
       .add("plan_steps", std::uint64_t{s.plan_steps})
       .add_decimal("plan_length_m", s.plan_length)
       .add_decimal("plan_duration_s", s.plan_duration)
+      .add_decimal("plan_end_speed_m_s", s.plan_end_speed)
       .add_hash("hash", s.hash);
 }
 

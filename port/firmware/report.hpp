@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The firmware's answer: one line of JSON, and the exit code.
 #pragma once
 

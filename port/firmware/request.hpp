@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the firmware is asked for, from the words of a command line.
 #pragma once
 

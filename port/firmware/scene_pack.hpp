@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Several scenes, one right behind the other where a board has its scene: how tests and benches give a machine all they
 // need in one run.
 #pragma once

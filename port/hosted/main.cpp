@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The application where there are files: main --scene FILE.krait [options of the application].
 #include <chrono>
 #include <cstdio>

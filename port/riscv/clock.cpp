@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The clock: mtime of the core-local interruptor (the `virt` machine has it where SiFive's parts do).
 #include "bare_metal/main.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A semihosting call of RISC-V: EBREAK between two instructions without effect that mark it, all uncompressed and in
 // one page; operation in a0, argument in a1, result in a0 (RISC-V Semihosting, chapter 2).
 #include <cstdint>

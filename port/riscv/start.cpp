@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reset, traps and protection of a RISC-V hart in machine mode (RISC-V Privileged Architecture).
 #include <cstdint>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The console of a board: its serial port. Registers of the CMSDK APB UART (Arm Cortex-M System Design Kit, 4.3).
 #include "bare_metal/console.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Asks a planner whether it would plan with the arithmetic of this file.
 #pragma once
 

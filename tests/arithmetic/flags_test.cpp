@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Says what the planners answer to the flags of this file: "adaptive ANSWER prior ANSWER rrt ANSWER".
 #include "answer.hpp"
 #include "firmware/application.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A board with nothing but a log, where there is an operating system or node.
 #include <cstdio>
 

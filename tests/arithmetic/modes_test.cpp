@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Says what the planner answers while the floating-point unit flushes denormals and while it does not round to nearest:
 // "as reset ANSWER flushing ANSWER upward ANSWER toward zero ANSWER", and "none" for a mode that the machine lacks.
 #include "answer.hpp"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The benchmarks' driver itself: known timings in, right statistics out; giving up, censoring, resuming."""
 
 import contextlib
@@ -27,6 +28,7 @@ from harness.parts import parts_of  # noqa: E402
 from harness.pool import Pool  # noqa: E402
 from harness.problems import Problem, movingai_queries, roomiest_heading  # noqa: E402
 from harness.progress import Progress  # noqa: E402
+from harness.prose import wrapped  # noqa: E402
 from harness.protocol import Protocol, measure  # noqa: E402
 from harness.results import Results, to_csv, to_json  # noqa: E402
 from harness.statistics import Figure, deviation, mean, quantile, rounded, summarise, times, trimmed  # noqa: E402
@@ -619,6 +621,19 @@ class Written(unittest.TestCase):
         self.assertTrue(text.endswith(f"|\n{readme.END}\nafter\n"))
         self.assertIn("| rooms | 1 | 1 | 500.0 | 500.0 | 5 | 5 | 1.0e-04 | 1.0 | 10.0 | 30.0 |\n", text)
         self.assertNotIn("old", text)
+
+
+class Prose(unittest.TestCase):
+    def test_is_wrapped_and_nothing_else(self):
+        row, title = "| " + "cell " * 40 + "|", "## " + "title " * 30
+        page = "\n".join([title, "", row, "word " * 60 + "end", "of it.", "- " + "item " * 30 + "- 5", "- next", ""])
+        lines = wrapped(page).split("\n")
+        self.assertEqual(" ".join(lines).split(), page.split())
+        self.assertEqual(lines[:3], [title, "", row])
+        self.assertLessEqual(max(len(line) for line in lines if line not in (row, title)), 120)
+        self.assertEqual(lines[5], "word " * 12 + "end of it.")
+        self.assertEqual((lines[7], lines[8], lines[9]), ("  " + "item " * 7 + "- 5", "- next", ""))
+        self.assertEqual(wrapped(wrapped(page)), wrapped(page))
 
 
 class Parts(unittest.TestCase):

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The benchmark programs: trials_test.py BIN. The verifier accepts every planner's plan; bad input is refused."""
 
 import json

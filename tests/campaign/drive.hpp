@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Drives controls in double precision: classic Runge-Kutta, each step halved until halving changes nothing.
 #pragma once
 

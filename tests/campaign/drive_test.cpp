@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The campaign's own equations of motion, held against what is known in closed form, and its bounds of motion against
 // fine integration.
 #include "drive.hpp"

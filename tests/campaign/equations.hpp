@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The equations of motion of the five models in double precision, and what they say of the motion between two states.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A drawing's obstacles and bounds as the judge sees them: the edges of its polygons and of its occupied cells, in a
 // grid of buckets, double precision. Nothing of the compiled scene is in it.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Judges a plan by what its controls do: driven from its first state in double precision and swept.
 #pragma once
 
@@ -45,7 +46,7 @@ inline constexpr double kCare = 5e-4;           // m
 inline constexpr double kCoarsest = 1e-4;       // m
 inline constexpr double kLimitShare = 1e-4;     // of a limit: rounding that is let pass
 inline constexpr double kPositionError = 5e-4;  // m, of a stored state, and
-inline constexpr double kPositionShare = 4e-5;  // of the way of body 0's ends more: what spins drifts most
+inline constexpr double kPositionShare = 5e-6;  // of the way of body 0's ends more
 inline constexpr double kAngleError = 1e-3;     // rad, of a stored state
 
 Verdict judge(const Robot& robot, const Field& field, const Region& goal, const PlanRecord& plan);

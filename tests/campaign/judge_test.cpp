@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The campaign's judge finds what it is there to find: contacts of millimetres, between states too, limits, goals
 // missed, states that the controls do not lead to.
 #include "judge.hpp"

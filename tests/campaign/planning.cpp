@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "planning.hpp"
 
 #include "krait/krait.hpp"
@@ -46,7 +47,7 @@ Planned plan_with(R robot, const Scene& scene, const Query& query) {
     result.end = text_of(ready);
     return result;
   }
-  planner.start({query.start.data(), query.goal, query.seed});
+  (void)planner.start({query.start.data(), query.goal, query.seed});
   const auto bodies = static_cast<std::uint64_t>(robot.body_count());
   while (planner.advance(kSlice) == Status::searching && planner.statistics().collision_checks * bodies < query.work) {
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plans with the core alone: krait::Planner through the public headers.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A robot of the campaign: the parameters that the core is handed, and its bodies as the judge sees them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sweeps the bodies along a driven way: intervals are halved until nothing can have happened in them unseen.
 #pragma once
 

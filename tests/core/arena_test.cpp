@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The block cut into pools: what it counts is what it takes.
 #include "krait/arena.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The C interface gives what the C++ one gives: the same plans to the bit, the same refusals, every number in its
 // place.
 #include <gtest/gtest.h>
@@ -257,8 +258,8 @@ TEST(CInterface, TheBlockIsAsLargeAsAsked) {
   EXPECT_NE(given.planner, nullptr);
   const float start[] = {2, 6, 0};
   const krait_query query = {start, krait_named_goal(0), 1};
-  krait_start(given.planner, &query);
-  krait_advance(given.planner, 1000);
+  EXPECT_EQ(krait_start(given.planner, &query), KRAIT_SEARCHING);
+  (void)krait_advance(given.planner, 1000);
   for (std::size_t i = given.needed / 8; i < given.block.size(); ++i) EXPECT_EQ(given.block[i], 0xA5A5A5A5A5A5A5A5ULL);
 }
 
@@ -299,7 +300,7 @@ TEST(CInterface, ImprovesAPlanAsTheCppPlannerDoes) {
   EXPECT_EQ(krait_improve(given.planner, 10), KRAIT_BAD_ARGUMENT);  // before the first start
   const float start[] = {2, 6, 0};
   const krait_query query = {start, krait_named_goal(0), 1};
-  krait_start(given.planner, &query);
+  ASSERT_EQ(krait_start(given.planner, &query), KRAIT_SEARCHING);
   ASSERT_EQ(krait_advance(given.planner, 100'000), KRAIT_SOLVED);
   float state[3];
   float control[2];
@@ -315,7 +316,7 @@ TEST(CInterface, ImprovesAPlanAsTheCppPlannerDoes) {
   bench.limits = {given.limits.vertices, 0, given.limits.iterations, WhenFull::recycle, 64};
   ASSERT_TRUE(bench.init().ok());
   ASSERT_EQ(bench.solve({start}), Status::solved);
-  bench.planner.improve(500);
+  ASSERT_EQ(bench.planner.improve(500), Status::solved);
   const krait_statistics statistics = krait_statistics_of(given.planner);
   EXPECT_GT(statistics.improvements, 0U);
   EXPECT_EQ(statistics.improvements, bench.planner.statistics().improvements);
@@ -331,7 +332,7 @@ TEST(CInterface, ImprovingNeedsRoomInTheLimits) {
   ASSERT_EQ(given.init(200'000).status, KRAIT_SOLVED);
   const float start[] = {2, 6, 0};
   const krait_query query = {start, krait_named_goal(0), 1};
-  krait_start(given.planner, &query);
+  ASSERT_EQ(krait_start(given.planner, &query), KRAIT_SEARCHING);
   ASSERT_EQ(krait_advance(given.planner, 100'000), KRAIT_SOLVED);
   EXPECT_EQ(krait_improve(given.planner, 10), KRAIT_BAD_ARGUMENT);
   EXPECT_EQ(krait_last_failure(given.planner).status, KRAIT_SOLVED);
@@ -414,6 +415,7 @@ TEST(CInterface, EveryParameterIsInItsPlace) {
   EXPECT_SAME_PLACE(krait_parameters, Parameters, prune_portals);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, plain);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, goal_margin);
+  EXPECT_SAME_PLACE(krait_parameters, Parameters, end_speed);
   EXPECT_SAME_PLACE(krait_limits, Limits, vertices);
   EXPECT_SAME_PLACE(krait_limits, Limits, expansions);
   EXPECT_SAME_PLACE(krait_limits, Limits, iterations);
@@ -467,6 +469,7 @@ TEST(CInterface, EveryAnswerIsInItsPlace) {
   EXPECT_SAME_PLACE(krait_statistics, Statistics, plan_steps);
   EXPECT_SAME_PLACE(krait_statistics, Statistics, plan_length);
   EXPECT_SAME_PLACE(krait_statistics, Statistics, plan_duration);
+  EXPECT_SAME_PLACE(krait_statistics, Statistics, plan_end_speed);
   EXPECT_SAME_PLACE(krait_statistics, Statistics, hash);
   EXPECT_SAME_PLACE(krait_statistics, Statistics, improvements);
 }

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* A program in C that plans, for c_interface_test.cpp to compare with the C++ planner. */
 #ifndef KRAIT_TESTS_C_PROGRAM_H
 #define KRAIT_TESTS_C_PROGRAM_H

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A robot that keeps every promise of the concept, and all the ways in which it may break one: one at a time.
 #pragma once
 
@@ -173,6 +174,7 @@ inline RobotRanges cart_ranges() {
   ranges.dt = {0.05F, 0.1F, 0.4F};
   ranges.headings = {2};
   ranges.step_rate = 0.5F;
+  ranges.step_error = 1e-4F;
   return ranges;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Convex polygons for the collision tests: random ones, and their separation in double precision.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // When a position is in the goal, and how deep.
 #include "krait/decomposition/goal.hpp"
 

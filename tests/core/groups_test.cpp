@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Groups, their samples and the choice of one, against brute force.
 #include "krait/search/groups.hpp"
 

@@ -89,11 +89,11 @@ void expect_independent_of_cuts(const R& robot) {
   Solved<R> whole(robot);
   Solved<R> single(robot);
   Solved<R> mixed(robot);
-  whole.planner.improve(600);
-  for (int i = 0; i < 600; ++i) single.planner.improve(1);
+  EXPECT_EQ(whole.planner.improve(600), Status::solved);
+  for (int i = 0; i < 600; ++i) EXPECT_EQ(single.planner.improve(1), Status::solved);
   for (int i = 0; i < 600;) {
     const int cut = i % 7 + 1 < 600 - i ? i % 7 + 1 : 600 - i;
-    mixed.planner.improve(static_cast<std::uint64_t>(cut));
+    EXPECT_EQ(mixed.planner.improve(static_cast<std::uint64_t>(cut)), Status::solved);
     i += cut;
   }
   EXPECT_GT(whole.planner.statistics().improvements, 0U);
@@ -117,14 +117,14 @@ TEST(ImproveCalls, ThePlanDoesNotDependOnHowTheyAreCut) {
 // A planner that has improved before is as a fresh one.
 TEST(ImproveCalls, TheNextStartForgetsThem) {
   Solved<Car> used(small_car(), 5);
-  used.planner.improve(700);
+  EXPECT_EQ(used.planner.improve(700), Status::solved);
   ASSERT_GT(used.planner.statistics().improvements, 0U);
   Solved<Car> fresh(small_car(), 2);
   ASSERT_EQ(used.solve({used.start.data(), Goal::named(0), 2}), Status::solved);
   EXPECT_EQ(used.planner.statistics().improvements, 0U);
   EXPECT_EQ(used.planner.plan().hash(), fresh.planner.plan().hash());
-  used.planner.improve(700);
-  fresh.planner.improve(700);
+  EXPECT_EQ(used.planner.improve(700), Status::solved);
+  EXPECT_EQ(fresh.planner.improve(700), Status::solved);
   EXPECT_TRUE(same(used.planner.statistics(), fresh.planner.statistics()));
 }
 
@@ -177,7 +177,7 @@ TEST(ImproveProof, EveryBetterPlanIsSound) {
   for (const std::uint64_t seed : {1U, 2U}) {
     Solved<Car> bench(small_car(), seed);
     for (std::uint64_t found = 0; found < 3;) {
-      bench.planner.improve(1);
+      EXPECT_EQ(bench.planner.improve(1), Status::solved);
       if (bench.planner.statistics().improvements == found) continue;
       ++found;
       expect_sound(bench, Path(bench.planner.plan()));
@@ -221,7 +221,7 @@ TEST(ImproveMemory, NothingOutsideTheBlockIsWritten) {
           .ok());
   const std::vector<float> start = start_of(bench.robot);
   ASSERT_EQ(bench.solve({start.data(), Goal::named(0), 3}), Status::solved);
-  bench.planner.improve(3000);
+  EXPECT_EQ(bench.planner.improve(3000), Status::solved);
   for (std::size_t i = 0; i < 32; ++i) {
     ASSERT_EQ(block[i], 0x5151515151515151ULL);
     ASSERT_EQ(block[32 + needed / 8 + i], 0x5151515151515151ULL);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Dijkstra's queue against an ordered set in random sequences of its operations.
 #include "krait/decomposition/indexed_heap.hpp"
 

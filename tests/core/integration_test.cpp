@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How many Runge-Kutta steps a time step is divided into, and how far they are from the true motion, over the whole
 // range of parameters that init accepts (lib/DESIGN.md, "Integration").
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The code for four and for eight lanes against the scalar code, whichever of them the library takes on this machine.
 #include <gtest/gtest.h>
 

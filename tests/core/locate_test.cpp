@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // LOCATEREGION against brute force over all triangles in exact arithmetic.
 #include "krait/decomposition/locate.hpp"
 

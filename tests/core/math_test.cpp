@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The core's own functions against libm in double precision, within the errors that their comments promise.
 #include "krait/math.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What step_free accepts is free in between as well: shown by simulating accepted steps densely in double precision.
 #include "krait/collision/motion_check.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The motion tree against one made of shared pointers, and what its memory holds at any time.
 #include "krait/search/motion_tree.hpp"
 
@@ -39,7 +40,7 @@ class Fixture {
     block.assign(counting.needed() / 8, 0x7E7E7E7E7E7E7E7EULL);
     Arena arena(block.data(), block.size() * 8);
     tree.take(arena, vertices, expansions, kStateSize);
-    tree.clear(kBounds);
+    tree.clear(kBounds, 0);
   }
 
   std::vector<std::uint64_t> block;
@@ -362,6 +363,21 @@ TEST(MotionTree, TheLongestExpansionIsCountedToTheStep) {
   EXPECT_EQ(f.tree.expansions(), 0U);
 }
 
+TEST(MotionTree, KeepsSpareExpansionsBack) {
+  Fixture f(4, 4);
+  f.tree.clear(kBounds, 1);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_FALSE(f.tree.expansions_full());
+    f.tree.begin_expansion({}, {{0, 20}, 1.0F});
+  }
+  EXPECT_TRUE(f.tree.expansions_full());
+  EXPECT_EQ(f.tree.begin_expansion({}, {{0, 20}, 0.0F}), 3U);
+  EXPECT_EQ(f.tree.target(3).speed, 0.0F);
+  f.tree.end_expansion(3, 0);
+  f.tree.end_expansion(0, 0);
+  EXPECT_FALSE(f.tree.expansions_full());
+}
+
 TEST(MotionTree, ClearForgetsEverything) {
   Fixture f(4, 4);
   const float state[kStateSize] = {};
@@ -376,7 +392,7 @@ TEST(MotionTree, ClearForgetsEverything) {
     EXPECT_TRUE(f.tree.expansions_full());
     EXPECT_EQ(f.tree.bytes_untouched(), 0U);
     f.tree.remove(2);
-    f.tree.clear(kBounds);
+    f.tree.clear(kBounds, 0);
     EXPECT_EQ(f.tree.vertices(), 0U);
     EXPECT_EQ(f.tree.expansions(), 0U);
     EXPECT_EQ(f.tree.most_vertices(), 0U);

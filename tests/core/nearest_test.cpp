@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The nearest point against brute force.
 #include "krait/search/nearest.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The room around a body against brute force over all pieces in double precision.
 #include "krait/collision/obstacles.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The controller against its definition, step by step.
 #include "krait/motion/pid.hpp"
 

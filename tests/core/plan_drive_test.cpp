@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The motion of a plan, against double precision and against the tree's, and what becomes of ways that do not hold.
 #include "krait/motion/plan_drive.hpp"
 
@@ -53,6 +54,7 @@ class Drives {
   double path() const { return path_; }
   double error() const { return distance(truth_, plan_.state()); }
   double error_of_tree() const { return distance(truth_, tree_.state()); }
+  double heading_error() const { return std::fabs(truth_[2] - wide(plan_.state()[2])); }
 
  private:
   void place(const float* state) { robot_.place(StateView(state, robot_.state_size()), poses_.data()); }
@@ -107,6 +109,59 @@ TEST(PlanDriveOfWheels, ThatSwapTheirSpeedsStaysWithTheTrueMotion) {
       target.speed = uniform_float(random, 0.75, 1) * (below(random, 3) == 0 ? -1.0F : 1.0F);
       drives.aim(target);
     }
+    drives.step();
+    ASSERT_LE(drives.error(), 1e-4 + 1e-6 * drives.path()) << "step " << i;
+  }
+}
+
+// Fast wheels, whose speeds in float have an error that turns the robot by 1e-7 rad a step, always the same way where
+// it drives straight on for long; the bound is four times the rounding of a heading as a float.
+TEST(PlanDriveOfWheels, ThatAreFastKeepsItsHeading) {
+  DifferentialDriveParameters p;
+  p.wheel_radius = 0.04721F;
+  p.track_width = 0.3289F;
+  p.max_wheel_speed = 50.67F;
+  p.max_wheel_acceleration = 523.8F;
+  const DifferentialDrive robot(p);
+  Drives<DifferentialDrive> drives(robot, 0.2458F);
+  std::mt19937 random(3);
+  for (int i = 0; i < 4'000; ++i) {
+    if (i % 40 == 0) drives.aim({{uniform_float(random, 0, 200), uniform_float(random, 0, 200)}});
+    drives.step();
+    ASSERT_LE(drives.heading_error(), 2e-6) << "step " << i;
+    ASSERT_LE(drives.error(), 1e-4 + 5e-7 * drives.path()) << "step " << i;
+  }
+}
+
+// Waves its heading once a step, 0.1 rad to both sides: it goes the same way at the ends of a step and in its middle.
+class Wave : public Unicycle {
+ public:
+  static constexpr int kMaxState = 4;
+  static constexpr float kRate = 2 * kPi / kStep;
+
+  Wave() : Unicycle({}) {}
+  int state_size() const { return 4; }
+  void derivative(StateView s, ControlView, StateRef ds) const {
+    const SinCos heading = sin_cos(s[2]);
+    ds[0] = heading.cos;
+    ds[1] = heading.sin;
+    ds[2] = 0.1F * kRate * sin_cos(s[3]).cos;
+    ds[3] = kRate;
+  }
+  float fastest_rate(float) const { return kRate; }
+  void track(StateView, StateView, float, ControlRef) const = delete;
+};
+
+Numbers rate(const Wave&, const Numbers& s, const Numbers&) {
+  const double waves = wide(Wave::kRate);
+  return {std::cos(s[2]), std::sin(s[2]), wide(0.1F) * waves * std::cos(s[3]), waves};
+}
+
+TEST(PlanDriveOfWave, StaysWithTheTrueMotion) {
+  const Wave robot;
+  Drives<Wave> drives(robot);
+  drives.aim({{100, 0}});
+  for (int i = 0; i < 100; ++i) {
     drives.step();
     ASSERT_LE(drives.error(), 1e-4 + 1e-6 * drives.path()) << "step " << i;
   }
@@ -169,17 +224,48 @@ TEST(PlanDriveOfWhirl, IsNotGivenOutWhereItMissesOrCollides) {
   EXPECT_GE(refused, 3U);
 }
 
+// Hitches of the tree stay 2 mrad away from their limit, although many come near: what drives a little beside the tree
+// keeps the limit itself.
+TEST(PlanDriveOfHitches, HasRoomBetweenTheTreeAndTheLimit) {
+  ChainParameters p;
+  p.trailers = 3;
+  p.hitch_length = 0.5F;
+  p.body_length = 0.4F;
+  p.body_width = 0.3F;
+  p.wheelbase = 0.4F;
+  p.max_hitch_angle = 0.1F;
+  Bench<Snake> bench(two_rooms(), Snake(p));
+  bench.parameters.doomed_steps = 0;
+  bench.parameters.candidates = 0;
+  bench.parameters.dt = 0.01F;
+  bench.limits.iterations = 600;
+  ASSERT_TRUE(bench.init().ok());
+  const float start[8] = {3, 6};
+  ASSERT_EQ(bench.solve({start, Goal::named(0), 1}), Status::budget_used);
+  float nearest = 1;
+  for (Index vertex = 0; vertex < bench.planner.tree().vertices(); ++vertex) {
+    const float* state = bench.planner.tree().state(vertex);
+    float ahead = state[2];
+    for (int hitch = 5; hitch < 8; ++hitch) {
+      nearest = std::min(nearest, p.max_hitch_angle - std::fabs(ahead - state[hitch]));
+      ahead = state[hitch];
+    }
+  }
+  EXPECT_GE(nearest, 2e-3F - 1e-6F);
+  EXPECT_LE(nearest, 2.5e-3F);
+}
+
 // The work of a call is bounded however long the plan is: what one call does is one expansion, of the tree or the way.
 TEST(PlanDriveCalls, DriveAnExpansionEach) {
   const float start[] = {2, 6, 0};
   Bench<Unicycle> bench(two_rooms(), small_unicycle());
   bench.parameters.max_steps = 5;
   ASSERT_TRUE(bench.init().ok());
-  bench.planner.start({start});
+  EXPECT_EQ(bench.planner.start({start}), Status::searching);
   std::uint64_t placed = 0, driving = 0;
   while (bench.planner.status() == Status::searching) {
     const Statistics before = bench.planner.statistics();
-    bench.planner.advance(1);
+    (void)bench.planner.advance(1);
     const Statistics after = bench.planner.statistics();
     driving += after.iterations == before.iterations ? 1 : 0;
     placed = std::max(placed, after.collision_checks - before.collision_checks);

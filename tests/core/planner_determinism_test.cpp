@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The same query gives the same bits: again, in pieces, in another block, beside another planner.
 #include <set>
 
@@ -16,7 +17,7 @@ class PlannerDeterminism : public ::testing::Test {
   static std::uint64_t hash_of(std::uint64_t seed, std::uint64_t piece) {
     TestBench bench(two_rooms(), small_unicycle());
     EXPECT_TRUE(bench.init().ok());
-    bench.planner.start({kStart, Goal::named(0), seed});
+    EXPECT_EQ(bench.planner.start({kStart, Goal::named(0), seed}), Status::searching);
     while (bench.planner.advance(piece) == Status::searching) continue;
     EXPECT_EQ(bench.planner.status(), Status::solved);
     return bench.planner.statistics().hash;
@@ -84,8 +85,8 @@ TYPED_TEST(PlannerDeterminism, TwoPlannersSideBySideDoNotDisturbEachOther) {
   typename TestFixture::TestBench a(two_rooms(), small_unicycle()), b(two_rooms(), small_unicycle());
   ASSERT_TRUE(a.init().ok());
   ASSERT_TRUE(b.init().ok());
-  a.planner.start({kStart, Goal::named(0), 1});
-  b.planner.start({kStart, Goal::named(0), 2});
+  EXPECT_EQ(a.planner.start({kStart, Goal::named(0), 1}), Status::searching);
+  EXPECT_EQ(b.planner.start({kStart, Goal::named(0), 2}), Status::searching);
   bool searching = true;
   while (searching) {
     const bool first = a.planner.advance(1) == Status::searching;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The last states before a collision: they are not kept to grow from.
 #include "planner_fixture.hpp"
 
@@ -13,7 +14,7 @@ class Expansions {
     bench_.parameters.doomed_steps = doomed_steps;
     bench_.parameters.group_sample = 65535;  // nothing is left out by chance
     EXPECT_TRUE(bench_.init().ok());
-    bench_.planner.start({kStart, Goal::named(0), seed});
+    EXPECT_EQ(bench_.planner.start({kStart, Goal::named(0), seed}), Status::searching);
   }
 
   // Makes one expansion. False when the search has ended.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One planner answers queries for ever: no leak, no drift, the same high-water mark. With KRAIT_LONG_TESTS=1 a hundred
 // thousand of them.
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Memory is known beforehand: a block of bytes_required works, one byte less says how many are needed.
 #include "planner_fixture.hpp"
 

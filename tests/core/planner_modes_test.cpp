@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Planners with parts of them turned off, as the paper has them or for comparison, and robots whose position lies
 // outside their body.
 #include <algorithm>
@@ -134,9 +135,9 @@ std::uint64_t first_repair(std::uint32_t kappa, std::uint32_t update_regions) {
   bench.parameters.update_regions = update_regions;
   EXPECT_TRUE(bench.init().ok());
   const float start[] = {2, 6, 0};
-  bench.planner.start({start});
+  EXPECT_EQ(bench.planner.start({start}), Status::searching);
   while (bench.planner.status() == Status::searching && bench.planner.statistics().regions_repaired == 0) {
-    bench.planner.advance(1);
+    (void)bench.planner.advance(1);
   }
   EXPECT_GT(bench.planner.statistics().regions_repaired, 0U);
   return bench.planner.statistics().iterations;
@@ -174,8 +175,8 @@ TYPED_TEST(PlannerModes, APositionOutsideItsBodyMayPassOverAnObstacle) {
   int over = 0;
   double least = kInfinity;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    bench.planner.start({kStart, Goal::disc({1.2F, 6}, 0.05F), seed});
-    bench.planner.advance(500, [&](const float*, const float* to) {
+    EXPECT_EQ(bench.planner.start({kStart, Goal::disc({1.2F, 6}, 0.05F), seed}), Status::searching);
+    (void)bench.planner.advance(500, [&](const float*, const float* to) {
       if (!detail::holds(post, wide(to[0]), wide(to[1]))) return;
       ++over;
       least = std::min(least, separation_of_state(bench.robot, bench.open.scene, {to, to + 3}));

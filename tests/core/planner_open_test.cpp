@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Expansions longer than max_steps: only in the open, and only by the planner that has them.
 #include "planner_fixture.hpp"
 
@@ -29,14 +30,14 @@ struct HallBench : Bench<Unicycle, P> {
 class Expansions {
  public:
   Expansions(HallBench<AdaptivePlanner>& bench, std::uint64_t seed) : bench_(bench) {
-    bench.planner.start({kStart, Goal::named(0), seed});
+    EXPECT_EQ(bench.planner.start({kStart, Goal::named(0), seed}), Status::searching);
   }
 
   // The positions of the current expansion after one more call, which is checked; `begun` says whether it is a new one.
   const std::vector<Vec2>& advance() {
     const std::uint32_t before = selections();
     std::vector<Vec2> more;
-    bench_.planner.advance(1, [&](const float*, const float* to) { more.push_back({to[0], to[1]}); });
+    (void)bench_.planner.advance(1, [&](const float*, const float* to) { more.push_back({to[0], to[1]}); });
     EXPECT_LE(more.size(), kMaxSteps);
     begun_ = selections() > before;
     not_counted_ = selections() < before;

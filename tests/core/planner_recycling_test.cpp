@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Searches in too little memory: they go on with what they have, and what they call a plan is one.
 #include <algorithm>
 #include <random>
@@ -122,7 +123,7 @@ TYPED_TEST(PlannerRecycling, HowTheSearchIsCutDoesNotMatter) {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
       const Query query{kStart, Goal::named(0), seed};
       const Status status = whole.solve(query);
-      cut.planner.start(query);
+      (void)cut.planner.start(query);
       int watched = 0;
       while (cut.planner.advance(below(random, 12), [&](auto, auto) { ++watched; }) == Status::searching) continue;
       EXPECT_EQ(cut.planner.status(), status);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Searches that begin anew: when, from what, and what stays.
 #include <algorithm>
 
@@ -58,7 +59,7 @@ TEST(PlannerRestarts, DoNotDependOnHowTheSearchIsCut) {
   for (Statistics* statistics : {&whole, &pieces}) {
     UnitBench bench(3);
     ASSERT_TRUE(bench.init().ok());
-    bench.planner.start({kStart});
+    EXPECT_EQ(bench.planner.start({kStart}), Status::searching);
     while (bench.planner.advance(statistics == &whole ? 1'000'000 : 3) == Status::searching) continue;
     *statistics = bench.planner.statistics();
   }
@@ -76,8 +77,8 @@ TEST(PlannerRestarts, ForgetWhatTheTryHasLearnt) {
   ASSERT_TRUE(bench.init().ok());
   ASSERT_TRUE(fresh.init().ok());
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
-    fresh.planner.start({kStart, Goal::named(0), seed});
-    bench.planner.start({kStart, Goal::named(0), seed});
+    EXPECT_EQ(fresh.planner.start({kStart, Goal::named(0), seed}), Status::searching);
+    EXPECT_EQ(bench.planner.start({kStart, Goal::named(0), seed}), Status::searching);
     const auto differs = [&] {
       for (Index r = 0; r < bench.open.scene.triangle_count(); ++r) {
         if (bench.planner.regions().cost(r) != fresh.planner.regions().cost(r)) return true;

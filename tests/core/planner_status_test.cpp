@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every answer of a planner is reached here, and says what it should.
 #include <cmath>
 #include <functional>
@@ -22,7 +23,7 @@ class PlannerStatus : public ::testing::Test {
   static Failure start(const Room& room, const Query& query) {
     TestBench bench(room, small_unicycle());
     EXPECT_TRUE(bench.init().ok());
-    bench.planner.start(query);
+    (void)bench.planner.start(query);
     EXPECT_EQ(bench.planner.statistics().iterations, 0U);
     EXPECT_TRUE(bench.planner.plan().empty() || bench.planner.status() == Status::solved);
     return bench.planner.failure();
@@ -370,6 +371,18 @@ TEST(PlannerParameters, EachFloatIsCheckedAtBothEnds) {
     EXPECT_FALSE(verdict(std::nextafter(range.low, -kInfinity))) << name(range.argument);
     EXPECT_FALSE(verdict(std::nextafter(range.high, kInfinity))) << name(range.argument);
     for (const float bad : {kNan, kInfinity, -kInfinity}) EXPECT_FALSE(verdict(bad)) << name(range.argument);
+  }
+}
+
+// Unlike the others it may be infinite.
+TEST(PlannerParameters, AnEndSpeedIsNoNegativeNumber) {
+  for (const float good : {0.0F, 1e-30F, 2.5F, kInfinity}) {
+    EXPECT_TRUE(init_with([&](Parameters& p) { p.end_speed = good; }).ok()) << good;
+  }
+  for (const float bad : {-1e-30F, -kInfinity, kNan}) {
+    const Failure failure = init_with([&](Parameters& p) { p.end_speed = bad; });
+    EXPECT_EQ(failure.status, Status::bad_argument) << bad;
+    EXPECT_EQ(failure.element, blame(Argument::end_speed)) << bad;
   }
 }
 

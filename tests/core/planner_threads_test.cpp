@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Planners in threads of one program do not touch each other. Run under ThreadSanitizer too (preset thread).
 #include <thread>
 
@@ -56,9 +57,9 @@ TYPED_TEST(PlannerThreads, ShareASceneAndARobot) {
       if (!Scene::open(open.bytes.data(), open.bytes.size(), scene).ok()) return;
       std::vector<std::uint64_t> block(P::bytes_required(scene, robot, limits) / 8);
       P planner;
-      planner.init(block.data(), block.size() * 8, scene, robot, {}, limits);
-      planner.start({kStart});
-      planner.advance(1'000'000);
+      EXPECT_TRUE(planner.init(block.data(), block.size() * 8, scene, robot, {}, limits).ok());
+      EXPECT_EQ(planner.start({kStart}), Status::searching);
+      EXPECT_EQ(planner.advance(1'000'000), Status::solved);
       hash = planner.statistics().hash;
     });
   }

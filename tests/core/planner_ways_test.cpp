@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Ways are looked at before one is driven: targets in sight, sketches, and giving up.
 #include "planner_fixture.hpp"
 
@@ -64,11 +65,11 @@ TEST(PlannerWays, ThatEndTooSoonAreGivenUpAndRaiseCosts) {
   ASSERT_TRUE(bench.init().ok());
   int given_up = 0, raised = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-    bench.planner.start({kStart, Goal::named(0), seed});
+    EXPECT_EQ(bench.planner.start({kStart, Goal::named(0), seed}), Status::searching);
     while (bench.planner.status() == Status::searching && !bench.planner.driving()) {
       const std::uint64_t before = bench.planner.statistics().regions_repaired;
       int steps = 0;
-      bench.planner.advance(1, [&](const float*, const float*) { ++steps; });
+      (void)bench.planner.advance(1, [&](const float*, const float*) { ++steps; });
       if (steps > 0) continue;
       ++given_up;
       raised += bench.planner.statistics().regions_repaired > before ? 1 : 0;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Box2D's distance in float against Boost.Geometry in double.
 #include <gtest/gtest.h>
 

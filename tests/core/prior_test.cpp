@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The planner of prior work: its group weights and its choice of vertices by their definition. What holds for every
 // planner is tested in planner_*_test.cpp.
 #include "krait/search/prior.hpp"
@@ -52,7 +53,7 @@ TEST(PriorPlanner, SelectsTheGroupOfTheLargestWeight) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     PriorBench f(dead_end(), small_unicycle());
     ASSERT_TRUE(f.init().ok());
-    f.planner.start({kStart, Goal::named(0), seed});
+    EXPECT_EQ(f.planner.start({kStart, Goal::named(0), seed}), Status::searching);
     for (int i = 0; i < 300 && f.planner.status() == Status::searching; ++i) {
       std::map<Index, std::uint32_t> selections;
       std::map<Index, double> weights;
@@ -63,7 +64,7 @@ TEST(PriorPlanner, SelectsTheGroupOfTheLargestWeight) {
         best = std::max(best, weights[region]);
       }
       if (f.planner.driving()) break;
-      f.planner.advance(1);
+      (void)f.planner.advance(1);
       int grown = 0;
       for (const auto& [region, before] : selections) {
         if (f.planner.guide().selections(region) == before) continue;
@@ -78,7 +79,7 @@ TEST(PriorPlanner, SelectsTheGroupOfTheLargestWeight) {
 TEST(PriorPlanner, CostsNeverChange) {
   PriorBench f(dead_end(), small_unicycle());
   ASSERT_TRUE(f.init().ok());
-  f.planner.start({kStart});
+  EXPECT_EQ(f.planner.start({kStart}), Status::searching);
   std::vector<float> costs;
   const Index triangles = f.open.scene.triangle_count();
   for (Index t = 0; t < triangles; ++t) costs.push_back(f.planner.regions().cost(f.planner.regions().region(t)));
@@ -106,7 +107,7 @@ std::pair<int, int> nearest_expansions(float nearest_share) {
   f.parameters.prior.nearest_share = nearest_share;
   EXPECT_TRUE(f.init().ok());
   const Vec2 center{11, 7};
-  f.planner.start({kStart, Goal::disc(center, 1e-3F), 1});
+  EXPECT_EQ(f.planner.start({kStart, Goal::disc(center, 1e-3F), 1}), Status::searching);
   int nearest = 0, all = 0;
   for (int i = 0; i < 400 && f.planner.status() == Status::searching; ++i) {
     std::map<Index, std::pair<std::uint32_t, float>> before;  // by group: selections, nearest member
@@ -114,7 +115,7 @@ std::pair<int, int> nearest_expansions(float nearest_share) {
       before[group] = {f.planner.guide().selections(group), least_distance(f.planner, group, center)};
     }
     float from = kInfinity;  // of the expansion's first state, if it had a step
-    f.planner.advance(1, [&](const float* state, const float*) {
+    (void)f.planner.advance(1, [&](const float* state, const float*) {
       if (from == kInfinity) from = distance(state, center);
     });
     if (from == kInfinity) continue;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The generator against the published algorithms, and the uniformity of what is drawn from it.
 #include "krait/random.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The decomposition's heuristic costs against Boost's Dijkstra on the same graph, built here in double precision.
 #include "krait/decomposition/regions.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // check_robot finds nothing in the library's models, and names what a wrong robot does wrong.
 #include <gmock/gmock.h>
 

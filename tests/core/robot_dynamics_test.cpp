@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The models' derivatives, their integration and the placement of their bodies against double precision.
 #include <gtest/gtest.h>
 

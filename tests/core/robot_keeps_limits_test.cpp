@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A step that a chain calls within its limits, or a collision check free, keeps them all the way, by the same motion in
 // small steps of double precision.
 #include "krait/collision/motion_check.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Limits hold under steering, exactly; and states outside them are told.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The robots' dynamics and placement in double precision, written from the formulas of lib/DESIGN.md, and instances,
 // random states and controls of every model for typed tests.
 #pragma once

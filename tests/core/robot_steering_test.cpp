@@ -1,5 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
 // What controllers ask for, where it can be computed by hand.
 #include <gtest/gtest.h>
+
+#include <vector>
 
 #include "krait/krait.hpp"
 
@@ -38,6 +41,77 @@ TEST(RobotSteering, ADifferentialDriveSlowsDownToTurn) {
   EXPECT_NEAR((wheels[1] - wheels[0]) * p.wheel_radius / p.track_width, turn_rate, 1e-3F);
   EXPECT_NEAR(wheels[1], p.max_wheel_speed, 1e-3F);
   EXPECT_GT(wheels[0], 0.0F);
+}
+
+// Steered to rest for long enough; gives the state that it then stands in.
+template <class R>
+std::vector<float> stopped(const R& robot, std::vector<float> state, Vec2 toward) {
+  const int size = robot.state_size();
+  Drive<R> drive;
+  drive.assign(robot, 0.1F);
+  drive.begin(state.data());
+  Target target;
+  target.point = toward;
+  target.speed = 0.0F;
+  drive.aim(target);
+  for (int i = 0; i < 100 && robot.speed(StateView(drive.state(), size)) > 1e-3F; ++i) {
+    const float before = robot.speed(StateView(drive.state(), size));
+    Pose poses[R::kMaxBodies];
+    robot.place(StateView(drive.state(), size), poses);
+    drive.lead(poses);
+    drive.follow(poses);
+    drive.go();
+    EXPECT_LT(robot.speed(StateView(drive.state(), size)), before);
+    EXPECT_TRUE(robot.within_limits(StateView(drive.state(), size)));
+  }
+  EXPECT_LE(robot.speed(StateView(drive.state(), size)), 1e-3F);
+  return {drive.state(), drive.state() + size};
+}
+
+template <class R>
+void expect_stopping_way(const R& robot, const std::vector<float>& state, Vec2 toward, float tolerance) {
+  const std::vector<float> end = stopped(robot, state, toward);
+  EXPECT_NEAR(end[0] - state[0], robot.stopping_way(StateView(state.data(), robot.state_size())), tolerance);
+}
+
+TEST(RobotSteering, ACarStopsWhereItsStoppingWayEnds) {
+  ChainParameters p;
+  p.trailers = 2;
+  p.min_speed = -1.5F;
+  for (const float speed : {2.5F, 1.2F, 0.3F, -0.4F, -1.5F}) {
+    const std::vector<float> state = {1, 2, 0, speed, 0, 0, 0};
+    const Vec2 target{speed < 0.0F ? -50.0F : 50.0F, 2};
+    expect_stopping_way(Truck(p), state, target, 0.01F);
+    expect_stopping_way(Snake(p), state, target, 0.01F);
+    const Truck truck(p);
+    EXPECT_EQ(truck.speed(StateView(state.data(), 7)), absolute(speed));
+  }
+  EXPECT_NEAR(Truck(p).stopping_way(StateView(std::vector<float>{0, 0, 0, 2, 1, 0, 0}.data(), 7)), 0.4F * 0.5403F,
+              1e-4F);
+}
+
+// On a turn a wheel that is slower stops sooner.
+TEST(RobotSteering, ADifferentialDriveStopsWithoutTurningToItsTarget) {
+  const DifferentialDrive robot(DifferentialDriveParameters{});
+  for (const float speed : {12.0F, 5.0F, -3.0F, -12.0F}) {
+    expect_stopping_way(robot, {1, 2, 0, speed, speed}, {1, 20}, 0.02F);
+  }
+  EXPECT_FLOAT_EQ(robot.speed(StateView(std::vector<float>{0, 0, 0, -12, 3}.data(), 5)), 0.96F);
+  const std::vector<float> end = stopped(robot, {1, 2, 0, 6, 6}, {1, 20});
+  EXPECT_NEAR(end[2], 0.0F, 1e-5F);
+}
+
+TEST(RobotSteering, AUnicycleThatShallStopStandsStill) {
+  const Unicycle robot(UnicycleParameters{});
+  const float state[] = {0, 0, 0};
+  Target beside;
+  beside.point = {0, 5};
+  beside.speed = 0.0F;
+  Steering steering;
+  float control[2] = {1, 1};
+  robot.steer(StateView(state, 3), beside, steering, ControlRef(control, 2));
+  EXPECT_EQ(control[0], 0.0F);
+  EXPECT_EQ(control[1], 0.0F);
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // travel() and quick_bound() bound every motion of a step: what the proof of free motion stands on.
 #include <gtest/gtest.h>
 

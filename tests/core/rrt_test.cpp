@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // RRT: where connections begin, and that they go on. What holds for every planner is tested in planner_*_test.cpp.
 #include "krait/search/rrt.hpp"
 
@@ -21,7 +22,7 @@ TEST(RrtPlanner, ConnectionsBeginAtTheVertexNearestToTheirTarget) {
   ASSERT_TRUE(f.init().ok());
   const Vec2 center{11, 1};  // behind the wall: connections end at it
   const float start[] = {2, 1, 0};
-  f.planner.start({start, Goal::disc(center, 1e-3F), 1});
+  EXPECT_EQ(f.planner.start({start, Goal::disc(center, 1e-3F), 1}), Status::searching);
   int begun = 0;
   for (int i = 0; i < 200; ++i) {
     const Index size = f.planner.tree().vertices();
@@ -29,7 +30,7 @@ TEST(RrtPlanner, ConnectionsBeginAtTheVertexNearestToTheirTarget) {
     for (Index v = 0; v < size; ++v) least = std::min(least, length(center - position(f.planner, v)));
     const Vec2 last = position(f.planner, size - 1);
     bool first = true;
-    f.planner.advance(1, [&](const float* from, const float*) {
+    (void)f.planner.advance(1, [&](const float* from, const float*) {
       const bool goes_on = from[0] == last.x && from[1] == last.y && size > 1;  // may be the last connection
       if (first && !goes_on) {
         ++begun;
@@ -49,10 +50,10 @@ TEST(RrtPlanner, ConnectionsGoOnInTheNextIteration) {
   f.parameters.rrt.goal_share = 0.0F;
   ASSERT_TRUE(f.init().ok());
   const float start[] = {20, 20, 0};
-  f.planner.start({start, Goal::disc({1, 1}, 1e-3F), 1});
+  EXPECT_EQ(f.planner.start({start, Goal::disc({1, 1}, 1e-3F), 1}), Status::searching);
   std::vector<float> last(3, kInfinity);
   std::uint32_t steps = 0, connections = 0;
-  f.planner.advance(3000, [&](const float* from, const float* to) {
+  (void)f.planner.advance(3000, [&](const float* from, const float* to) {
     ++steps;
     connections += std::equal(last.begin(), last.end(), from) ? 0U : 1U;
     last.assign(to, to + 3);
@@ -94,11 +95,11 @@ TEST(RrtPlanner, ConnectionsEndThatComeNoCloser) {
   f.parameters.rrt.goal_share = 0.0F;
   ASSERT_TRUE(f.init().ok());
   const float start[] = {10, 10, 0};
-  f.planner.start({start, Goal::disc({1, 1}, 1e-3F), 1});
+  EXPECT_EQ(f.planner.start({start, Goal::disc({1, 1}, 1e-3F), 1}), Status::searching);
   Connection now;
   int longest = 0;
   for (int i = 0; i < 3000; ++i) {
-    f.planner.advance(1, ConnectionWatch{&f.planner, &now});
+    (void)f.planner.advance(1, ConnectionWatch{&f.planner, &now});
     longest = std::max(longest, now.expansions);
   }
   EXPECT_GT(longest, 10);

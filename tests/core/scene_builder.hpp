@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Writes scene bytes by FORMAT.md for rooms made by hand: axis-aligned boxes in a rectangle, and the free part
 // triangulated by the grid of all their sides. Independent of the scene compiler.
 #pragma once

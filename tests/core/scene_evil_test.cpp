@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every file of scene_evils.hpp, with the right check sum: the answer names the section and the element.
 #include <gtest/gtest.h>
 

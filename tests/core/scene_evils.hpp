@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One file for every reason that the checker has to reject a scene, made from a sound one; the check sum is the
 // caller's to repair.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bucket lists and clearances are held to the geometry: no entry can be left out, no claim raised above the truth.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scene::open in a page that cannot be written, with a page behind it that cannot be read: like flash.
 #include <gtest/gtest.h>
 #include <sys/mman.h>

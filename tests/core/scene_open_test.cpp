@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scene::open on sound bytes: what the view says is what was written; and nothing that is not sound gets through.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rough steps against Runge-Kutta's, and how far they find a way free.
 #include "krait/robot/sketch.hpp"
 

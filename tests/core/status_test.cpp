@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The names that the core's answers have in JSON.
 #include "krait/status.hpp"
 

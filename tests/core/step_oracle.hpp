@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How near a robot comes to anything during a step of its true motion, in double precision.
 #pragma once
 

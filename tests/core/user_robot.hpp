@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A robot that a user writes: a square that slides in any direction at up to `max_speed`.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A robot that a user writes in about twenty lines (user_robot.hpp) plans like one of ours; one that breaks its word
 // gets no plan through the place where it does.
 #include <algorithm>

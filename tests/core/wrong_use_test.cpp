@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Wrong use gives a status, never a wrong plan: blocks, poses, parameters at their ends, robots that break their word.
 #include <cmath>
 #include <functional>
@@ -116,10 +117,10 @@ TYPED_TEST(WrongUse, ASceneThatWasNeverOpenedHoldsNoStart) {
   Limits limits;
   limits.vertices = 100;
   std::vector<std::uint64_t> block(P::bytes_required(scene, robot, limits) / 8 + 1);
-  planner.init(block.data(), block.size() * 8, scene, robot, {}, limits);
+  (void)planner.init(block.data(), block.size() * 8, scene, robot, {}, limits);
   const float start[] = {0, 0, 0};
   for (const Goal& goal : {Goal::named(0), Goal::disc({0, 0}, 1)}) {
-    planner.start({start, goal});
+    (void)planner.start({start, goal});
     EXPECT_TRUE(planner.status() == Status::bad_argument || planner.status() == Status::start_outside);
     EXPECT_EQ(planner.advance(10), planner.status());
     EXPECT_TRUE(planner.plan().empty());
@@ -338,7 +339,7 @@ void expect_bad_starts(const R& robot) {
       start[0] = 2;
       start[1] = 6;
       start[static_cast<std::size_t>(i)] = bad;
-      bench.planner.start({start.data()});
+      (void)bench.planner.start({start.data()});
       const Status status = bench.planner.status();
       EXPECT_TRUE(status == Status::bad_argument || (i < 2 && status == Status::start_outside))
           << i << " " << bad << " " << name(status);

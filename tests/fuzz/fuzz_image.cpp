@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The picture of a map, PGM or PNG by its content: one line or a picture of the size that it says.
 #include <string>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A map, drawing or compiled scene in whichever format recognises the content: one line or a workspace with sound
 // numbers, whatever the text says.
 #include <cmath>

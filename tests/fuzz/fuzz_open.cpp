@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scene::open, and every look-up of a scene that it took.
 #include <cstring>
 
@@ -45,6 +46,10 @@ void look_at_names(const Scene& scene) {
 
 }  // namespace
 }  // namespace krait::fuzz
+
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed) {
+  return krait::fuzz::change_scene(data, size, most, seed);
+}
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace krait;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The texts of the command line's options: the first byte chooses which.
 #include <cmath>
 #include <string>

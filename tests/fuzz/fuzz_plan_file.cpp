@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A plan's JSON, and the verifier on whatever it says.
 #include <string>
 

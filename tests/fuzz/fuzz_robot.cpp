@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ROBOT.json: one line or a robot that is read back as itself.
 #include <string>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One harness an input: each reads bytes as libFuzzer hands them over. Linked with libFuzzer or AFL++'s driver it is
 // fuzzed, linked with standalone.cpp it runs on files.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Writes the corpora that fuzzing begins with: make_corpus FOLDER gives FOLDER/HARNESS/NAME, each NAME telling what the
 // file is. Sound ones, and one for every way of being wrong that is known.
 #include <filesystem>
@@ -31,6 +32,18 @@ Named sound_scenes() {
     room.spacing = 4;
     room.starts = {{1.0F, 1.0F, 0.5F, 0, 0}, {7.0F, 7.0F, 0.0F, 0, 0}};
     all.emplace_back("random_" + std::to_string(seed), text(test::data_of(room).bytes()));
+  }
+  return all;
+}
+
+// Doors that a search needs long for: it is restarted and fills its memory.
+Named narrow_scenes() {
+  Named all;
+  for (const double door : {0.45, 0.55, 0.65, 1.0}) {
+    test::Room room = test::two_rooms(door);
+    room.starts = {{2.0F, 6.0F, 0.0F, 0, 0}};
+    room.goals.erase(room.goals.begin() + 1);
+    all.emplace_back("door_" + std::to_string(all.size()), text(test::data_of(room).bytes()));
   }
   return all;
 }
@@ -212,6 +225,7 @@ int main(int argc, char** argv) {
   const std::filesystem::path folder = argv[1];
   write(folder / "fuzz_open", evil_scenes());
   write(folder / "fuzz_plan", sound_scenes());
+  write(folder / "fuzz_plan", narrow_scenes());
   write(folder / "fuzz_import", evil_scenes(), "scene_");
   write(folder / "fuzz_import", natives(), "native_");
   write(folder / "fuzz_import", dynobenches(), "dynobench_");

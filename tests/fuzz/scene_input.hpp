@@ -1,5 +1,5 @@
-// A scene as a fuzzer hands it over, made whole: aligned, its length and check sum right.
-// Included once in a harness, which it gives its mutator.
+// SPDX-License-Identifier: Apache-2.0
+// A scene as a fuzzer hands it over, made whole: aligned, its length and check sum right; and how it is changed.
 #pragma once
 
 #include <vector>
@@ -10,19 +10,20 @@
 extern "C" {
 // libFuzzer's own mutation, where it is linked.
 __attribute__((weak)) std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
-
-std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed) {
-  if (seed % 4 == 0 && LLVMFuzzerMutate != nullptr) {
-    size = LLVMFuzzerMutate(data, size, most);
-    krait::fuzz::repair(data, size);
-    return size;
-  }
-  krait::fuzz::SceneMutator(data, size, seed).run();
-  return size;
-}
 }
 
 namespace krait::fuzz {
+
+// What a harness's LLVMFuzzerCustomMutator does with a scene.
+inline std::size_t change_scene(std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed) {
+  if (seed % 4 == 0 && LLVMFuzzerMutate != nullptr) {
+    size = LLVMFuzzerMutate(data, size, most);
+    repair(data, size);
+    return size;
+  }
+  SceneMutator(data, size, seed).run();
+  return size;
+}
 
 class SceneInput {
  public:

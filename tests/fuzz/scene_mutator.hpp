@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Changes a scene where it matters: whole fields and elements, with values at the edges of their ranges, instead of
 // single bits; and makes length and check sum right again, so that a change gets past the first test.
 #pragma once

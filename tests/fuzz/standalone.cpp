@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A harness without a fuzzer: runs it on files and folders, and on changes of them.
 //   fuzz_NAME [--rounds N] [--seed S] FILE|FOLDER…     N changed copies, drawn from all files; the same for the same S
 // Before each input it is written to crash-NAME in the working folder, and removed after: what is left made it fail.

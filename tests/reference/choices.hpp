@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The random choices of a search against their shares: the vertex of a group, the region and point of a target, strays,
 // speeds, gentle turns, driving backwards.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // D = (R, E, C) of the paper's section 4.1 with Eqns 4 and 9 and the heuristic costs h, in double precision and the
 // plain way: a map of edges, and Bellman and Ford's sweeps until nothing changes.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a search tells of one expansion: the vertex it grows from, its target, and where its states lie.
 #pragma once
 

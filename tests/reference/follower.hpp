@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Follows a search step by step and holds every decision against Algorithms 1 and 2, written here from the paper in
 // double precision: which group is selected (Eqns 5 to 8), how long an expansion is and how it ends, which edges rise
 // (Eqn 9) and when the costs are found anew. Where two ways are equally short within rounding, the search may choose.
@@ -60,7 +61,7 @@ class Follower {
     const std::vector<std::uint32_t> selections = core_selections();
     const std::uint64_t restarts = planner_->statistics().restarts;
     Expansion expansion;
-    planner_->advance(1, Watch<P>(*planner_, selections, expansion));
+    (void)planner_->advance(1, Watch<P>(*planner_, selections, expansion));
     ++iterations_;
     const bool anew = rules_.restart_unit > 0 && iterations_ == try_ends_ + 1;
     EXPECT_EQ(planner_->statistics().restarts > restarts, anew);
@@ -205,7 +206,7 @@ class Follower {
     const std::vector<std::uint32_t> selections = core_selections();
     Expansion expansion;
     for (int i = 0; i < 100'000 && planner_->status() == Status::searching && !expansion.begun; ++i) {
-      planner_->advance(1, Watch<P>(*planner_, selections, expansion));
+      (void)planner_->advance(1, Watch<P>(*planner_, selections, expansion));
     }
     EXPECT_EQ(planner_->status(), Status::solved);
     EXPECT_FALSE(expansion.begun);

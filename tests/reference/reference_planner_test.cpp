@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Searches followed by a second planner that is written from the paper alone: every decision is held against it.
 #include "choices.hpp"
 
@@ -132,9 +133,10 @@ void expect_all_ends(const Seen& seen, std::uint32_t max_steps) {
   EXPECT_EQ(seen.longest, max_steps);
 }
 
-// Without looks before driving and long ways, which are not the paper's.
+// Without looks before driving, long ways and brakes, which are not the paper's.
 Parameters adaptive() {
   Parameters p;
+  p.end_speed = kInfinity;
   p.open_steps = 0;
   p.sight_tries = 0;
   p.candidates = 0;

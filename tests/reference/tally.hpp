@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sums of random outcomes against what they should come to: five standard deviations apart is a failure.
 #pragma once
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Reads the symbols and sections of archives that are linked together, and complains about every sign of a heap,
 exceptions, run-time types, thread-local storage, static constructors that do something, writable globals, or a library
 beyond the short list.

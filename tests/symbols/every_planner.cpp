@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a user's program instantiates: every planner with every robot (that with Planner is in lib/c).
 #include "krait/krait.hpp"
 

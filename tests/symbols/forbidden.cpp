@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What check.py must find; the definition says which. The function is krait's by its name only.
 #include <cstdlib>
 #include <typeinfo>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An instruction that is none must be reported, with the address.
 #include "firmware/application.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Programs that a board's linker script must refuse; the definition says which.
 #include <cstddef>
 #include <cstdlib>

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """The most stack that a bare-metal program can ever use, and the chain of calls that does it.
 
   python3 tests/targets/stack.py PROGRAM.elf FOLDER [--json] [--limit BYTES]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A stack that overflows must be reported, not write into data.
 #include "firmware/application.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The painted stack tells how much was used: a known frame more, to within what the calls around it need.
 #include "firmware/application.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Programs whose stack tests/targets/stack.py must refuse to bound; the definition says which.
 #include "firmware/application.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exact distance of two convex polygons, by Box2D's GJK.
 #pragma once
 

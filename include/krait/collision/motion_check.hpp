@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // COLLISION (section 3) for states and for whole time steps.
 //
 // A step is free when it is proven so. In the open, by the clearance grid alone: the circle around body k is at least
@@ -32,6 +33,8 @@ class MotionCheck {
     checks_ = 0;
     keep(clearance, kInfinity);
   }
+  void assign(const R&&, const Scene&, float, int, bool) = delete;
+  void assign(const R&, const Scene&&, float, int, bool) = delete;
 
   // From now on bodies keep `clearance` metres on top of what rounding needs, and parts of a step are integrated by
   // Runge-Kutta steps of at most `longest_step` seconds. O(bodies).

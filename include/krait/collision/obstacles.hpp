@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How far a placed body is from the obstacles and the bounds of the workspace.
 #pragma once
 
@@ -21,8 +22,9 @@ class Obstacles {
   Obstacles() = default;
 
   // `clearance` metres, >= 0, are kept between every body and every obstacle or bound, on top of what rounding needs.
-  // Without `shortcuts` every piece's box is looked at, and each that is near by GJK.
+  // Without `shortcuts` every piece's box is looked at, and each that is near by GJK. The scene must outlive this.
   Obstacles(const Scene& scene, float clearance, bool shortcuts = true);
+  Obstacles(const Scene&&, float, bool = true) = delete;
 
   const ClearanceGrid& clearance() const { return scene_->clearance(); }
 

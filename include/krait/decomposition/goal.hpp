@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The goal of a query: a named polygon of the scene, or any disc.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A binary heap of region numbers ordered by (key, number), with decrease-key: Dijkstra's queue.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // LOCATEREGION (section 4.1): the triangle that contains a point, by a walk from a nearby one, else by bucket.
 #pragma once
 

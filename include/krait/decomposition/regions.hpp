@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The workspace decomposition D = (R, E, C) (section 4.1), the heuristic costs h(r) and the shortest-path tree.
 //
 // A region is named by a triangle. All triangles of a named goal form the one region G, named by the first of them;
@@ -19,8 +20,9 @@ struct CostRaise {
 
 class Regions {
  public:
-  // Takes its tables: 9 bytes a triangle (13 from 65,536 on) and 4 a portal.
+  // Takes its tables: 9 bytes a triangle (13 from 65,536 on) and 4 a portal. The scene must outlive this.
   void take(Arena& arena, const Scene& scene);
+  void take(Arena&, const Scene&&) = delete;
 
   // Costs C between centroids, but at least `least_cost` metres; portals narrower than `least_width` are no edges;
   // then Dijkstra. False when no triangle belongs to the goal.

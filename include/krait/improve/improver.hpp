@@ -26,13 +26,15 @@ class Improver {
   }
 
   // Begins with a plan of one step or more, which must stay, as must what the tools name and `proof`. The regions'
-  // costs and paths are those of the goal, as they were before any was raised.
-  void begin(const WayTools<R>& tools, PlanProof<R>& proof, const Regions& regions, const PlanPath& plan,
+  // costs and paths are those of the goal, as they were before any was raised. A plan ends `depth` metres inside the
+  // goal as driven.
+  void begin(const WayTools<R>& tools, PlanProof<R>& proof, const Regions& regions, const PlanPath& plan, float depth,
              const Random& random) {
     tools_ = tools;
     proof_ = &proof;
     regions_ = &regions;
     take_plan(plan);
+    depth_ = depth;
     random_ = random;
     robot_length_ = robot_length(*tools.robot);
     half_width_ = inner_radius(tools.robot->body(0), middle(tools.robot->body(0)));
@@ -379,7 +381,7 @@ class Improver {
   }
 
   bool finish_proof() {
-    const bool holds = tools_.end.kept(proof_->state());
+    const bool holds = tools_.ending->holds(proof_->state(), depth_);
     if (holds) {
       measures_ = proof_->measures();
       best_.copy(current(), current().count());
@@ -398,6 +400,7 @@ class Improver {
   const Regions* regions_ = nullptr;
   PlanPath plan_;
   std::uint32_t plan_steps_ = 0;
+  float depth_ = 0.0F;  // metres: how deep inside the goal a plan ends
   PlanMeasures measures_;
   Random random_;
   float robot_length_ = 1.0F;

@@ -53,6 +53,12 @@ class Way {
     length_ += metres;
   }
 
+  void remove_last() {
+    const Leg& last = legs_[--count_];
+    steps_ -= last.steps;
+    length_ = last.length;
+  }
+
   // The state that leg i begins from, for i a multiple of kLegsAState.
   const float* state(std::uint32_t i) const { return states_ + i / kLegsAState * state_size_; }
 

@@ -5,7 +5,7 @@
 
 #include "krait/improve/route.hpp"
 #include "krait/improve/way.hpp"
-#include "krait/search/plan_end.hpp"
+#include "krait/search/ending.hpp"
 #include "krait/search/proven_step.hpp"
 
 namespace krait {
@@ -18,8 +18,10 @@ struct WayTools {
   const Parameters* parameters = nullptr;
   MotionCheck<R>* check = nullptr;
   Drive<R>* drive = nullptr;
+  Drive<R>* brake = nullptr;
   TargetGrid grid;
-  PlanEnd end;
+  const Ending<R>* ending = nullptr;
+  float depth = 0.0F;            // metres: how deep inside the goal a way ends
   const float* start = nullptr;  // state_size() floats
 };
 
@@ -66,6 +68,7 @@ class WayDrive {
     furthest_ = arc_;
     stuck_ = 0;
     left_ = 0;
+    braking_ = false;
     rival_ = nullptr;
   }
 
@@ -82,18 +85,20 @@ class WayDrive {
   // At most so many steps more.
   Outcome advance(std::uint32_t steps) {
     for (; steps > 0; --steps) {
-      if (left_ == 0) {
+      if (left_ == 0 && !braking_) {
         const Outcome outcome = begin_leg();
         if (outcome != Outcome::drives) return outcome;
       }
-      if (!step_.take(*tools_->drive)) return Outcome::blocked;
-      const float* const from = tools_->drive->state();
-      const float* const to = tools_->drive->next();
-      way_->step(length(Vec2{to[0] - from[0], to[1] - from[1]}));
-      tools_->drive->go();
+      if (braking_) {
+        if (brake()) return Outcome::reached;
+        continue;
+      }
+      if (!take_step(*tools_->drive)) return Outcome::blocked;
       --left_;
-      if (tools_->end.reached(tools_->drive->state())) return Outcome::reached;
+      const float* const state = tools_->drive->state();
+      if (tools_->ending->holds(state, tools_->depth)) return Outcome::reached;
       if (way_->steps() + 1 >= bound_) return Outcome::too_long;
+      if (!way_->full() && tools_->ending->stops_inside(state, tools_->check->poses()[0])) begin_braking();
     }
     return Outcome::drives;
   }
@@ -120,6 +125,51 @@ class WayDrive {
     }
   }
 
+  // False when the step is not free.
+  bool take_step(Drive<R>& drive) {
+    if (!step_.take(drive)) return false;
+    const float* const from = drive.state();
+    const float* const to = drive.next();
+    way_->step(length(Vec2{to[0] - from[0], to[1] - from[1]}));
+    drive.go();
+    return true;
+  }
+
+  // The brake is a leg of its own, toward the same target.
+  void begin_braking() {
+    const float* const state = tools_->drive->state();
+    Target target = tools_->drive->target();
+    target.speed = 0.0F;
+    const PackedTarget packed = tools_->grid.pack(target);
+    way_->add(packed, route_->project({state[0], state[1]}, arc_, manner_.reach), state);
+    tools_->brake->begin(state);
+    tools_->brake->aim(tools_->grid.unpack(packed));
+    braking_ = true;
+  }
+
+  // One step of the brake; whether it ends the plan. Where it cannot, the way goes on from where the brake began.
+  bool brake() {
+    Drive<R>& drive = *tools_->brake;
+    const float before = speed_of(*tools_->robot, StateView(drive.state(), tools_->robot->state_size()));
+    if (take_step(drive)) {
+      if (tools_->ending->holds(drive.state(), tools_->depth)) return true;
+      const float after = speed_of(*tools_->robot, StateView(drive.state(), tools_->robot->state_size()));
+      if (after < before && !tools_->ending->slow(drive.state()) && way_->steps() + 1 < bound_) return false;
+    }
+    way_->remove_last();
+    tools_->check->begin(tools_->drive->state());
+    braking_ = false;
+    return false;
+  }
+
+  // So slow that the robot can stop where the route ends.
+  float slow_share(const float* state) const {
+    if (!tools_->ending->limits_speed()) return 1.0F;
+    const float way = absolute(stopping_way(*tools_->robot, StateView(state, tools_->robot->state_size())));
+    const float distance = length(route_->last().at - Vec2{state[0], state[1]});
+    return distance < way ? std::sqrt(distance / way) : 1.0F;
+  }
+
   Outcome begin_leg() {
     if (way_->full()) return Outcome::full;
     const float* const state = tools_->drive->state();
@@ -137,6 +187,7 @@ class WayDrive {
     Target target;
     target.point = route_->point(arc_ + via.look);
     target.turn = via.turn;
+    target.speed = slow_share(state);
     const PackedTarget packed = tools_->grid.pack(target);
     way_->add(packed, arc_, state);
     tools_->drive->aim(tools_->grid.unpack(packed));
@@ -168,6 +219,7 @@ class WayDrive {
   float furthest_ = 0.0F;  // of arc_, from where on it counted as further
   std::uint32_t stuck_ = 0;
   std::uint32_t left_ = 0;  // steps of the leg
+  bool braking_ = false;    // whether the last leg is a brake
   const Way* rival_ = nullptr;
   float rival_length_ = 0.0F;
   float from_ = 0.0F;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // CONTROLLER and MOTION (Algorithm 2, lines 5 and 6): from a state toward a target, step by step.
 #pragma once
 
@@ -15,6 +16,7 @@ class Drive {
     dt_ = dt;
     parts_ = parts_of(dt, longest_tree_step(robot, dt), kMostParts);
   }
+  void assign(const R&&, float) = delete;
 
   // Where to start; copied.
   void begin(const float* state) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A PID controller in discrete time.
 #pragma once
 

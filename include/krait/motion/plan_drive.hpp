@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The motion of a plan: what its controls lead to when they are driven from the start, with an error that hardly grows
 // with the plan's length. The states of the tree carry the rounding and the truncation of every step on to the next;
 // here Runge-Kutta steps are shorter, and a state carries along what rounding took from it. The controls are the
@@ -25,6 +26,7 @@ class PlanDrive {
       rests_[here_][i] = 0.0F;
     }
   }
+  void begin(const R&&, float, const float*) = delete;
 
   // Where to go from here, with a fresh controller.
   void aim(const Target& target) { tree_.aim(target); }
@@ -92,30 +94,41 @@ class PlanDrive {
     float& state = states_[1 - here_][i];
     float& rest = rests_[1 - here_][i];
     const float sum = state + increment;
-    const float added = sum - state;
-    rest = rest + ((state - (sum - added)) + (increment - added));
+    rest = rest + sum_error(state, increment, sum);
     state = sum + rest;
     rest = rest - (state - sum);
   }
 
   // What Runge-Kutta steps in float leave out of the leading components, which the position depends on: a wheel that is
-  // a hair faster than its float says turns a robot away within a kilometre.
+  // a hair faster than its float says turns a robot away within a kilometre. First Simpson's rule replaces the changes
+  // that it knows better, then what the rests add to all changes is found, to first order.
   void refine() {
+    constexpr float kSimpson = 2.0F / 3.0F;  // the weight of the middle, whose rounding counts as a rest
     const int size = leading_size(*robot_);
-    float at[R::kMaxState];
     float first[R::kMaxState];
     float middle[R::kMaxState];
     float last[R::kMaxState];
-    for (int i = 0; i < size; ++i) at[i] = 0.5F * (state()[i] + next()[i]);
+    float at[R::kMaxState];
+    float lost[R::kMaxState];  // of `at`, by rounding
     rates(state(), first);
-    rates(at, middle);
     rates(next(), last);
+    for (int i = 0; i < size; ++i) at[i] = halfway(i, first[i] - last[i], lost[i]);
+    rates(at, middle);
     for (int i = 0; i < size; ++i) {
-      if (first[i] == middle[i] && middle[i] == last[i]) move_steadily(i, first[i]);
-      at[i] = at[i] + kMagnified * 0.5F * (rests_[here_][i] + rests_[1 - here_][i]);
+      move_steadily(i, middle[i], (first[i] - middle[i]) + (last[i] - middle[i]));
+      at[i] = at[i] + kMagnified * (0.5F * (rests_[here_][i] + rests_[1 - here_][i]) + kSimpson * lost[i]);
     }
     rates(at, last);
     for (int i = 0; i < size; ++i) add(i, dt_ / kMagnified * (last[i] - middle[i]));
+  }
+
+  // A component half a step on, by the cubic that has the states and, `apart` from each other, the rates of both ends.
+  float halfway(int i, float apart, float& lost) const {
+    const float sum = state()[i] + next()[i];
+    const float bulge = dt_ / 8.0F * apart;
+    const float at = 0.5F * sum + bulge;
+    lost = 0.5F * sum_error(state()[i], next()[i], sum) + sum_error(0.5F * sum, bulge, at);
+    return at;
   }
 
   // Of the leading components.
@@ -124,20 +137,29 @@ class PlanDrive {
     robot_->derivative(StateView(at, size), ControlView(control_, robot_->control_size()), StateRef(rates, size));
   }
 
-  // A component whose rate is the same at both ends and between them, as that of one that a control sets: it changes by
-  // rate times dt, to the last bit. Not where a rate only returns to what it was, as that of the position does when the
-  // heading swings to and fro: there Runge-Kutta found another change.
-  void move_steadily(int i, float rate) {
-    constexpr float kSame = 1e-5F;
+  // A component whose rate is almost linear over the step, but for `bend`, changes as Simpson's rule says, to the last
+  // bit, where short steps in float add up the rounding of each. Not where the rate swings between the three points:
+  // there Runge-Kutta found another change.
+  void move_steadily(int i, float middle, float bend) {
+    constexpr float kSame = 1e-5F;  // of the change
+    constexpr float kNear = 1e-6F;
     float& next = states_[1 - here_][i];
     float& rest = rests_[1 - here_][i];
-    const float change = product(rate, dt_);
+    const float change = product(middle, dt_);
+    const float bent = dt_ / 6.0F * bend;
     const float found = (next - state()[i]) + (rest - rests_[here_][i]);
-    if (!(absolute(change - found) <= kSame * absolute(change))) return;
+    if (!(absolute(bent) <= kNear)) return;
+    if (!(absolute((change + bent) - found) <= kSame * absolute(change) + kNear)) return;
     next = state()[i];
     rest = rests_[here_][i];
     add(i, change);
-    add(i, product_error(rate, dt_, change));
+    add(i, product_error(middle, dt_, change) + bent);
+  }
+
+  // a + b - sum, where `sum` is a + b as a float: exact, by Knuth (as above).
+  static float sum_error(float a, float b, float sum) {
+    const float added = sum - a;
+    return (a - (sum - added)) + (b - added);
   }
 
   // a b - rounded, where `rounded` is a b as a float: exact, by Dekker's halves (Numerische Mathematik 18, 1971).

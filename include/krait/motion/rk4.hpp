@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // MOTION (Eqn 2): fourth-order Runge-Kutta with the control held. A time step is divided into as many equal
 // Runge-Kutta steps as keep the local error bounded (lib/DESIGN.md, "Integration").
 #pragma once

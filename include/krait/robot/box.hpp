@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rectangle that most bodies are.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A second-order car: the chain without trailers, its body centred on the middle of the wheelbase.
 #pragma once
 

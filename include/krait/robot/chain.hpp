@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What snake, truck and car share: a car with steered front wheels that pulls N trailers, each hitched to the axle
 // before it. State (x, y, theta0, v, psi, theta1 … thetaN), control (acceleration, steering rate). Body 0's frame is
 // the rear axle, trailer i's its own axle, x forward.
@@ -59,6 +60,9 @@ class Chain {
   void steer(StateView s, const Target& target, Steering& steering, ControlRef u) const;
   void steer(StateView s, const Pose* poses, const Target& target, Steering& steering, ControlRef u) const;
   void track(StateView s, StateView reference, float dt, ControlRef u) const;
+  // Of the front wheels.
+  float speed(StateView s) const { return absolute(s[3]); }
+  float stopping_way(StateView s) const;
   bool within_limits(StateView s) const;
   // Whether the hitch angles stay 2 mrad below their limit.
   bool keeps_reserve(StateView s) const;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Holds a robot of one's own to what the Robot concept asks of it (krait/robot/robot.hpp), before it plans: against its
 // own derivative, integrated finely in double precision. For hosts: not part of krait.hpp, with the standard library.
 #pragma once

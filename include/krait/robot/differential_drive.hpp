@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Differential drive: state (x, y, theta, left and right wheel speed), control their accelerations.
 #pragma once
 
@@ -49,6 +50,13 @@ class DifferentialDrive : public PlanarBody {
   }
   void steer(StateView s, const Target& target, Steering& steering, ControlRef u) const;
   void track(StateView s, StateView reference, float dt, ControlRef u) const;
+  // Of the faster wheel's rim.
+  float speed(StateView s) const {
+    const float left = absolute(s[3]);
+    const float right = absolute(s[4]);
+    return parameters_.wheel_radius * (left > right ? left : right);
+  }
+  float stopping_way(StateView s) const;
   bool within_limits(StateView s) const;
   bool travel(StateView s, ControlView u, float dt, StateView next, Travel* travel) const;
   // 1/s: half the largest turn rate, or the root of half the largest angular acceleration, as much of it as a time step

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What unicycle and differential drive share: one box on an axle, state (x, y, theta, …).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the planner asks of a robot: a class of pure functions over its state and control vectors.
 #pragma once
 
@@ -22,7 +23,7 @@ inline Vec2 position(const StateView& state) { return {state[0], state[1]}; }
 // Where an expansion steers to.
 struct Target {
   Vec2 point = {};
-  float speed = 1.0F;  // share of the robot's top speed in [0, 1]; in [-1, 0): of its top speed backwards
+  float speed = 1.0F;  // share of the robot's top speed in (0, 1]; in [-1, 0): of its top speed backwards; 0: to rest
   float dt = 0.1F;     // seconds that the control will be held
   float turn = 1.0F;   // share of the robot's sharpest turn in (0, 1], for one whose turns cost it room
 };
@@ -58,6 +59,14 @@ struct Steering {
 //                                that nothing is jumped over between two states, whatever it gives: false when it is
 //                                not proven that the limits, which s and next keep, hold all the way
 // It may also have
+//   speed(s)                     m/s, at least 0: how fast it moves in s, 0 at rest. A plan then ends at rest, or as
+//   slow
+//                                as Parameters::end_speed asks: steer with a target whose speed is 0 must decrease it
+//                                at every step until it is 0. Without it a plan ends in any state of the goal
+//   stopping_way(s)              metres along body 0's x axis, negative backwards: how far from the position it comes
+//   to
+//                                rest, roughly, when it brakes in s. Used to know where it pays to brake for the goal;
+//                                without it, 0
 //   fastest_rate(dt)             1/s, at least 0: Runge-Kutta steps of h seconds with h fastest_rate(dt) <= kStepRate
 //                                (rk4.hpp) are accurate to its bounds, whatever state and control the limits allow in a
 //                                time step of dt. Without it, every time step is taken for short enough
@@ -204,6 +213,29 @@ float fastest_rate(const R& robot, float dt) {
                   { robot.fastest_rate(dt) } -> std::same_as<float>;
                 })
     return robot.fastest_rate(dt);
+  return 0.0F;
+}
+
+// Whether the robot says how fast it moves in a state.
+template <class R>
+inline constexpr bool kHasSpeed = requires(const R& robot, StateView s) {
+  { robot.speed(s) } -> std::same_as<float>;
+};
+
+// How fast it moves in a state, m/s; 0 where it does not say.
+template <Robot R>
+float speed_of(const R& robot, StateView s) {
+  if constexpr (kHasSpeed<R>) return robot.speed(s);
+  return 0.0F;
+}
+
+// How far ahead, along body 0, braking would end, metres; a robot may say.
+template <Robot R>
+float stopping_way(const R& robot, StateView s) {
+  if constexpr (requires {
+                  { robot.stopping_way(s) } -> std::same_as<float>;
+                })
+    return robot.stopping_way(s);
   return 0.0F;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Measures of a robot's bodies, and whether they can be used.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A rough step of a robot, cheap and near enough to tell where a target leads.
 #pragma once
 

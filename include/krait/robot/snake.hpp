@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The paper's robot (Eqn 1): trailers follow with s = v, the speed of the front wheel, so that the tail pulls straight.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What models have in common that follow a reference motion which they are very near to.
 #pragma once
 

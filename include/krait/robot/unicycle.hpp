@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // First-order unicycle: state (x, y, theta), control (speed, turn rate).
 #pragma once
 
@@ -43,6 +44,7 @@ class Unicycle : public PlanarBody {
   }
   void steer(StateView s, const Target& target, Steering& steering, ControlRef u) const;
   void track(StateView s, StateView reference, float dt, ControlRef u) const;
+  // It is at rest where its controls end: its state has no speed.
   bool within_limits(StateView s) const;
   bool travel(StateView s, ControlView u, float dt, StateView next, Travel* travel) const;
   // 1/s: half the largest turn rate; the position alone has an error, of four orders above that of a chain.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The bytes of a scene file: header and sections. FORMAT.md beside this file says what they mean;
 // the scene compiler writes these records and Scene::open checks them.
 #pragma once
@@ -5,10 +6,12 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "krait/version.h"
+
 namespace krait::format {
 
 inline constexpr std::uint8_t kMagic[4] = {'K', 'R', 'S', 'C'};
-inline constexpr std::uint16_t kVersion = 1;
+inline constexpr std::uint16_t kVersion = KRAIT_SCENE_VERSION;
 
 // Coordinates are multiples of this grid, in metres (2^-12 m, a quarter of a millimetre), and at most
 // kMaxCoordinate from the local origin, so that grid coordinates fit 23 bits and every float is exact.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A checked, read-only view of a scene file, used in place (it may lie in flash). scene/FORMAT.md is the bytes.
 #pragma once
 
@@ -130,7 +131,7 @@ class Scene {
   // Checks every byte that the core later relies on, then views them; the bytes must stay, unchanged, for as long
   // as the scene is used. Reads only [bytes, bytes + size); writes and allocates nothing. `bytes` is aligned to 4.
   // Returns bad_scene with section and element, or solved. O(size log l), l the longest list of a bucket.
-  static Failure open(const void* bytes, std::size_t size, Scene& scene);
+  [[nodiscard]] static Failure open(const void* bytes, std::size_t size, Scene& scene);
 
   std::uint32_t bytes() const { return header_.total_bytes; }
 

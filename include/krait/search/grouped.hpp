@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What planners that grow the tree by groups share: which states are kept, and what goes when the memory is full.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The partition of the motion tree into groups, one a region that has been reached (Eqns 5, 6), and the choice of the
 // group to expand (Eqns 7, 8).
 #pragma once

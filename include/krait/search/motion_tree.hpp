@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The motion tree T = (V, E) (section 4.2), kept small. An expansion is a run of steps toward one target, and is fully
 // told by where it branches off, its target and its number of steps: whoever needs the states drives it again. Only the
 // states that the search may grow from are kept as such.
@@ -26,8 +27,9 @@ class MotionTree {
   // Room for `vertices` states of `state_size` floats, and `expansions`, at most kMostExpansions.
   void take(Arena& arena, std::uint32_t vertices, std::uint32_t expansions, int state_size);
 
-  // As new. Targets are points of `bounds`, stored to 1/65535 of them.
-  void clear(const Box& bounds);
+  // As new. Targets are points of `bounds`, stored to 1/65535 of them. Of the expansions `spare` are kept back for what
+  // ends a way: expansions_full() does not count on them.
+  void clear(const Box& bounds, std::uint32_t spare);
   // No vertex, no expansion.
   void empty();
 
@@ -38,7 +40,7 @@ class MotionTree {
   // Bytes of the pools that were never written since clear.
   std::uint64_t bytes_untouched() const;
   bool vertices_full() const { return vertices_ == vertex_capacity_; }
-  bool expansions_full() const { return expansions_ == expansion_capacity_; }
+  bool expansions_full() const { return expansions_ + spare_ >= expansion_capacity_; }
 
   // Begins an expansion, of no steps yet, from a state of the tree, or the root's with the branch {}. Not when full. It
   // stays, and all before it, until it has ended and is needed by no vertex and no later expansion.
@@ -97,6 +99,7 @@ class MotionTree {
   std::size_t state_size_ = 0;
   std::uint32_t vertex_capacity_ = 0;
   std::uint32_t expansion_capacity_ = 0;
+  std::uint32_t spare_ = 0;
   std::uint32_t vertices_ = 0;
   std::uint32_t expansions_ = 0;
   std::uint32_t vertex_high_ = 0;  // slots in use at some time since the tree was empty

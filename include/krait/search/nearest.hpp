@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The nearest of the points inserted so far, exactly, in fixed memory: a full quadtree over the workspace whose leaves
 // are square cells, each with a linked list of its points.
 #pragma once

@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 // The numbers that steer a search. Defaults first; `paper()` gives the paper's own.
 #pragma once
 
 #include <cstdint>
 
+#include "krait/math.hpp"
 #include "krait/status.hpp"
 
 namespace krait {
@@ -12,7 +14,7 @@ inline constexpr float kRivalsSlowest = 0.75F;
 
 // What the planner of prior work adds ([18], PriorPlanner); it has no use for group_sample, epsilon, gamma,
 // cost_length, kappa, update_regions, raise_goal, open_steps, path_regions, stray_share, sight_tries, candidates,
-// least_sketch, doomed_steps, restart_unit and slowest.
+// least_sketch, doomed_steps, restart_unit, slowest and end_speed.
 struct PriorParameters {
   float epsilon = 1e-11F;           // 1e-30 … 1: keeps every weight positive
   std::uint32_t path_regions = 10;  // 1 … 64: as Parameters::path_regions
@@ -68,6 +70,7 @@ struct Parameters {
   bool plain = false;
   // The goal.
   float goal_margin = 0.03F;  // 0 … 10 m, at most a tenth of the goal's size: how deep inside the plan must end
+  float end_speed = 0.0F;  // m/s, 0 … infinity: a plan ends no faster, to 5 mm/s; 0: at rest; infinity: at any speed
   // Other planners.
   PriorParameters prior;
   RrtParameters rrt;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Algorithm 1: the motion tree grows from the group with the largest weight toward the goal along the shortest path of
 // regions; failures raise edge costs, and the shortest paths are found again.
 #pragma once
@@ -37,6 +38,7 @@ class Planner : public GroupedSearch<Planner<R>, R> {
   std::uint32_t doomed_steps() const { return this->parameters_.doomed_steps; }
   std::uint32_t open_steps() const { return this->parameters_.open_steps; }
   float slowest() const { return this->parameters_.slowest; }
+  float end_speed() const { return this->parameters_.end_speed; }
 
   // Algorithm 1, lines 4 to 13.
   template <class Watch>
@@ -124,6 +126,7 @@ class Planner : public GroupedSearch<Planner<R>, R> {
     const Vec2 point =
         strays ? this->random_point_in_bounds() : point_ahead(group, this->position(way.vertex), way.cost);
     way.target = this->any_way_to(point, this->guide_.selections(group));
+    if (way.cost == 0.0F) this->slow_for(way.target, way.vertex);
     return way;
   }
 

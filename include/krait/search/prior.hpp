@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The planner of prior work that the paper compares with: [18] E. Plaku, Robot Motion Planning with Dynamics as Hybrid
 // Search, AAAI 2013. Tree, groups and shortest paths are Algorithm 1's, but edge costs never change.
 #pragma once
@@ -20,6 +21,7 @@ class PriorPlanner : public GroupedSearch<PriorPlanner<R>, R> {
   static std::uint32_t doomed_steps() { return 0; }
   static std::uint32_t open_steps() { return 0; }
   static float slowest() { return kRivalsSlowest; }
+  static float end_speed() { return kInfinity; }
 
   void reset_guide() {
     const Parameters& parameters = this->parameters_;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // When a search begins anew. Most searches end soon, some very late, and one that has run long for its kind is better
 // begun again: by Knuth's reluctant doubling its tries last 1, 1, 2, 1, 1, 2, 4, 1, … units, which is within a
 // logarithmic factor of the best that could be known (Luby, Sinclair and Zuckerman 1993).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // RRT, the other planner that the paper compares with: [14] S. LaValle, J. Kuffner, Randomized Kinodynamic Planning,
 // IJRR 2001, in the version that connects: from the vertex nearest to a random point the tree grows until the point is
 // reached or a step collides.
@@ -19,6 +20,7 @@ class RrtPlanner : public Search<RrtPlanner<R>, R, NearestPoints> {
   static std::uint32_t doomed_steps() { return 0; }
   static std::uint32_t open_steps() { return 0; }
   static float slowest() { return kRivalsSlowest; }
+  static float end_speed() { return kInfinity; }
 
   void reset_guide() {
     this->guide_.clear();

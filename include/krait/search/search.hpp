@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What every planner of the library shares: its memory, the query's checks, the motion tree, the steps of an expansion
 // (Algorithm 2, lines 4 to 15), and the plan at the end.
 #pragma once
@@ -13,9 +14,9 @@
 #include "krait/random.hpp"
 #include "krait/robot/robot.hpp"
 #include "krait/robot/shape.hpp"
+#include "krait/search/ending.hpp"
 #include "krait/search/motion_tree.hpp"
 #include "krait/search/parameters.hpp"
-#include "krait/search/plan_end.hpp"
 #include "krait/search/plan_proof.hpp"
 #include "krait/search/restarts.hpp"
 #include "krait/search/statistics.hpp"
@@ -35,12 +36,18 @@ struct Query {
 //   doomed_steps()                 Parameters::doomed_steps or 0
 //   open_steps()                   Parameters::open_steps or 0
 //   slowest()                      Parameters::slowest or another such share
+//   end_speed()                    Parameters::end_speed or infinity
 //   iterate(watch)                 one expansion
 //   keep(region, branch, state)    hears of every new state that is not doomed, and may keep it as a vertex; false when
 //                                  it cannot go on
 template <class Derived, Robot R, class Guide>
 class Search {
  public:
+  Search() = default;
+  // A copy would write to the same block.
+  Search(const Search&) = delete;
+  Search& operator=(const Search&) = delete;
+
   // Bytes of the block that init needs. The same on every target. O(1).
   static std::uint64_t bytes_required(const Scene& scene, const R& robot, const Limits& limits) {
     Arena counting;
@@ -70,8 +77,8 @@ class Search {
   // Takes the block, aligned to Arena::kAlignment, which like robot and scene must outlive the planner and stay where
   // it is; copies parameters and limits. Gives solved, or why not: bad_arithmetic, bad_argument (a scene that was not
   // opened, too), bad_robot, arena_too_small. May be called again.
-  Failure init(void* block, std::uint64_t bytes, const Scene& scene, const R& robot, const Parameters& parameters,
-               const Limits& limits) {
+  [[nodiscard]] Failure init(void* block, std::uint64_t bytes, const Scene& scene, const R& robot,
+                             const Parameters& parameters, const Limits& limits) {
     ready_ = false;
     if (!check_setup(robot, scene, parameters, limits).ok()) return failure_;
     const std::uint64_t needed = bytes_required(scene, robot, limits);
@@ -86,11 +93,14 @@ class Search {
     failure_ = bad_argument(Argument::start);  // until there is one
     return {};
   }
+  // Temporaries would not outlive the planner.
+  Failure init(void*, std::uint64_t, const Scene&&, const R&, const Parameters&, const Limits&) = delete;
+  Failure init(void*, std::uint64_t, const Scene&, const R&&, const Parameters&, const Limits&) = delete;
 
-  // Begins a search, ending any other. Gives searching; or solved, when the start lies in the goal; or no_route,
+  // Begins a search, ending any other. Gives searching; or solved, when a plan may end with the start; or no_route,
   // goal_in_obstacle, start_outside, start_in_collision, bad_argument; bad_scene, when the scene is found to be another
   // than at init (Scene::fingerprint); after an init that failed, what that one gave. Work: one Dijkstra.
-  Status start(const Query& query) {
+  [[nodiscard]] Status start(const Query& query) {
     if (!ready_) return status();
     if (scene_->fingerprint() != fingerprint_) return scene_changed();
     derived().reset_guide();
@@ -98,17 +108,19 @@ class Search {
     return begin(query);
   }
 
-  // At most `iterations` expansions more; returns at once when the search has ended. A way that has reached the goal is
-  // driven once more before it is given out as a plan: up to max_steps steps of it count as one of `iterations` here,
-  // but not in Statistics and Limits. The result does not depend on how a search is cut into calls.
-  Status advance(std::uint64_t iterations) {
+  // At most `iterations` expansions more; returns at once when the search has ended. Where an expansion comes so near
+  // to the goal that braking may end there, it brakes; such steps count as steps of the expansion for the work of a
+  // call, and it goes on where they lead to nothing. A way that has reached the goal is driven once more before it is
+  // given out as a plan: up to max_steps steps of it count as one of `iterations` here, but not in Statistics and
+  // Limits. The result does not depend on how a search is cut into calls.
+  [[nodiscard]] Status advance(std::uint64_t iterations) {
     return advance(iterations, [](const float*, const float*) {});
   }
 
   // The same, and calls watch(from, to), states, for every step that the tree grows by; before an expansion
   // watch.expands(vertex, target), where there is such a member.
   template <class Watch>
-  Status advance(std::uint64_t iterations, Watch watch) {
+  [[nodiscard]] Status advance(std::uint64_t iterations, Watch watch) {
     for (; iterations > 0 && status() == Status::searching; --iterations) {
       if (driving()) {
         drive_plan();
@@ -131,7 +143,7 @@ class Search {
   // begins with one Dijkstra. The result does not depend on how the iterations are cut into calls. Plans and their
   // cursors from before the call end with it. Gives status(), and nothing happens, where that is not solved or the plan
   // has no steps; bad_argument where Limits::way_legs is 0.
-  Status improve(std::uint64_t iterations) {
+  [[nodiscard]] Status improve(std::uint64_t iterations) {
     if (status() != Status::solved || path_ == kNone) return status();
     if (limits_.way_legs == 0) return Status::bad_argument;
     if (!improving_) begin_to_improve();
@@ -149,8 +161,8 @@ class Search {
   const Regions& regions() const { return regions_; }
   const Guide& guide() const { return guide_; }
   // Where the search stands; before the first start, bad_argument.
-  Status status() const { return failure_.status; }
-  const Failure& failure() const { return failure_; }
+  [[nodiscard]] Status status() const { return failure_.status; }
+  [[nodiscard]] const Failure& failure() const { return failure_; }
 
   // Whether a way has reached the goal and is driven once more; the tree does not grow meanwhile.
   bool driving() const { return driven_ != kNone; }
@@ -224,6 +236,14 @@ class Search {
     return target;
   }
 
+  // Lets the robot drive to a target in the goal so slowly that it can stop there.
+  void slow_for(Target& target, Index from) const {
+    if (!ending_.limits_speed()) return;
+    const float way = absolute(stopping_way(*robot_, StateView(tree_.state(from), robot_->state_size())));
+    const float distance = length(target.point - position(from));
+    if (distance < way) target.speed = target.speed * std::sqrt(distance / way);
+  }
+
   Vec2 random_point_in_bounds() {
     const Box bounds = scene_->bounds();
     const float u = random_.unit();
@@ -256,6 +276,7 @@ class Search {
   static constexpr float kGentlest = 0.15F;       // of the sharpest turn
   static constexpr float kReachRounding = 1e-2F;  // metres
   static constexpr float kLeastCost = 0.05F;      // of an edge, in robot lengths: keeps h + C above h
+  static constexpr float kDepthKept = 0.1F;       // share of the goal's margin that a plan keeps
 
   struct NewState {
     Index region;
@@ -301,23 +322,26 @@ class Search {
     }
     robot_length_ = krait::robot_length(robot);
     drive_.assign(robot, parameters.dt);
+    brake_.assign(robot, parameters.dt);
     return failure_ = {};
   }
 
   // Checks the query, computes the heuristic costs and plants the root. searching when the search can begin; solved
-  // when the start lies in the goal.
+  // when a plan may end with the start.
   Status begin(const Query& query) {
     statistics_ = {};
     improving_ = false;
-    tree_.clear(scene_->bounds());
     driven_ = kNone;
+    braking_ = kNone;
     random_ = Random(query.seed);
     check_.assign(*robot_, *scene_, tree_clearance(), static_cast<int>(parameters_.max_substeps), !parameters_.plain);
     keep_for_tree();
-    goal_ = query.goal;
+    ending_.assign(*robot_, *scene_, query.goal, derived().end_speed());
+    tree_.clear(scene_->bounds(), ending_.limits_speed() ? 1 : 0);
     failure_ = check_query(query);
     if (status() != Status::searching) return status();
-    end_ = PlanEnd(*scene_, goal_, parameters_.goal_margin);
+    const float tenth = 0.1F * query.goal.size(*scene_);
+    goal_depth_ = parameters_.goal_margin < tenth ? parameters_.goal_margin : tenth;
     const bool fits = !parameters_.prune_portals || body_fits_through(query.start);
     if (!find_paths()) return finish(Status::goal_in_obstacle);
     return plant(query.start, fits);
@@ -326,7 +350,7 @@ class Search {
   // The edge costs as new, and the shortest paths. False when no region belongs to the goal.
   bool find_paths() {
     ++statistics_.dijkstra_runs;
-    return regions_.reset(goal_, least_portal_width(), kLeastCost * robot_length_);
+    return regions_.reset(ending_.goal(), least_portal_width(), kLeastCost * robot_length_);
   }
 
   // Forgets all but the start and where the random numbers have got to.
@@ -334,6 +358,7 @@ class Search {
     ++statistics_.restarts;
     drive_.begin(tree_.state(kRoot));
     tree_.empty();
+    braking_ = kNone;
     derived().reset_guide();
     find_paths();
     derived().keep(root_region_, {}, drive_.state());
@@ -344,7 +369,7 @@ class Search {
     for (int i = 0; i < robot_->state_size(); ++i) {
       if (!finite(query.start[i])) return bad_argument(Argument::start);
     }
-    if (!goal_.valid(*scene_)) return bad_argument(Argument::goal);
+    if (!ending_.goal().valid(*scene_)) return bad_argument(Argument::goal);
     if (!scene_->inside_bounds({query.start[0], query.start[1]})) return {Status::start_outside};
     if (!robot_->within_limits(StateView(query.start, robot_->state_size()))) return bad_argument(Argument::start);
     if (!check_.free(query.start)) return {Status::start_in_collision};
@@ -361,7 +386,7 @@ class Search {
     drive_.begin(start);
     derived().keep(root_region_, {}, drive_.state());
     finish(fits ? Status::searching : Status::no_route);
-    if (end_.standing(start)) begin_plan({});
+    if (ending_.holds(start, 0.0F)) begin_plan({});
     return status();
   }
 
@@ -382,7 +407,7 @@ class Search {
     const Index triangle = locate(*scene_, at);
     if (triangle == kNone) return true;
     const float width = 2.0F * (inner_radius(body, center) + parameters_.clearance);
-    return regions_.connected(triangle, goal_, length(center) + kReachRounding, width);
+    return regions_.connected(triangle, ending_.goal(), length(center) + kReachRounding, width);
   }
 
   // At most max_steps steps, and what becomes of the expansion.
@@ -390,8 +415,9 @@ class Search {
   Expanded drive(Expanded& expanded, Watch watch) {
     bool goes = true;
     for (std::uint32_t left = parameters_.max_steps; goes && left > 0; --left) {
-      expanded.result = grow(expanded, watch);
-      goes = expanded.result == Expansion::target_not_reached && goes_on(expanded);
+      expanded.result = braking() ? brake(expanded) : grow(expanded, watch);
+      const bool under_way = expanded.result == Expansion::target_not_reached;
+      goes = under_way && (braking() || goes_on(expanded));
     }
     if (goes) {
       expanded.result = Expansion::goes_on;
@@ -425,7 +451,7 @@ class Search {
   // One step, and what becomes of it.
   template <class Watch>
   Expansion grow(Expanded& expanded, Watch watch) {
-    if (!take_step()) return Expansion::collision;
+    if (!take_step(drive_)) return Expansion::collision;
     watch(drive_.state(), drive_.next());
     drive_.go();
     ++statistics_.vertices;
@@ -434,11 +460,56 @@ class Search {
     const Index before = expanded.region;
     expanded.region = region_of(at, before);
     if (expanded.region != before) ++expanded.crossed;
-    if (end_.reached(drive_.state())) return Expansion::goal_reached;
+    if (ending_.holds(drive_.state(), goal_depth_)) return Expansion::goal_reached;
+    if (ending_.stops_inside(drive_.state(), check_.poses()[0])) {
+      begin_braking(expanded.last);
+      return Expansion::target_not_reached;
+    }
+    return settle(expanded);
+  }
+
+  // What becomes of an expansion whose last state does not end it in the goal.
+  Expansion settle(const Expanded& expanded) {
+    const Vec2 at{drive_.state()[0], drive_.state()[1]};
     remember(expanded.last.step, expanded.region);
     if (!keep_recent(expanded.last, derived().doomed_steps())) return Expansion::tree_full;
     const bool near = length(drive_.target().point - at) <= parameters_.near_radius * robot_length_;
     return near ? Expansion::target_reached : Expansion::target_not_reached;
+  }
+
+  bool braking() const { return braking_ != kNone; }
+
+  // The brake is an expansion of its own, toward the same target, which the tree has a slot for.
+  void begin_braking(Branch from) {
+    Target target = drive_.target();
+    target.speed = 0.0F;
+    braking_ = tree_.begin_expansion(from, target);
+    brake_steps_ = 0;
+    brake_.begin(drive_.state());
+    brake_.aim(tree_.target(braking_));
+  }
+
+  // One step of the brake. Where it cannot end in the goal, the expansion goes on from where the brake began.
+  Expansion brake(const Expanded& expanded) {
+    if (take_step(brake_)) {
+      const float before = speed_of(*robot_, StateView(brake_.state(), robot_->state_size()));
+      brake_.go();
+      ++brake_steps_;
+      const float* const state = brake_.state();
+      if (ending_.holds(state, goal_depth_)) return end_braking();
+      const bool slower = speed_of(*robot_, StateView(state, robot_->state_size())) < before;
+      if (slower && !ending_.slow(state) && brake_steps_ < MotionTree::kMostSteps) return Expansion::target_not_reached;
+    }
+    tree_.end_expansion(braking_, 0);
+    braking_ = kNone;
+    check_.begin(drive_.state());
+    return settle(expanded);
+  }
+
+  Expansion end_braking() {
+    statistics_.vertices += brake_steps_;
+    drive_.begin(brake_.state());
+    return Expansion::goal_reached;
   }
 
   void remember(std::uint32_t step, Index region) {
@@ -456,7 +527,7 @@ class Search {
   }
 
   // CONTROLLER, MOTION and COLLISION (lines 5 and 6). False when the step is not free or leaves the robot's limits.
-  bool take_step() { return ProvenStep<R>(*robot_, *scene_, parameters_, check_).take(drive_); }
+  bool take_step(Drive<R>& drive) { return ProvenStep<R>(*robot_, *scene_, parameters_, check_).take(drive); }
 
   // The region of a position; where no triangle contains it (a reference point outside the body may stand on an
   // obstacle), the last state's.
@@ -469,12 +540,13 @@ class Search {
 
   void keep_for_tree() { check_.keep(tree_clearance(), longest_tree_step(*robot_, parameters_.dt)); }
 
-  // The way to `last` has reached the goal. It is driven once more from the start, expansion by expansion, as the
-  // plan's controls alone would drive the robot, and every step is proven again: what holds is the plan. Until then the
-  // tree is used for nothing else. O(expansions of the way).
+  // The way to `last`, and on by the brake if it brakes, has reached the goal. It is driven once more from the start,
+  // expansion by expansion, as the plan's controls alone would drive the robot, and every step is proven again: what
+  // holds is the plan. Until then the tree is used for nothing else. O(expansions of the way).
   void begin_plan(Branch last) {
     reached_ = last;
-    path_ = last.expansion == kNone ? kNone : tree_.turn_path(last);
+    const Branch end = braking() ? Branch{braking_, brake_steps_} : last;
+    path_ = end.expansion == kNone ? kNone : tree_.turn_path(end);
     driven_ = path_;
     steps_left_ = 0;
     proof_.begin(*robot_, *scene_, parameters_, check_, tree_.state(kRoot));
@@ -505,7 +577,8 @@ class Search {
       finish(Status::internal);
       return;
     }
-    if (path_ != kNone && !end_.kept(end)) return refuse_plan();
+    const float depth = path_ == kNone ? 0.0F : kDepthKept * goal_depth_;
+    if (!ending_.holds(end, depth)) return refuse_plan();
     finish(Status::solved);
     note(proof_.measures());
   }
@@ -514,6 +587,7 @@ class Search {
     statistics_.plan_steps = measures.steps;
     statistics_.plan_length = measures.length;
     statistics_.plan_duration = parameters_.dt * static_cast<float>(measures.steps);
+    statistics_.plan_end_speed = speed_of(*robot_, StateView(proof_.state(), robot_->state_size()));
     statistics_.hash = measures.hash;
   }
 
@@ -521,6 +595,8 @@ class Search {
   void refuse_plan() {
     ++statistics_.plans_refused;
     tree_.turn_path_back(path_);
+    if (braking()) tree_.end_expansion(braking_, brake_steps_);
+    braking_ = kNone;
     tree_.end_expansion(reached_.expansion, reached_.step);
     driven_ = kNone;
     keep_for_tree();
@@ -531,8 +607,9 @@ class Search {
     improving_ = true;
     find_paths();
     const TargetGrid grid(scene_->bounds());
-    const WayTools<R> tools{robot_, scene_, &parameters_, &check_, &drive_, grid, end_, tree_.state(kRoot)};
-    improver_.begin(tools, proof_, regions_, found_path(), random_);
+    const WayTools<R> tools{robot_,  scene_, &parameters_, &check_,     &drive_,
+                            &brake_, grid,   &ending_,     goal_depth_, tree_.state(kRoot)};
+    improver_.begin(tools, proof_, regions_, found_path(), kDepthKept * goal_depth_, random_);
   }
 
   PlanPath found_path() const { return {tree_, path_}; }
@@ -542,8 +619,8 @@ class Search {
   Failure failure_ = bad_argument(Argument::block);  // until init has one
   Arena arena_;
   MotionCheck<R> check_;
-  Goal goal_ = Goal::named(0);
-  PlanEnd end_;
+  Ending<R> ending_;
+  float goal_depth_ = 0.0F;
   Restarts restarts_;
   Expanded expanded_{};       // the last expansion
   float apart_ = kInfinity;   // metres: how far the target of a long one was
@@ -552,7 +629,10 @@ class Search {
   Index path_ = kNone;    // the plan's first expansion
   Index driven_ = kNone;  // the expansion of the way to the goal that is driven next; kNone while the tree grows
   std::uint32_t steps_left_ = 0;  // of that expansion
-  Branch reached_;                // the state of the way that reached the goal
+  Branch reached_;                // the state of the way that reached the goal, or where it began to brake
+  Index braking_ = kNone;         // the expansion that brakes for the goal; kNone: none does
+  std::uint32_t brake_steps_ = 0;
+  Drive<R> brake_;
   PlanProof<R> proof_;
   bool improving_ = false;  // since the first call of improve
   Improver<R> improver_;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whether discs are free: rough looks at where a robot may go. They choose what is tried, and prove nothing.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a search has done so far, by the names of the plan's JSON.
 #pragma once
 
@@ -17,8 +18,9 @@ struct Statistics {
   std::uint64_t bytes_used = 0;        // of the block: tables, and what vertices and expansions took at most
   std::uint64_t bytes_given = 0;
   std::uint32_t plan_steps = 0;
-  float plan_length = 0.0F;    // metres
-  float plan_duration = 0.0F;  // seconds
+  float plan_length = 0.0F;     // metres
+  float plan_duration = 0.0F;   // seconds
+  float plan_end_speed = 0.0F;  // m/s, of the last state; 0 of a robot whose states have no speed
   std::uint64_t hash = 0;
   std::uint64_t improvements = 0;  // better plans that improve has found
 };

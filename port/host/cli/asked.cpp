@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "host/cli/asked.hpp"
 
 namespace krait::host {
@@ -19,6 +20,7 @@ Asked asked_of(const Workspace& workspace, const SearchRequest& request) {
   Asked asked;
   asked.robot = request.robot;
   asked.dt = static_cast<double>(request.parameters.dt);
+  asked.end_speed = request.end_speed();
   asked.start = request.start ? Start{"start", request.start->position, request.start->heading, {}}
                               : by_name(workspace.starts, request.start_name, "start");
   if (request.goal) {

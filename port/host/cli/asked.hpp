@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a plan is held to: what the command line asks, in terms of the map itself.
 #pragma once
 

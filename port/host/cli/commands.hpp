@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The commands of the program `krait`. Each adds itself to the app; its callback returns by throwing nothing, or
 // throws Exit with the program's exit code, or InputError for bad input (exit 2).
 #pragma once

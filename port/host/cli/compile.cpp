@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // krait compile: runs krait-compile, a program of its own (GPL), with the same arguments.
 #include "host/cli/commands.hpp"
 #include "host/cli/compiler_process.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs krait-compile, the scene compiler: a program of its own (GPL) that lies beside this one.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // krait info: what a scene file holds.
 #include <cstdio>
 #include <memory>

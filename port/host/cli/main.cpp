@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // krait: from a map to a plan on a workstation.
 #include <cstdio>
 #include <exception>

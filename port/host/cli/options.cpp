@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "host/cli/options.hpp"
 
 #include <algorithm>
@@ -102,6 +103,8 @@ void QueryOptions::add(CLI::App& command) {
                      "a start of the scene by NAME, or X,Y,HEADING in metres and radians (default: its first)");
   command.add_option("--goal", goal,
                      "a goal of the scene by NAME, or a disc X,Y,RADIUS in metres (default: its first)");
+  command.add_option("--end-speed", end_speed,
+                     "metres a second, 0 or more: how fast the plan may end, inf for any speed (default: 0, at rest)");
 }
 
 bool QueryOptions::robot_is_file() const {
@@ -113,6 +116,9 @@ void QueryOptions::read(SearchRequest& request) const {
   request.robot = parse_robot(robot);
   if (!start.empty()) parse_start(start, request);
   if (!goal.empty()) parse_goal(goal, request);
+  if (!end_speed) return;
+  if (!(*end_speed >= 0)) throw InputError("--end-speed: give metres a second, 0 or more, or inf");
+  request.parameters.end_speed = static_cast<float>(*end_speed);
 }
 
 }  // namespace krait::host

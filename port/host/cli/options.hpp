@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 // Options that several commands share, and how their texts are read.
 #pragma once
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "host/import/import.hpp"
@@ -29,6 +31,7 @@ struct QueryOptions {
   std::string robot = "snake:15";
   std::string start;
   std::string goal;
+  std::optional<double> end_speed;
 
   void add(CLI::App& command);
   bool robot_is_file() const;  // and not a model's name

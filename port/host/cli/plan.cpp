@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // krait plan: compiles the map where it is given one, searches, checks its own result, writes and draws it.
 #include <cstdio>
 #include <memory>
@@ -51,6 +52,7 @@ struct Ground {
 
 SearchRequest request_of(const PlanOptions& options) {
   SearchRequest request;
+  if (options.paper) request.parameters = Parameters::paper();
   options.query.read(request);
   request.planner = options.planner;
   request.seed = options.seed;
@@ -58,7 +60,6 @@ SearchRequest request_of(const PlanOptions& options) {
   request.iterations = options.iterations;
   request.time_limit = options.time_limit;
   request.improve = options.improve;
-  if (options.paper) request.parameters = Parameters::paper();
   Parameters& p = request.parameters;
   if (options.alpha) p.alpha = static_cast<float>(*options.alpha);
   if (options.beta) p.beta = static_cast<float>(*options.beta);
@@ -145,9 +146,9 @@ void print_summary(const PlanFile& plan) {
               static_cast<unsigned long long>(plan.seed), s.at("time_s").get<double>(),
               s.at("iterations").get<unsigned long long>(), s.at("vertices").get<unsigned long long>());
   if (plan.states.empty()) return;
-  std::printf("plan: %zu steps, %.1f s, %.1f m, hash %s, verified\n", plan.controls.size(),
+  std::printf("plan: %zu steps, %.1f s, %.1f m, ends at %.2f m/s, hash %s, verified\n", plan.controls.size(),
               s.at("plan_duration_s").get<double>(), s.at("plan_length_m").get<double>(),
-              s.at("hash").get<std::string>().c_str());
+              s.at("plan_end_speed_m_s").get<double>(), s.at("hash").get<std::string>().c_str());
 }
 
 SearchResult search(const PlanOptions& options, const SearchRequest& request, const SceneBytes& bytes) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // krait scene: writes one of the shipped scenes as JSON.
 #include <cstdio>
 #include <memory>

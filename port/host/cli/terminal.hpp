@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A line of progress on a terminal, for whatever takes over a second; silent elsewhere.
 #pragma once
 

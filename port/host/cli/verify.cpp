@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // krait verify: judges a plan against the map that it was made for, trusting nothing that the plan says.
 #include "host/verify/verify.hpp"
 
@@ -26,9 +27,11 @@ void print_verdict(const Verdict& verdict) {
     std::printf("the plan does not hold\n");
     return;
   }
-  std::printf("%s: as driven, clearance %.4g m, goal depth %.4g m; stored states differ by %.2g, in one step by %.2g\n",
-              verdict.holds ? "the plan holds" : "the plan does not hold", verdict.clearance, verdict.goal_depth,
-              verdict.drift, verdict.step_error);
+  std::printf(
+      "%s: as driven, clearance %.4g m, goal depth %.4g m, end speed %.2g m/s; stored states differ by %.2g, in one "
+      "step by %.2g\n",
+      verdict.holds ? "the plan holds" : "the plan does not hold", verdict.clearance, verdict.goal_depth,
+      verdict.end_speed, verdict.drift, verdict.step_error);
 }
 
 void judge(const VerifyOptions& options) {
@@ -55,8 +58,9 @@ void add_verify(CLI::App& app) {
   add_unknown(*command, o->unknown);
   command->add_option("--dt", o->dt, "the plan's time step, seconds, 0.001 to 1")->capture_default_str();
   command->footer(
-      "Robot, start, goal and time step are what you ask here, with the defaults of krait plan, never what the plan\n"
-      "says. The last figures are metres and radians, of the stored states against those that the controls lead to.");
+      "Robot, start, goal, end speed and time step are what you ask here, with the defaults of krait plan, never what\n"
+      "the plan says; plans of --paper, prior and rrt end at any speed: --end-speed inf. The last figures are metres\n"
+      "and radians, of the stored states against those that the controls lead to.");
   command->callback([o] { judge(*o); });
 }
 

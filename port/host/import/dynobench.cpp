@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // dynobench's problems: a box-shaped world, box obstacles, and a robot's start and goal.
 #include <algorithm>
 #include <set>

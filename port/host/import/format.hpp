@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One file format of maps: how to recognise it and how to read it.
 #pragma once
 

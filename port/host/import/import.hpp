@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads a map or drawing of any known format into a Workspace.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ROS map_server's maps: a YAML file with scale, origin and thresholds, and an image. Readings of pixels are those of
 // ROS 2's nav2_map_server; a pixel that is not opaque is unknown in every mode.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // MovingAI's grid maps: a header of four lines, then one character a cell, the top row first. Cells are 1 m wide.
 #include <cctype>
 #include <charconv>

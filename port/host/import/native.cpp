@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // krait's own scene: JSON, metres and radians.
 #include <algorithm>
 #include <set>

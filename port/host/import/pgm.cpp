@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Netpbm's grey maps: P2 (numbers as text) and P5 (bytes, or two bytes a pixel where the maximum is over 255).
 #include <cctype>
 

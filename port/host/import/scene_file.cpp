@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A compiled scene, read by the page FORMAT.md with code of its own: the verifier may not share the core's reader.
 // A checked file is expected (krait compile writes one); sizes are checked here again, so that no byte lies outside.
 #include <cmath>

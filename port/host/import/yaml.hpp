@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads YAML into the JSON document that Field checks, within bounds of depth and size.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parses JSON within bounds, and reads its fields so that every error names the file and the field.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "host/input/outputs.hpp"
 
 #include <sys/stat.h>

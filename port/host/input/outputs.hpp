@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Looks at all files that a command is going to write before it does any work.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The colours of a picture, and how a heuristic cost becomes one: red near the goal, blue far, by way of pale yellow,
 // so that lightness tells the two halves apart for readers who do not see red and green as different.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The still pictures: one painting for Cairo, on an SVG or an image surface.
 #include <cairo-svg.h>
 #include <cairo.h>

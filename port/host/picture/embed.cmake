@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # cmake -DOUTPUT=page_files.cpp -DDIRECTORY=page -P embed.cmake
 # Writes the files of the replay page as string literals.
 set(text "// Made by embed.cmake.\n#include \"host/picture/page_files.hpp\"\n\nnamespace krait::host::page {\n")

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The parts that the still pictures and the page have in common: checks, captions, sizes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The replay page: its files in page/ with the picture's data put in. The numbers travel as little-endian arrays in
 // Base64: lengths in millimetres, headings in units of pi / 32768 rad, costs as levels (colors.hpp).
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The files in page/, which embed.cmake puts into the library.
 #pragma once
 

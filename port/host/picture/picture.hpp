@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Draws a scene, the search and the plan: SVG, PNG and a page that replays them.
 // The same picture gives the same bytes on one machine (fonts are the machine's own).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where a robot's bodies are in a state, for every model.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A plan as it stands in JSON: what `krait plan` writes and `krait verify`, the pictures and users read.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A robot as a user names it: "--robot snake:15" or a ROBOT.json. Parameters by the names of the plan's JSON.
 #pragma once
 

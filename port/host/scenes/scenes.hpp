@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The five scenes that krait ships, drawn after the paper's figures 1 and 3: 50 m x 50 m, walls 1 m thick, passages
 // of 1.4 m that a robot fits through and of 0.4 m that it does not, a goal of 3 m x 3 m.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The template behind Session. Every pair of robot and planner is compiled once, each robot in a file of its own.
 #pragma once
 
@@ -26,7 +27,7 @@ class PlannerSession : public Session {
     Limits limits = P::limits_for(request.memory, scene, robot_, way_legs(request));
     limits.iterations = request.iterations;
     refuse(planner_.init(block.data(), request.memory, scene, robot_, request.parameters, limits), request);
-    planner_.start({query_.start.data(), query_.goal, request.seed});
+    (void)planner_.start({query_.start.data(), query_.goal, request.seed});
     refuse(planner_.failure(), request);
   }
   // The planner points to the robot.
@@ -34,7 +35,7 @@ class PlannerSession : public Session {
   PlannerSession& operator=(const PlannerSession&) = delete;
 
   Status advance(std::uint64_t iterations) override { return planner_.advance(iterations); }
-  void improve(std::uint64_t iterations) override { planner_.improve(iterations); }
+  Status improve(std::uint64_t iterations) override { return planner_.improve(iterations); }
   void stop_for_time() override { planner_.stop_for_time(); }
   Status status() const override { return planner_.status(); }
   Statistics statistics() const override { return planner_.statistics(); }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "host/search/query.hpp"
 
 #include <cmath>
@@ -78,6 +79,7 @@ Asked asked_of(const krait::Scene& scene, const SearchRequest& request, const St
   asked.robot = request.robot;
   asked.start = start;
   asked.dt = static_cast<double>(request.parameters.dt);
+  asked.end_speed = request.end_speed();
   if (goal.is_disc()) {
     asked.disc_center = request.goal->center;
     asked.disc_radius = request.goal->radius;

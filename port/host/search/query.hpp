@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From what a user asked (names or world coordinates) to what the core takes, and what the verifier holds it to.
 #pragma once
 

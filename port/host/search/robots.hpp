@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From a robot's specification to the core's robot.
 #pragma once
 

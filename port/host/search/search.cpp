@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "host/search/search.hpp"
 
 #include <chrono>
@@ -37,13 +38,12 @@ void improve(Session& session, const SearchRequest& request, Clock::time_point b
   const double checks = request.improve * static_cast<double>(first);
   double idle = 0;
   const auto done = [&] { return static_cast<double>(session.statistics().collision_checks - first) + idle; };
-  for (; session.status() == Status::solved && done() < checks; idle += 0.25) {
+  for (; done() < checks && session.improve(1) == Status::solved; idle += 0.25) {
     if (request.time_limit && since(begin) > *request.time_limit) return;
-    session.improve(1);
   }
 }
 
-nlohmann::ordered_json statistics_json(const Statistics& s, const PlanMeasure& first, double seconds) {
+nlohmann::ordered_json statistics_json(const Statistics& s, double seconds) {
   char hash[17];
   std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(s.hash));
   return {{"time_s", seconds},
@@ -57,12 +57,10 @@ nlohmann::ordered_json statistics_json(const Statistics& s, const PlanMeasure& f
           {"plans_refused", s.plans_refused},
           {"bytes_used", s.bytes_used},
           {"bytes_given", s.bytes_given},
-          {"improvements", s.improvements},
-          {"first_plan_length_m", first.length},
-          {"first_plan_duration_s", first.duration},
           {"plan_steps", s.plan_steps},
           {"plan_length_m", static_cast<double>(s.plan_length)},
           {"plan_duration_s", static_cast<double>(s.plan_duration)},
+          {"plan_end_speed_m_s", static_cast<double>(s.plan_end_speed)},
           {"hash", hash}};
 }
 
@@ -141,7 +139,12 @@ SearchResult run_search(const std::string& scene_path, const SceneBytes& bytes, 
   SearchResult result{session->query().form, first, session->query().asked, since(begin)};
   result.plan.status = name(session->status());
   session->copy_plan(result.plan);
-  result.plan.statistics = statistics_json(session->statistics(), first, result.seconds);
+  result.plan.statistics = statistics_json(session->statistics(), result.seconds);
+  if (request.improve > 0) {
+    result.plan.statistics["improvements"] = session->statistics().improvements;
+    result.plan.statistics["first_plan_length_m"] = first.length;
+    result.plan.statistics["first_plan_duration_s"] = first.duration;
+  }
   return result;
 }
 

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs the core on a scene for a robot named by the user: the bridge from the workstation to the library.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -40,6 +42,13 @@ struct SearchRequest {
   std::optional<double> time_limit;  // seconds
   double improve = 0;  // multiples of the first plan's collision checks that a better one is looked for by
   Parameters parameters;
+
+  // m/s: how fast the plan may end; absent: at any speed. Only the adaptive planner is asked to brake.
+  std::optional<double> end_speed() const {
+    const auto speed = static_cast<double>(parameters.end_speed);
+    return planner == "adaptive" && speed < std::numeric_limits<double>::infinity() ? std::optional(speed)
+                                                                                    : std::nullopt;
+  }
 };
 
 // Bytes of a scene file, aligned as Scene::open needs them.

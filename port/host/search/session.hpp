@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A search that a request asked for, set up and started: robot and planner behind one interface.
 #pragma once
 
@@ -23,7 +24,7 @@ class Session {
   // One iteration; `watch` is called with the states at both ends of every step that the tree grows by.
   virtual Status advance_watched(const Watch& watch) = 0;
   // Only where the request asks for improvement.
-  virtual void improve(std::uint64_t iterations) = 0;
+  virtual Status improve(std::uint64_t iterations) = 0;
   virtual void stop_for_time() = 0;
   virtual Status status() const = 0;
   virtual Statistics statistics() const = 0;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // robot_session for each of the core's robots.
 #pragma once
 

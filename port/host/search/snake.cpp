@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "krait/robot/snake.hpp"
 
 #include "host/search/planner_session.hpp"

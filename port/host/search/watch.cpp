@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Repeats a search with an eye on it. The core is deterministic, so what is seen is what happened.
 #include <map>
 

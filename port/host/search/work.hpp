@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How much work one call of advance(1) can be at most: a bound by formula from the scene's tables, the robot and the
 // parameters, which no call exceeds (tests/host/search/work_test.cpp counts).
 #pragma once

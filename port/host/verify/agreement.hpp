@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whether a plan is whole, and speaks of the robot, start and goal that were asked for.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What several checks ask of a robot's bodies.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A plan's stored states, held against those that its controls lead to.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The verdict's list of faults, bounded however bad the plan is.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The motion that a plan's controls lead to, followed so finely that the hulls of consecutive poses cover it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "host/verify/dynamics.hpp"
 
 #include <algorithm>
@@ -108,6 +109,12 @@ State Dynamics::at_rest(const Point& position, double heading, const std::vector
   state[2] = heading;
   for (std::size_t i = 0; i < trailers_; ++i) state[5 + i] = i < trailers.size() ? trailers[i] : heading;
   return state;
+}
+
+double Dynamics::speed(const State& state) const {
+  if (model_ == Model::unicycle) return 0;
+  if (model_ == Model::diff_drive) return wheel_radius_ * std::max(std::abs(state[3]), std::abs(state[4]));
+  return std::abs(state[3]);
 }
 
 State Dynamics::derivative(const State& state, const Control& control) const {

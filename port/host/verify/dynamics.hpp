@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The verifier's own equations of motion, in double precision: lib/DESIGN.md, "Eqn 1 as printed is wrong".
 #pragma once
 
@@ -54,6 +55,9 @@ class Dynamics {
 
   // Component `index` is an angle: a heading, or the steering of a car.
   bool is_angle(std::size_t index) const { return is_heading(index) || (index == 4 && is_car_like()); }
+
+  // m/s, at least 0: of the front wheels, or of the faster wheel; 0 of a unicycle, whose state has no speed.
+  double speed(const State& state) const;
 
   State derivative(const State& state, const Control& control) const;
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Points and convex shapes as Boost.Geometry knows them.
 #pragma once
 

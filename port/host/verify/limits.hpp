@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The limits of a robot's states and controls, held against a motion.
 #pragma once
 

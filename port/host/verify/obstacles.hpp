@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Everything that a body must not meet: drawn obstacles, a map's occupied cells, the bounds, the map's own edge.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cuts a drawn obstacle of any shape into convex pieces.
 #pragma once
 

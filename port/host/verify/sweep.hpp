@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the robot's bodies cover while it moves, held against the obstacles and against each other.
 #pragma once
 

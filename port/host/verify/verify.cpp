@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "host/verify/verify.hpp"
 
 #include <cmath>
@@ -16,6 +17,7 @@ namespace {
 
 // A plan that is refused already may be absurd in any way: so much more is looked at, bodies times sub-steps.
 constexpr std::size_t kMostWorkOnceRefused = 500'000;
+constexpr double kEndSpeedTolerance = 1e-2;  // m/s
 
 // Holds the motion of a plan of sound form, and then its stored states, to what was asked. Positions are relative to
 // the lower corner of the workspace.
@@ -106,13 +108,26 @@ class Judge {
   }
 
   void check_end(Verdict& verdict) {
+    const State end = stored(plan_.states.size() - 1);
     verdict.goal_depth = depth(state_);
-    const double last = depth(stored(plan_.states.size() - 1));
+    const double last = depth(end);
     if (!(verdict.goal_depth >= 0)) {
       complaints_.add("goal: the driven end lies " + text(-verdict.goal_depth) + " m outside");
     } else if (!(last >= 0)) {
       complaints_.add("goal: the last state lies " + text(-last) + " m outside");
     }
+    verdict.end_speed = dynamics_.speed(state_);
+    if (asked_.end_speed && !check_speed("the driven end", verdict.end_speed)) {
+      check_speed("the last state", dynamics_.speed(end));
+    }
+  }
+
+  // Whether it complains.
+  bool check_speed(const std::string& where, double speed) {
+    if (speed <= *asked_.end_speed + kEndSpeedTolerance) return false;
+    complaints_.add("end: " + where + " moves at " + text(speed) + " m/s, asked at most " + text(*asked_.end_speed) +
+                    " m/s");
+    return true;
   }
 
   const Workspace& workspace_;

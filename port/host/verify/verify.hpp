@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Judges a plan against the input map, trusting nothing that the plan says of robot, start, goal or map. Double
 // precision throughout, Boost's integrator and Boost's geometry. No code of the planner or of the scene compiler; the
 // readers of maps, robots and plans are those of the other programs of the workstation.
@@ -20,7 +21,8 @@ struct Asked {
   Ring goal;  // polygon; a disc is given by center and radius instead
   std::optional<Point> disc_center;
   double disc_radius = 0;
-  std::optional<double> dt;  // seconds, the time step; absent: not known, any from 0.001 to 1 s is accepted
+  std::optional<double> dt;         // seconds, the time step; absent: not known, any from 0.001 to 1 s is accepted
+  std::optional<double> end_speed;  // m/s, how fast the plan may end; absent: at any speed
 };
 
 struct Verdict {
@@ -40,6 +42,7 @@ struct Verdict {
                                                                      // tested, as driven; infinite if none are
   double goal_depth = std::numeric_limits<double>::quiet_NaN();      // m, how deep inside the goal the driven end
                                                                      // lies; negative outside
+  double end_speed = std::numeric_limits<double>::quiet_NaN();       // m/s, of the driven end
   double sweep_error = std::numeric_limits<double>::quiet_NaN();     // m, how far a body strays between two poses from
                                                                      // the hull that was checked (at most 2e-5)
 };
@@ -52,10 +55,11 @@ inline constexpr double kLargestClearance = 1.0;  // m, obstacles further away a
 // 2. The controls are driven from the plan's first state to its end, open loop, in sub-steps so fine that truncation is
 //    negligible (drive.hpp). On this motion no body touches an obstacle of the workspace, leaves its bounds or meets
 //    another body, between sub-steps too, true to 2e-5 m; limits hold to 1e-4 of their size, between sub-steps too; and
-//    its end lies in the goal.
+//    its end lies in the goal and is no faster than asked, to 1e-2 m/s. A car is as fast as its front wheels, a
+//    differential drive as its faster wheel; a unicycle, whose controls are its speeds, ends at rest.
 // 3. Each stored state differs in no component by more than 5e-3 (m, rad, m/s, rad/s), 5e-6 a metre of way and float
 //    rounding from the driven one, and that difference changes in one step by no more than 1e-2 a second of the step
-//    and float rounding. Each keeps the limits and is free itself, and the last lies in the goal.
+//    and float rounding. Each keeps the limits and is free itself, and the last lies in the goal and is as slow.
 // A body or a quantity that fails is named once, with the first place where it does, and only the first stored state
 // that disagrees is named. Once a plan is refused, no more than half a million bodies times sub-steps are looked at.
 // Throws InputError if the workspace or the asked robot itself is unusable; a bad plan is a verdict, never an error.

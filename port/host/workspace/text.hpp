@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Text that others wrote, as it may be shown to a person: on one line, in one direction, with no command to a terminal.
 #pragma once
 

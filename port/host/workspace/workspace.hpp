@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What an importer yields and everything else on the workstation reads: a map in metres, double precision.
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* Plans for a snake; writes "snake STATUS HASH". Exit code: 0 with a plan, 1 without, 2 where planning was refused. */
 #include "board.h"
 #include "krait/krait.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* What the firmware asks of a board. */
 #ifndef FIRMWARE_BOARD_H
 #define FIRMWARE_BOARD_H

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # firmware_program(NAME SOURCE LIBRARY): a program for the board of this build, the scene compiled in.
 set(firmware_folder ${CMAKE_CURRENT_LIST_DIR})
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The firmware's own robot: a hovering box, pushed along x and y. State x y vx vy, control the accelerations.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plans for a snake and for a robot of its own; writes a line "ROBOT STATUS HASH" each. Exit code: the number of
 // robots without a plan.
 #include "board.h"

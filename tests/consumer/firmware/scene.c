@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* The scene, compiled in: SCENE names the file. */
 __asm(
     "  .section .rodata\n"

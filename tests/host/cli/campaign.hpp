@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Many seeds of one query, planned in this process, each plan judged by the verifier against the input itself.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bad input: exit code 2, one clear line, nothing written.
 #include "host/cli/program.hpp"
 
@@ -128,6 +129,7 @@ TEST_F(CliBadInput, Numbers) {
   expect_plan_refused({"--clearance", "nan"}, "clearance");
   expect_plan_refused({"--iterations", "0"}, "iterations");
   expect_plan_refused({"--iterations", "-1"}, "iterations");
+  for (const char* useless : {"-1", "nan", "fast"}) expect_plan_refused({"--end-speed", useless}, "end-speed");
   expect_plan_refused({"--time-limit", "0"}, "time-limit");
   expect_plan_refused({"--time-limit", "-1"}, "time-limit");
   expect_plan_refused({"--time-limit", "nan"}, "time-limit");

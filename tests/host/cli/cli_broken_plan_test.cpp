@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // krait verify on a plan of krait's own that was broken on purpose, field by field: exit code 1 and the reason.
 #include <functional>
 

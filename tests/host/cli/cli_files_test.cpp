@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Files are written whole or not at all: programs killed at random moments, and disks that are full.
 #include <fcntl.h>
 #include <signal.h>

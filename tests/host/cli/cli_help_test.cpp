@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The help teaches: every option of every command, the robots' defaults, what the exit codes mean.
 #include "host/cli/program.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // krait plan on a map: it is compiled as krait compile does it, and the plan is judged against the map itself.
 #include <fcntl.h>
 #include <poll.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // No name, file name or argument commands the terminal or turns the direction of a line, on any way to the user.
 #include "host/cli/program.hpp"
 

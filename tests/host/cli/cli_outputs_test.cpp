@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Outputs that would destroy an input or one another, or on which krait would wait for ever.
 #include <sys/stat.h>
 

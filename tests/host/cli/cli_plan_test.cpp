@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // krait plan and krait verify by their files and exit codes: the plan's JSON field by field, the ends of a search,
 // and that the same arguments give the same bytes.
 #include <cmath>
@@ -130,7 +131,7 @@ TEST_F(CliPlan, HasTheStatisticsOfTheFormat) {
   const ordered_json& s = plan.at("statistics");
   EXPECT_THAT(keys(s), ElementsAre("time_s", "iterations", "restarts", "vertices", "recycled", "collision_checks",
                                    "dijkstra_runs", "regions_repaired", "plans_refused", "bytes_used", "bytes_given",
-                                   "plan_steps", "plan_length_m", "plan_duration_s", "hash"));
+                                   "plan_steps", "plan_length_m", "plan_duration_s", "plan_end_speed_m_s", "hash"));
   for (const char* whole : {"iterations", "restarts", "vertices", "recycled", "collision_checks", "dijkstra_runs",
                             "regions_repaired", "plans_refused", "bytes_used", "bytes_given", "plan_steps"}) {
     EXPECT_TRUE(s.at(whole).is_number_unsigned()) << whole;
@@ -162,6 +163,28 @@ TEST_F(CliPlan, IsTheSameTwice) {
   const std::string first = without_time(plan({"--robot", "snake:5"}));
   EXPECT_EQ(without_time(plan({"--robot", "snake:5"})), first);
   EXPECT_EQ(without_time(plan({"--robot", "snake:5", "--seed", "1", "--memory", "64M", "--time-limit", "100"})), first);
+}
+
+TEST_F(CliPlan, ImprovesAndSaysSo) {
+  for (const char* robot : {"truck:2", "car", "unicycle", "diff_drive"}) {
+    const ordered_json first = plan({"--robot", robot, "--seed", "3"});
+    const ordered_json better = plan({"--robot", robot, "--seed", "3", "--improve", "10"});
+    const ordered_json& s = better.at("statistics");
+    EXPECT_FALSE(first.at("statistics").contains("improvements"));
+    EXPECT_EQ(s.at("first_plan_length_m"), first.at("statistics").at("plan_length_m")) << robot;
+    EXPECT_EQ(s.at("first_plan_duration_s"), first.at("statistics").at("plan_duration_s")) << robot;
+    EXPECT_EQ(s.at("improvements").get<int>() > 0, better.at("controls").size() < first.at("controls").size()) << robot;
+    EXPECT_EQ(s.at("hash"), hash_of(better)) << robot;
+    const Outcome verdict = krait({"verify", "room.json", "plan.json", "--robot", robot});
+    EXPECT_EQ(verdict.code, 0) << verdict.output << verdict.errors;
+    EXPECT_EQ(without_time(plan({"--robot", robot, "--seed", "3", "--improve", "10"})), without_time(better));
+  }
+}
+
+TEST_F(CliPlan, RefusesToImproveByWhatIsNoNumber) {
+  for (const char* times : {"-1", "1e7", "much", "nan"}) {
+    EXPECT_EQ(krait({"plan", "room.krait", "--robot", "car", "--improve", times}).code, 2) << times;
+  }
 }
 
 TEST_F(CliPlan, DependsOnTheSeed) {
@@ -331,6 +354,25 @@ TEST_F(CliPlan, VerifyTrustsNothingInThePlan) {
   const Outcome outcome = krait({"verify", "room.json", "plan.json", "--robot", "car"});
   EXPECT_EQ(outcome.code, 1);
   EXPECT_THAT(outcome.output, HasSubstr("the plan does not hold"));
+}
+
+TEST_F(CliPlan, EndsAtRestUnlessAskedOtherwise) {
+  const auto end_speed = [this](const std::vector<std::string>& options) {
+    const ordered_json plan = this->plan(options);
+    EXPECT_EQ(plan.at("statistics").at("plan_end_speed_m_s"), plan.at("states").back()[3].get<double>());
+    return plan.at("states").back()[3].get<double>();
+  };
+  EXPECT_LT(end_speed({"--robot", "car"}), 0.005);
+  expect_done({"verify", "room.json", "plan.json", "--robot", "car"});
+  EXPECT_GT(end_speed({"--robot", "car", "--end-speed", "inf"}), 2);
+  expect_done({"verify", "room.json", "plan.json", "--robot", "car", "--end-speed", "inf"});
+  const Outcome fast = krait({"verify", "room.json", "plan.json", "--robot", "car", "--end-speed", "1"});
+  EXPECT_EQ(fast.code, 1);
+  EXPECT_THAT(fast.output, HasSubstr("m/s, asked at most 1 m/s"));
+  EXPECT_EQ(krait({"verify", "room.json", "plan.json", "--robot", "car"}).code, 1) << "at rest is the default";
+  EXPECT_LT(end_speed({"--robot", "car", "--end-speed", "1"}), 1.005);
+  EXPECT_GT(end_speed({"--robot", "car", "--paper"}), 0.1);
+  EXPECT_GT(end_speed({"--robot", "car", "--planner", "prior"}), 0.1);
 }
 
 TEST_F(CliPlan, VerifyOfAnHonestNoSaysSo) {

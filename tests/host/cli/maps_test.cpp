@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From a map that a user has to a verified plan: real maps, a map that is turned, a drawing far from the origin.
 #include <cmath>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From a shipped scene to a verified plan, over many seeds: every robot, every scene, several scales.
 #include "host/cli/campaign.hpp"
 #include "host/cli/program.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Files that are no map at all, and maps made to hurt.
 #include <gmock/gmock.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every pixel format, written here by libpng or by hand, read back.
 #include <gmock/gmock.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Real files of others; skipped where the folder of samples is absent.
 #include <gmock/gmock.h>
 

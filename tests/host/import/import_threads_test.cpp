@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Imports in threads of one program do not touch each other. Run under ThreadSanitizer too (preset thread).
 #include <gmock/gmock.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Outputs that would overwrite an input or one another are found before any is written, whatever their paths look like.
 #include "host/input/outputs.hpp"
 

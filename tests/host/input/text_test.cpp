@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What may be shown to a person as it is, and how the rest is escaped.
 #include "host/workspace/text.hpp"
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Drives the replay page in a headless browser: page_test.py WRITE_PAGES [KEEP_SCREENSHOTS_IN]"""
 import json
 import os

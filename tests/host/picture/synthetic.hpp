@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A made-up picture: 50 m x 50 m, two walls with wide gaps and one with a narrow gap too, a closed room, a snake of 15
 // trailers that drives an S through the wide gaps, costs that rise at the narrow gap, and a wandering tree.
 #pragma once

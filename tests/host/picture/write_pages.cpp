@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Writes the pages and still pictures that page_test.py looks at into the directory that it is given.
 #include <fstream>
 #include <iostream>

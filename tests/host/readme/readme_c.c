@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* Compiles the README's lines of C. */
 #include "krait/krait.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Builds and runs the programs of the README.
 #include <gtest/gtest.h>
 
@@ -63,7 +64,7 @@ TEST(Readme, OwnRobotPlans) {
   ASSERT_TRUE(planner->init(memory.data(), size, scene, robot, krait::Parameters(), limits).ok());
   const krait::Vec2 at = scene.start(0).position;
   const float start[] = {at.x, at.y, 0.0F, 0.0F};
-  planner->start({start, krait::Goal::named(0), 1});
+  EXPECT_EQ(planner->start({start, krait::Goal::named(0), 1}), krait::Status::searching);
   ASSERT_EQ(planner->advance(100000), krait::Status::solved);
   krait::PlanCursor end = planner->plan().cursor();
   while (!end.done()) end.advance();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Judges the shipped scenes as a user reads them (JSON, importer), by flooding a fine grid of points with a disc.
 #include "host/scenes/scenes.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // No call of advance(1) does more than work_bound says. The calls are counted where they happen: the core is compiled
 // into this test with every function's entry reported (-finstrument-functions).
 #include "host/search/work.hpp"
@@ -85,12 +86,12 @@ Work most_work(const krait::Scene& scene, const R& robot, std::uint64_t seed) {
   state[0] = start.position.x;
   state[1] = start.position.y;
   for (int i = 2; i < robot.state_size(); ++i) state[i] = i == 3 || i == 4 ? 0.0F : start.heading;
-  planner->start({state, Goal::named(0), seed});
+  EXPECT_EQ(planner->start({state, Goal::named(0), seed}), Status::searching);
   Work most;
   std::uint64_t placed = planner->statistics().collision_checks;
   for (int call = 0; call < 400 && planner->status() == Status::searching; ++call) {
     forget();
-    planner->advance(1);
+    (void)planner->advance(1);
     const Statistics now = planner->statistics();
     most.placements = std::max(most.placements, now.collision_checks - placed);
     most.runge_kutta_steps = std::max(most.runge_kutta_steps, counters[0].calls);

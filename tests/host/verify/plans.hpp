@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plans that hold, made by a simulation that shares nothing with the verifier: the train's joints are followed from
 // the front to the back as rigid bodies, by the midpoint rule in very small steps.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The motion that the verifier drives, against classic Runge-Kutta of this file in steps 64 times as fine and against
 // closed forms.
 #include <gtest/gtest.h>

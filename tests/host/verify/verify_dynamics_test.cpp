@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The verifier's own equations of motion against geometry and closed forms.
 #include <gtest/gtest.h>
 

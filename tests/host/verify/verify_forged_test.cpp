@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Ten families of forged plans. Each is drawn for several robots and seeds, is made from a plan that holds, and is
 // refused by a sentence that names what is forged.
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Nearest obstacles against brute force over all sides.
 #include <gtest/gtest.h>
 

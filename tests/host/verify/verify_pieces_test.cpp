@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The convex pieces cover exactly what the rings fill, whatever their shape.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A long plan of a long snake on a large map is judged in seconds.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sound plans hold, and every way of breaking one is caught.
 #include "host/verify/verify.hpp"
 
@@ -904,6 +905,56 @@ TEST(Cells, AMapWhoseSizeLiesIsAnInputError) {
   c.workspace.cells = cells(0.05);
   c.workspace.cells->rows += 1;
   EXPECT_THROW(c.verdict(), InputError);
+}
+
+// Sped up to 2 m/s, then braked for so many steps, 0.5 m/s each.
+Case braked(std::size_t steps) {
+  const auto steer = [&](std::size_t step, const Row&) -> Row {
+    if (step < 10) return {2, 0};
+    return step < 10 + steps ? Row{-5, 0} : Row{0, 0};
+  };
+  return drive(robot("car"), steer, 16, {15, 20}, 0);
+}
+
+TEST(EndSpeed, IsJudgedWhereItIsAsked) {
+  Case moving = braked(2);
+  expect_holds(moving.verdict());
+  EXPECT_NEAR(moving.verdict().end_speed, 1, 1e-5);
+  moving.asked.end_speed = 1;
+  expect_holds(moving.verdict());
+  moving.asked.end_speed = 0.98;
+  expect_complaint(moving, "end: the driven end moves at 1 m/s, asked at most 0.98 m/s");
+  Case still = braked(4);
+  still.asked.end_speed = 0;
+  expect_holds(still.verdict());
+}
+
+TEST(EndSpeed, OfADifferentialDriveIsItsFasterWheels) {
+  Case spinning = drive(
+      robot("diff_drive"),
+      [](std::size_t step, const Row&) {
+        return step < 2 ? Row{-3, 3} : Row{0, 0};
+      },
+      4);
+  expect_holds(spinning.verdict());
+  EXPECT_NEAR(spinning.verdict().end_speed, 0.06, 1e-5);
+  spinning.asked.end_speed = 0;
+  expect_complaint(spinning, "end: the driven end moves at 0.06 m/s");
+}
+
+TEST(EndSpeed, OfAUnicycleIsNone) {
+  Case c = arc("unicycle");
+  c.asked.end_speed = 0;
+  expect_holds(c.verdict());
+  EXPECT_EQ(c.verdict().end_speed, 0);
+}
+
+// The stored state may say what it wants: the controls are driven.
+TEST(EndSpeed, IsThatOfTheControls) {
+  Case c = braked(2);
+  c.asked.end_speed = 0;
+  c.plan.states.back()[3] = 0;
+  expect_complaint(c, "end: the driven end moves at 1 m/s");
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random numbers, and the elementary functions swept over the floats' bits.
 #include <cmath>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Polygon distances, point location, and shortest paths after raised costs.
 #include "stages.hpp"
 

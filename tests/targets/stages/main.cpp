@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Prints the hash of every stage: the kernels first, then for each scene where the board has scenes.
 #include "firmware/application.hpp"
 #include "firmware/scene_pack.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every robot: Runge-Kutta under random controls, steering toward random targets with the bodies placed, and the motion
 // of a plan.
 #include "stages.hpp"

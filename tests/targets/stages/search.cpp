@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whole searches: every state that was ever placed, in order, then the counts and the plan.
 #include "firmware/application.hpp"
 #include "stages.hpp"
@@ -57,7 +58,7 @@ void search(const firmware::Board& board, const Scene& scene, const char* name, 
   robot.forget();
   tree.add(static_cast<std::uint32_t>(planner.init(board.arena, kBlock, scene, robot, Parameters(), limits).status));
   for (std::uint64_t seed = 1; seed <= 2; ++seed) {
-    planner.start({start, Goal::named(0), seed});
+    (void)planner.start({start, Goal::named(0), seed});
     while (planner.advance(1) == Status::searching) add_counts(planner.statistics(), tree);
     plan.add(static_cast<std::uint32_t>(planner.status()));
     add_plan(planner.plan(), plan);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What must come out the same to the bit on every machine, stage by stage: each prints one line `name hash`. Stages
 // stand in the order in which they build on each other, so the first line that differs names the culprit.
 #pragma once

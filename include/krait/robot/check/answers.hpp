@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whether a robot's functions answer with finite numbers, all of them, and the same when asked again. For hosts.
 #pragma once
 

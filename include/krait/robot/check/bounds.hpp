@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whether travel and quick_bound really bound the motion, and place follows it. For hosts.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One state and control of a robot, what follows from them, and where faults go. For hosts.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whether steer keeps to the limits of controls and states. For hosts.
 #pragma once
 

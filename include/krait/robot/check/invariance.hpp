@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whether a robot moves alike wherever it stands and in whichever direction. For hosts.
 #pragma once
 

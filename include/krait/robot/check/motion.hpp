@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The motion that a robot's derivative means, integrated far more finely than the library does. For hosts.
 #pragma once
 

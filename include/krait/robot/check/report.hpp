@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a robot was found to do wrong, by function and promise. For hosts.
 #pragma once
 

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 // Draws states and controls of a robot from ranges. For hosts.
 #pragma once
 
 #include <functional>
 #include <vector>
 
+#include "krait/motion/rk4.hpp"
 #include "krait/random.hpp"
 #include "krait/robot/check/report.hpp"
 #include "krait/robot/robot.hpp"
@@ -23,10 +25,12 @@ struct RobotRanges {
   // The components of the state that are headings, in radians: turning the robot adds to them and changes nothing else
   // but the position. Whether it moves alike in every direction is checked where there are any.
   std::vector<int> headings = {};
-  bool anywhere = true;      // whether it moves alike wherever it stands, which is checked then
-  float leaving = 0.0F;      // 0 … 1: share of steered steps that may leave the limits, as where hitches fold
-  float step_rate = 0.0F;    // above 0: a Runge-Kutta step of step_rate / fastest_rate(dt) seconds is to be accurate
-  float step_error = 1e-4F;  // to this, in metres and radians
+  bool anywhere = true;  // whether it moves alike wherever it stands, which is checked then
+  float leaving = 0.0F;  // 0 … 1: share of steered steps that may leave the limits, as where hitches fold
+  // A Runge-Kutta step of step_rate / fastest_rate(dt) seconds, and at most dt, is to be accurate to step_error, in
+  // metres and radians: as the library makes them while the tree grows (lib/DESIGN.md, "Integration"). 0: not checked.
+  float step_rate = kStepRate;
+  float step_error = 5e-4F;
   // Makes a state of the numbers that were drawn, where components depend on each other; none: they are the state.
   std::function<void(std::vector<float>& state)> arrange = {};
 };

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whether what a robot offers beside derivative agrees with it: its leading components, its own integration, and how
 // fast it says to be. For hosts.
 #pragma once

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* Start-up of a Cortex-M4 with a floating-point unit, and text and exit code by semihosting. */
 #include "../board.h"
 

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+// Plans end at rest, or as slow as asked: the brake is a part of them.
+#include "planner_fixture.hpp"
+
+namespace krait::test {
+namespace {
+
+constexpr int kSeeds = 20;
+
+ChainParameters chain(int trailers) {
+  ChainParameters p;
+  p.trailers = trailers;
+  return p;
+}
+
+template <class R>
+std::vector<float> standing(const R& robot, Vec2 at) {
+  std::vector<float> state(static_cast<std::size_t>(robot.state_size()), 0.0F);
+  state[0] = at.x;
+  state[1] = at.y;
+  return state;
+}
+
+template <class R>
+class Rests {
+ public:
+  explicit Rests(const R& robot) : bench_(two_rooms(), robot), start_(standing(robot, {4, 6})) {}
+
+  Bench<R>& bench() { return bench_; }
+
+  // The speed that the plan ends at, which lies in the goal.
+  float end_speed(const Goal& goal, std::uint64_t seed) {
+    EXPECT_TRUE(bench_.init().ok());
+    EXPECT_EQ(bench_.solve({start_.data(), goal, seed}), Status::solved);
+    if (bench_.planner.plan().empty()) return kInfinity;
+    const Path path(bench_.planner.plan());
+    const std::vector<float>& last = path.states.back();
+    EXPECT_TRUE(goal.contains(bench_.open.scene, {last[0], last[1]}, 0.0F));
+    const float speed = speed_of(bench_.robot, StateView(last.data(), bench_.robot.state_size()));
+    EXPECT_EQ(speed, bench_.planner.statistics().plan_end_speed);
+    return speed;
+  }
+
+  float slowest_end(const Goal& goal) {
+    float least = kInfinity;
+    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) least = std::min(least, end_speed(goal, seed));
+    return least;
+  }
+  float fastest_end(const Goal& goal) {
+    float most = 0;
+    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) most = std::max(most, end_speed(goal, seed));
+    return most;
+  }
+
+ private:
+  Bench<R> bench_;
+  std::vector<float> start_;
+};
+
+template <class R>
+void expect_rest(const R& robot) {
+  Rests<R> rests(robot);
+  EXPECT_LE(rests.fastest_end(Goal::named(0)), kRestSpeed);
+  EXPECT_LE(rests.fastest_end(Goal::disc({10.5F, 3}, 0.15F)), kRestSpeed) << "far smaller than the stopping distance";
+}
+
+TEST(PlannerRest, EveryModelEndsAtRestByDefault) {
+  expect_rest(Car(Car::defaults()));
+  expect_rest(Snake(chain(3)));
+  expect_rest(Truck(chain(2)));
+  expect_rest(DifferentialDrive(DifferentialDriveParameters{}));
+}
+
+TEST(PlannerRest, AnEndSpeedIsKeptAndMadeUseOf) {
+  Rests<Car> rests(Car(Car::defaults()));
+  rests.bench().parameters.end_speed = 1.0F;
+  EXPECT_LE(rests.fastest_end(Goal::named(0)), 1.0F + kRestSpeed);
+  EXPECT_GT(rests.slowest_end(Goal::named(0)), 0.4F) << "braking stops where the plan is slow enough";
+  rests.bench().parameters.end_speed = kInfinity;
+  EXPECT_GT(rests.slowest_end(Goal::named(0)), 2.0F);
+}
+
+TEST(PlannerRest, WeakBrakesBeginFarFromTheGoal) {
+  ChainParameters p = Car::defaults();
+  p.max_acceleration = 0.5F;  // a stopping distance of 6.25 m, half of the scene
+  Rests<Car> rests{Car(p)};
+  EXPECT_LE(rests.fastest_end(Goal::named(0)), kRestSpeed);
+}
+
+TEST(PlannerRest, TheStateOfAUnicycleHasNoSpeed) {
+  Rests<Unicycle> rests(small_unicycle());
+  EXPECT_EQ(rests.fastest_end(Goal::named(0)), 0.0F);
+  const std::uint64_t hash = rests.bench().planner.statistics().hash;
+  rests.bench().parameters.end_speed = kInfinity;
+  rests.fastest_end(Goal::named(0));
+  EXPECT_EQ(rests.bench().planner.statistics().hash, hash);
+}
+
+template <class P>
+float end_of_rival() {
+  Bench<Car, P> bench(two_rooms(), Car(Car::defaults()));
+  EXPECT_TRUE(bench.init().ok());
+  const std::vector<float> start = standing(bench.robot, {4, 6});
+  EXPECT_EQ(bench.solve({start.data()}), Status::solved);
+  return bench.planner.statistics().plan_end_speed;
+}
+
+TEST(PlannerRest, IsNotThePapersNorOfOtherPlanners) {
+  EXPECT_EQ(Parameters::paper().end_speed, kInfinity);
+  EXPECT_GT(end_of_rival<Prior>(), 1.0F);
+  EXPECT_GT(end_of_rival<Rrt>(), 1.0F);
+}
+
+TEST(PlannerRest, AStartInTheGoalIsAPlanWhereItIsSlowEnough) {
+  Bench<Car> bench(two_rooms(), Car(Car::defaults()));
+  ASSERT_TRUE(bench.init().ok());
+  std::vector<float> start = standing(bench.robot, {10, 6.5F});
+  EXPECT_EQ(bench.planner.start({start.data()}), Status::solved);
+  EXPECT_EQ(bench.planner.plan().steps(), 0U);
+  start[3] = 2.0F;
+  EXPECT_EQ(bench.solve({start.data()}), Status::solved);
+  EXPECT_GT(bench.planner.plan().steps(), 0U);
+  EXPECT_LE(bench.planner.statistics().plan_end_speed, kRestSpeed);
+  bench.parameters.end_speed = 2.0F;
+  ASSERT_TRUE(bench.init().ok());
+  EXPECT_EQ(bench.planner.start({start.data()}), Status::solved);
+}
+
+// A call ends in the middle of a brake as well.
+TEST(PlannerRest, DoesNotDependOnHowASearchIsCutIntoCalls) {
+  ChainParameters p = Car::defaults();
+  p.max_acceleration = 0.5F;  // brakes of 50 steps
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    std::uint64_t hashes[2];
+    for (int whole = 0; whole < 2; ++whole) {
+      Bench<Car> bench(two_rooms(), Car(p));
+      bench.parameters.max_steps = 7;
+      ASSERT_TRUE(bench.init().ok());
+      const std::vector<float> start = standing(bench.robot, {4, 6});
+      bench.planner.start({start.data(), Goal::named(0), seed});
+      while (bench.planner.advance(whole == 1 ? 1'000'000 : 1) == Status::searching) {
+      }
+      hashes[whole] = bench.planner.statistics().hash;
+    }
+    EXPECT_EQ(hashes[0], hashes[1]);
+  }
+}
+
+// The brake has its own place in the tree however few expansions are kept.
+TEST(PlannerRest, NeedsNoMoreMemory) {
+  int solved = 0;
+  for (const WhenFull when_full : {WhenFull::recycle, WhenFull::stop}) {
+    for (const std::uint32_t expansions : {2U, 3U, 5U, 30U, 1000U}) {
+      for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+        Bench<Car> bench(two_rooms(), Car(Car::defaults()));
+        bench.limits = {200, expansions, 300, when_full};
+        ASSERT_TRUE(bench.init().ok());
+        const std::vector<float> start = standing(bench.robot, {8, 4});
+        const Status status = bench.solve({start.data(), Goal::named(0), seed});
+        EXPECT_LE(bench.planner.tree().most_expansions(), expansions);
+        if (status != Status::solved) continue;
+        ++solved;
+        EXPECT_LE(bench.planner.statistics().plan_end_speed, kRestSpeed);
+      }
+    }
+  }
+  EXPECT_GT(solved, 100);
+}
+
+// A robot that states its speed, and no stopping way; it stops within a step, or never.
+class Sled : public Slider {
+ public:
+  static constexpr int kMaxState = 4;
+
+  explicit Sled(bool brakes) : Slider(0.5F, 1.5F), brakes_(brakes) {}
+
+  int state_size() const { return 4; }
+  float speed(StateView s) const { return length({s[2], s[3]}); }
+  void derivative(StateView s, ControlView u, StateRef ds) const { ds << s[2], s[3], u[0], u[1]; }
+  void steer(StateView s, const Target& target, Steering&, ControlRef u) const {
+    const Vec2 to = target.point - position(s);
+    const float gain = (target.speed == 0.0F && !brakes_ ? 1.0F : target.speed) * 1.5F / (length(to) + 1e-3F);
+    u << (gain * to.x - s[2]) / target.dt, (gain * to.y - s[3]) / target.dt;
+  }
+  bool within_limits(StateView s) const { return finite(position(s)) && speed(s) < 1e3F; }
+  bool travel(StateView s, ControlView u, float dt, StateView next, Travel* travel) const {
+    travel[0] = {dt * (speed(s) + speed(next)), 0.0F, 0.125F * dt * dt * length({u[0], u[1]}), 0.0F};
+    return true;
+  }
+
+ private:
+  bool brakes_;
+};
+
+TEST(PlannerRest, ARobotOfOnesOwnNeedsOnlySayHowFastItIs) {
+  Rests<Sled> rests(Sled(true));
+  EXPECT_LE(rests.fastest_end(Goal::named(0)), kRestSpeed);
+  rests.bench().parameters.end_speed = kInfinity;
+  EXPECT_GT(rests.slowest_end(Goal::named(0)), 1.0F);
+}
+
+TEST(PlannerRest, ARobotThatNeverStopsHasNoPlan) {
+  Bench<Sled> bench(two_rooms(), Sled(false));
+  bench.limits.iterations = 500;
+  ASSERT_TRUE(bench.init().ok());
+  const float start[] = {2, 6, 0, 0};
+  EXPECT_EQ(bench.solve({start}), Status::budget_used);
+}
+
+}  // namespace
+}  // namespace krait::test

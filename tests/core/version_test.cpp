@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// The versions that version.h states are those of the pages.
+#include "krait/version.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "krait/scene/format.hpp"
+
+namespace krait {
+namespace {
+
+std::string page(const std::string& name) {
+  std::ostringstream text;
+  text << std::ifstream(KRAIT_SOURCE_DIR "/" + name).rdbuf();
+  return text.str();
+}
+
+TEST(Version, OfTheSceneFormatIsItsPages) {
+  const std::string title = "# The bytes of a scene file, version " + std::to_string(format::kVersion) + "\n";
+  EXPECT_EQ(page("include/krait/scene/FORMAT.md").substr(0, title.size()), title);
+}
+
+TEST(Version, HasAnEntryInTheChanges) {
+  const std::string version = std::to_string(KRAIT_VERSION_MAJOR) + "." + std::to_string(KRAIT_VERSION_MINOR) + "." +
+                              std::to_string(KRAIT_VERSION_PATCH);
+  EXPECT_NE(page("CHANGELOG.md").find("\n## " + version), std::string::npos) << version;
+  EXPECT_EQ(KRAIT_VERSION_NUMBER, (KRAIT_VERSION_MAJOR * 100 + KRAIT_VERSION_MINOR) * 100 + KRAIT_VERSION_PATCH);
+}
+
+}  // namespace
+}  // namespace krait

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Planning knows no metre: a scene, a robot and its speeds that are a quarter, four times and sixteen times as large
+// cost as many vertices.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "host/compiler/compiler.hpp"
+#include "host/scenes/scenes.hpp"
+#include "host/search/session.hpp"
+
+namespace krait::host {
+namespace {
+
+constexpr std::uint64_t kSeeds = 500;  // of fewer, medians are a tenth apart by chance
+
+void scale(Ring& ring, double by) {
+  for (Point& p : ring) p = {p.x * by, p.y * by};
+}
+
+Workspace scaled(Workspace workspace, double by) {
+  workspace.min = {workspace.min.x * by, workspace.min.y * by};
+  workspace.max = {workspace.max.x * by, workspace.max.y * by};
+  for (Obstacle& obstacle : workspace.obstacles) {
+    scale(obstacle.outer, by);
+    for (Ring& hole : obstacle.holes) scale(hole, by);
+  }
+  for (Goal& goal : workspace.goals) scale(goal.polygon, by);
+  for (Start& start : workspace.starts) start.position = {start.position.x * by, start.position.y * by};
+  return workspace;
+}
+
+// Lengths, speeds and accelerations; a wheel's angles and times stay. Bodies are a quarter larger, since those of
+// the models just go through the scenes' narrow gaps or just not: there the scene's grid of half a millimetre decides.
+RobotSpec scaled(RobotSpec robot, double by) {
+  for (const char* name : {"hitch_length", "body_length", "body_width", "body_offset", "wheelbase", "max_speed",
+                           "min_speed", "max_acceleration", "wheel_radius", "track_width"}) {
+    const auto found = robot.parameters.find(name);
+    if (found != robot.parameters.end()) found->second *= by;
+  }
+  for (Ring& body : robot.bodies) scale(body, 1.25 * by);
+  return robot;
+}
+
+// The median of the vertices of searches that all end in a plan.
+double median_vertices(const std::string& scene, const std::string& robot, double by) {
+  const CompiledScene compiled = compile(scaled(make_scene(scene, 1).workspace, by), {});
+  const SceneBytes bytes = SceneBytes::copy(compiled.bytes.data(), compiled.bytes.size());
+  SearchRequest request;
+  request.robot = scaled(parse_robot(robot), by);
+  request.parameters.clearance *= static_cast<float>(by);
+  request.memory = 8U << 20U;
+  Block block = block_of(request);
+  std::vector<double> vertices;
+  for (request.seed = 1; request.seed <= kSeeds; ++request.seed) {
+    const SearchResult result = run_search("scene", bytes, request, block, {});
+    EXPECT_EQ(result.plan.status, "solved") << scene << ' ' << robot << " times " << by << ", seed " << request.seed;
+    vertices.push_back(result.plan.statistics.at("vertices").get<double>());
+  }
+  std::nth_element(vertices.begin(), vertices.begin() + kSeeds / 2, vertices.end());
+  return vertices[kSeeds / 2];
+}
+
+class Similarity : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(Similarity, SearchesCostTheSameAtEverySize) {
+  const double vertices = median_vertices("rooms", GetParam(), 1);
+  for (const double by : {0.25, 4.0, 16.0}) {
+    EXPECT_NEAR(median_vertices("rooms", GetParam(), by), vertices, 0.1 * vertices) << "times " << by;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, Similarity, ::testing::Values("car", "snake:5", "truck:2", "unicycle", "diff_drive"),
+                         [](const auto& robot) {
+                           std::string name = robot.param;
+                           std::replace(name.begin(), name.end(), ':', '_');
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace krait::host
