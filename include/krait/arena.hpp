@@ -9,7 +9,18 @@
 namespace krait {
 
 // What a pool holds.
-enum class Pool : std::uint8_t { regions, portals, groups, vertices, states, expansions, members, nearest, count };
+enum class Pool : std::uint8_t {
+  regions,
+  portals,
+  groups,
+  vertices,
+  states,
+  expansions,
+  members,
+  nearest,
+  improvement,
+  count
+};
 inline constexpr std::size_t kPoolCount = static_cast<std::size_t>(Pool::count);
 
 const char* name(Pool pool);

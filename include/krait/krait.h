@@ -196,6 +196,7 @@ typedef struct krait_limits {
   uint32_t expansions; /* kept; 0: half as many as vertices */
   uint64_t iterations; /* expansions made, at least 1 */
   uint8_t when_full;   /* KRAIT_RECYCLE or KRAIT_STOP; krait_init refuses every other number */
+  uint32_t way_legs;   /* room for krait_improve: 0, or 16 to 1e6, best a third of a plan's steps; 0: none */
 } krait_limits;
 
 /* Lies at the front of the block. */
@@ -206,6 +207,10 @@ uint64_t krait_bytes_required(const krait_scene* scene, const krait_robot* robot
 
 /* The limits that spend a block of `bytes` best; likewise. */
 krait_limits krait_limits_for(uint64_t bytes, const krait_scene* scene, const krait_robot* robot);
+
+/* The same with room for krait_improve. */
+krait_limits krait_limits_to_improve(uint64_t bytes, const krait_scene* scene, const krait_robot* robot,
+                                     uint32_t way_legs);
 
 /* Makes a planner in the block, which is aligned to 8 and, like scene and file, must outlive it and stay where it is;
    robot, parameters and limits are copied. `*planner` is NULL where it fails. */
@@ -232,6 +237,11 @@ KRAIT_NODISCARD krait_status krait_start(krait_planner* planner, const krait_que
 
 /* At most `iterations` expansions more. The plan does not depend on how a search is cut into calls. */
 KRAIT_NODISCARD krait_status krait_advance(krait_planner* planner, uint64_t iterations);
+
+/* At most `iterations` more of looking for a plan of fewer steps: the plan is then the best so far, and krait_next
+   begins again with its first state. The plan does not depend on how the iterations are cut into calls. KRAIT_SOLVED;
+   where there is no plan, the search's status; KRAIT_BAD_ARGUMENT where krait_limits has no way_legs. */
+KRAIT_NODISCARD krait_status krait_improve(krait_planner* planner, uint64_t iterations);
 
 /* Ends a search as KRAIT_TIME_USED, for a program whose clock says so. */
 void krait_stop_for_time(krait_planner* planner);
@@ -278,10 +288,11 @@ typedef struct krait_statistics {
   uint64_t bytes_used, bytes_given; /* of the block behind the planner itself: `krait plan --memory bytes_given` on the
                                        workstation finds the same plan */
   uint32_t plan_steps;
-  float plan_length;    /* metres */
-  float plan_duration;  /* seconds */
-  float plan_end_speed; /* m/s */
-  uint64_t hash;        /* of the plan */
+  float plan_length;     /* metres */
+  float plan_duration;   /* seconds */
+  float plan_end_speed;  /* m/s */
+  uint64_t hash;         /* of the plan */
+  uint64_t improvements; /* better plans that krait_improve has found */
 } krait_statistics;
 krait_statistics krait_statistics_of(const krait_planner* planner);
 

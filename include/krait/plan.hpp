@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "krait/improve/way.hpp"
 #include "krait/motion/plan_drive.hpp"
 #include "krait/search/motion_tree.hpp"
 
@@ -50,12 +51,36 @@ class PlanMeter {
   Fnv hash_;
 };
 
+// The legs of a plan, one after the other: a path of the motion tree, or a way that was found later.
+class PlanPath {
+ public:
+  PlanPath() = default;
+  // `first` is the path's first expansion, kNone for a plan of one state.
+  PlanPath(const MotionTree& tree, Index first) : tree_(&tree), first_(first) {}
+  PlanPath(const Way& way, const TargetGrid& grid) : way_(&way), grid_(&grid), first_(way.count() > 0 ? 0 : kNone) {}
+
+  Index first() const { return first_; }  // kNone: no leg
+  Index next(Index leg) const {
+    if (tree_ != nullptr) return tree_->next_of_path(leg);
+    return leg + 1 < way_->count() ? leg + 1 : kNone;
+  }
+  Target target(Index leg) const { return tree_ != nullptr ? tree_->target(leg) : grid_->unpack((*way_)[leg].target); }
+  std::uint32_t steps(Index leg) const { return tree_ != nullptr ? tree_->steps(leg) : (*way_)[leg].steps; }
+
+ private:
+  const MotionTree* tree_ = nullptr;  // or
+  const Way* way_ = nullptr;
+  const TargetGrid* grid_ = nullptr;
+  Index first_ = kNone;
+};
+
 // Walks along a plan: s0 u0 s1 u1 … sL. Its memory is its own.
 template <Robot R>
 class PlanCursor {
  public:
-  PlanCursor(const R& robot, const MotionTree& tree, Index first, const float* start, float dt)
-      : robot_(&robot), tree_(&tree), expansion_(first) {
+  PlanCursor() = default;
+  PlanCursor(const R& robot, const PlanPath& path, const float* start, float dt)
+      : robot_(&robot), path_(path), leg_(path.first()) {
     drive_.begin(robot, dt, start);
     enter();
   }
@@ -64,7 +89,7 @@ class PlanCursor {
   int control_size() const { return robot_->control_size(); }
 
   // Whether this is the last state.
-  bool done() const { return expansion_ == kNone; }
+  bool done() const { return leg_ == kNone; }
   // state_size() floats.
   const float* state() const { return drive_.state(); }
   // control_size() floats, held for dt from this state on; not when done.
@@ -75,8 +100,8 @@ class PlanCursor {
   // On to the next state; not when done. Work: one control and the Runge-Kutta steps of a time step.
   void advance() {
     drive_.go();
-    if (++step_ == tree_->steps(expansion_)) {
-      expansion_ = tree_->next_of_path(expansion_);
+    if (++step_ == path_.steps(leg_)) {
+      leg_ = path_.next(leg_);
       enter();
     } else {
       step();
@@ -86,8 +111,8 @@ class PlanCursor {
  private:
   void enter() {
     step_ = 0;
-    if (expansion_ == kNone) return;
-    drive_.aim(tree_->target(expansion_));
+    if (leg_ == kNone) return;
+    drive_.aim(path_.target(leg_));
     step();
   }
 
@@ -97,23 +122,22 @@ class PlanCursor {
     drive_.step(poses);
   }
 
-  const R* robot_;
-  const MotionTree* tree_;
-  Index expansion_;
+  const R* robot_ = nullptr;
+  PlanPath path_;
+  Index leg_ = kNone;
   std::uint32_t step_ = 0;
   PlanDrive<R> drive_;
 };
 
-// What a search found, in the planner's memory: valid until its next start.
+// What a search found, in the planner's memory: valid until its next start or improve.
 template <Robot R>
 class Plan {
  public:
   Plan() = default;
-  // `start` is robot.state_size() floats; `first` the path's first expansion in the tree, kNone for a plan of one
-  // state.
-  Plan(const R& robot, const MotionTree& tree, Index first, const float* start, float dt)
-      : robot_(&robot), tree_(&tree), first_(first), start_(start), dt_(dt) {
-    for (Index e = first; e != kNone; e = tree.next_of_path(e)) steps_ += tree.steps(e);
+  // `start` is robot.state_size() floats.
+  Plan(const R& robot, const PlanPath& path, const float* start, float dt)
+      : robot_(&robot), path_(path), start_(start), dt_(dt) {
+    for (Index leg = path.first(); leg != kNone; leg = path.next(leg)) steps_ += path.steps(leg);
   }
 
   bool empty() const { return start_ == nullptr; }
@@ -124,7 +148,7 @@ class Plan {
   float duration() const { return dt_ * static_cast<float>(steps_); }  // seconds
 
   // From the first state; not of an empty plan.
-  PlanCursor<R> cursor() const { return {*robot_, *tree_, first_, start_, dt_}; }
+  PlanCursor<R> cursor() const { return {*robot_, path_, start_, dt_}; }
 
   // Metres, of the line through the positions; 0 for no plan. O(steps).
   float length() const { return empty() ? 0.0F : measures().length; }
@@ -152,8 +176,7 @@ class Plan {
   }
 
   const R* robot_ = nullptr;
-  const MotionTree* tree_ = nullptr;
-  Index first_ = kNone;
+  PlanPath path_;
   const float* start_ = nullptr;
   float dt_ = 0.0F;
   std::uint32_t steps_ = 0;

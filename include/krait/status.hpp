@@ -38,6 +38,7 @@ enum class Argument : std::uint8_t {
   vertices,
   expansions,
   when_full,
+  way_legs,
   alpha,
   beta,
   gamma,

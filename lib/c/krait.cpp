@@ -90,7 +90,12 @@ uint64_t krait_bytes_required(const krait_scene* scene, const krait_robot* robot
 }
 
 krait_limits krait_limits_for(uint64_t bytes, const krait_scene* scene, const krait_robot* robot) {
-  return convert<krait_limits>(robot->model->limits_for(bytes, view(scene), *robot));
+  return krait_limits_to_improve(bytes, scene, robot, 0);
+}
+
+krait_limits krait_limits_to_improve(uint64_t bytes, const krait_scene* scene, const krait_robot* robot,
+                                     uint32_t way_legs) {
+  return convert<krait_limits>(robot->model->limits_for(bytes, view(scene), *robot, way_legs));
 }
 
 krait_failure krait_init(krait_planner** planner, void* block, uint64_t bytes, const krait_scene* scene,
@@ -122,6 +127,10 @@ krait_status krait_start(krait_planner* planner, const krait_query* query) {
 
 krait_status krait_advance(krait_planner* planner, uint64_t iterations) {
   return status_of(planner->model->advance(planner, iterations));
+}
+
+krait_status krait_improve(krait_planner* planner, uint64_t iterations) {
+  return status_of(planner->model->improve(planner, iterations));
 }
 
 void krait_stop_for_time(krait_planner* planner) { planner->model->stop_for_time(planner); }

@@ -17,11 +17,13 @@ struct krait_model {
   std::uint32_t (*state_size)(const krait_robot& robot);
   bool (*rest)(const krait_robot& robot, const krait_pose& pose, float* state);
   std::uint64_t (*bytes_required)(const krait::Scene& scene, const krait_robot& robot, const krait::Limits& limits);
-  krait::Limits (*limits_for)(std::uint64_t bytes, const krait::Scene& scene, const krait_robot& robot);
+  krait::Limits (*limits_for)(std::uint64_t bytes, const krait::Scene& scene, const krait_robot& robot,
+                              std::uint32_t way_legs);
   krait::Failure (*init)(void* block, std::uint64_t bytes, const krait::Scene& scene, const krait_robot& robot,
                          const krait::Parameters& parameters, const krait::Limits& limits);
   krait::Status (*start)(krait_planner* planner, const krait::Query& query);
   krait::Status (*advance)(krait_planner* planner, std::uint64_t iterations);
+  krait::Status (*improve)(krait_planner* planner, std::uint64_t iterations);
   void (*stop_for_time)(krait_planner* planner);
   krait::Failure (*failure)(const krait_planner* planner);
   krait::Contact (*contact)(krait_planner* planner);
@@ -112,9 +114,9 @@ struct Model {
     return sizeof(Session) + Planner<R>::bytes_required(scene, make_robot<R>(from), limits);
   }
 
-  static Limits limits_for(std::uint64_t bytes, const Scene& scene, const krait_robot& from) {
+  static Limits limits_for(std::uint64_t bytes, const Scene& scene, const krait_robot& from, std::uint32_t way_legs) {
     const std::uint64_t pools = bytes < sizeof(Session) ? 0 : bytes - sizeof(Session);
-    return Planner<R>::limits_for(pools, scene, make_robot<R>(from));
+    return Planner<R>::limits_for(pools, scene, make_robot<R>(from), way_legs);
   }
 
   // `block` has room for the front at least.
@@ -132,6 +134,10 @@ struct Model {
     return planner(front).start(query);
   }
   static Status advance(krait_planner* front, std::uint64_t iterations) { return planner(front).advance(iterations); }
+  static Status improve(krait_planner* front, std::uint64_t iterations) {
+    rewind(front);
+    return planner(front).improve(iterations);
+  }
   static void stop_for_time(krait_planner* front) { planner(front).stop_for_time(); }
   static Failure failure(const krait_planner* front) { return planner(front).failure(); }
   static Contact contact(krait_planner* front) { return planner(front).contact(); }
@@ -164,6 +170,7 @@ inline constexpr krait_model kModel = {sizeof(typename Model<R>::Session),
                                        Model<R>::init,
                                        Model<R>::start,
                                        Model<R>::advance,
+                                       Model<R>::improve,
                                        Model<R>::stop_for_time,
                                        Model<R>::failure,
                                        Model<R>::contact,

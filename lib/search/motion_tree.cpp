@@ -2,17 +2,6 @@
 #include "krait/search/motion_tree.hpp"
 
 namespace krait {
-namespace {
-
-constexpr float kParts = 65535.0F;
-constexpr float kSpeedParts = 32767.0F;
-
-std::uint16_t parts(float x, float low, float unit) {
-  constexpr float kHalf = 0.5F;
-  return static_cast<std::uint16_t>(clamp((x - low) / unit, 0.0F, kParts) + kHalf);
-}
-
-}  // namespace
 
 void MotionTree::take(Arena& arena, std::uint32_t vertices, std::uint32_t expansions, int state_size) {
   vertex_capacity_ = vertices;
@@ -28,8 +17,7 @@ void MotionTree::clear(const Box& bounds, std::uint32_t spare) {
   spare_ = spare;
   vertex_most_ = 0;
   expansion_most_ = 0;
-  low_ = bounds.min;
-  unit_ = (1.0F / kParts) * (bounds.max - bounds.min);
+  grid_ = TargetGrid(bounds);
 }
 
 void MotionTree::empty() {
@@ -53,13 +41,7 @@ Index MotionTree::begin_expansion(Branch from, const Target& target) {
   const Index expansion = free_expansion_ == kNone ? expansion_high_++ : free_expansion_;
   Expansion& record = records_[expansion];
   if (expansion == free_expansion_) free_expansion_ = record.origin;
-  const float scaled = clamp(target.speed, -1.0F, 1.0F) * kSpeedParts;
-  record = {packed(from),
-            kUse,
-            parts(target.point.x, low_.x, unit_.x),
-            parts(target.point.y, low_.y, unit_.y),
-            static_cast<std::int16_t>(scaled + (scaled < 0.0F ? -0.5F : 0.5F)),
-            parts(target.turn, 0.0F, 1.0F / kParts)};
+  record = {packed(from), kUse, grid_.pack(target)};
   use(from);
   ++expansions_;
   return expansion;
@@ -68,15 +50,6 @@ Index MotionTree::begin_expansion(Branch from, const Target& target) {
 void MotionTree::end_expansion(Index expansion, std::uint32_t steps) {
   set_steps(records_[expansion], steps);
   release({expansion, 0});
-}
-
-Target MotionTree::target(Index expansion) const {
-  const Expansion& record = records_[expansion];
-  Target target;
-  target.point = {low_.x + static_cast<float>(record.x) * unit_.x, low_.y + static_cast<float>(record.y) * unit_.y};
-  target.speed = static_cast<float>(record.speed) / kSpeedParts;
-  target.turn = static_cast<float>(record.turn) / kParts;
-  return target;
 }
 
 Branch MotionTree::origin(Index expansion) const { return unpacked(records_[expansion].origin); }

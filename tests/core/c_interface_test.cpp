@@ -13,7 +13,7 @@ namespace krait::test {
 namespace {
 
 constexpr krait_pose kPose = {2, 6, 0, nullptr, 0};
-constexpr krait_limits kLimits = {5000, 0, 20'000, KRAIT_RECYCLE};
+constexpr krait_limits kLimits = {5000, 0, 20'000, KRAIT_RECYCLE, 0};
 
 c_answer plan(const krait_robot& robot, std::uint64_t expansions = 1000, krait_pose pose = kPose) {
   const SceneBytes bytes = data_of(two_rooms()).bytes();
@@ -150,7 +150,7 @@ TEST(CInterface, WhatToDoWhenFullIsOneOfTwo) {
   const krait_parameters parameters = krait_default_parameters();
   std::vector<std::uint64_t> block(50'000);
   for (int when_full = 0; when_full <= 255; ++when_full) {
-    const krait_limits limits = {100, 0, 10, static_cast<std::uint8_t>(when_full)};
+    const krait_limits limits = {100, 0, 10, static_cast<std::uint8_t>(when_full), 0};
     krait_planner* planner = nullptr;
     const krait_failure failure =
         krait_init(&planner, block.data(), block.size() * 8, &scene, &robot, &parameters, &limits);
@@ -231,7 +231,7 @@ struct Given {
   krait_scene scene;
   krait_robot robot = krait_unicycle();
   krait_parameters parameters = krait_default_parameters();
-  krait_limits limits = {100, 0, 10, KRAIT_STOP};
+  krait_limits limits = {100, 0, 10, KRAIT_STOP, 0};
   std::uint64_t needed = 0;
   std::vector<std::uint64_t> block;
   krait_planner* planner = nullptr;
@@ -288,6 +288,54 @@ TEST(CInterface, LimitsSpendTheBlock) {
     ++given.limits.vertices;
     EXPECT_GT(krait_bytes_required(&given.scene, &given.robot, &given.limits), bytes);
   }
+}
+
+TEST(CInterface, ImprovesAPlanAsTheCppPlannerDoes) {
+  Given given;
+  given.limits = krait_limits_to_improve(200'000, &given.scene, &given.robot, 64);
+  given.needed = krait_bytes_required(&given.scene, &given.robot, &given.limits);
+  ASSERT_LE(given.needed, 200'000U);
+  given.block.assign(given.needed / 8, 0);
+  ASSERT_EQ(given.init(given.needed).status, KRAIT_SOLVED);
+  EXPECT_EQ(krait_improve(given.planner, 10), KRAIT_BAD_ARGUMENT);  // before the first start
+  const float start[] = {2, 6, 0};
+  const krait_query query = {start, krait_named_goal(0), 1};
+  ASSERT_EQ(krait_start(given.planner, &query), KRAIT_SEARCHING);
+  ASSERT_EQ(krait_advance(given.planner, 100'000), KRAIT_SOLVED);
+  float state[3];
+  float control[2];
+  ASSERT_TRUE(krait_next(given.planner, state, control));
+  ASSERT_TRUE(krait_next(given.planner, state, control));
+  EXPECT_EQ(krait_improve(given.planner, 500), KRAIT_SOLVED);
+  ASSERT_TRUE(krait_next(given.planner, state, control));
+  EXPECT_EQ(std::memcmp(state, start, sizeof start), 0);  // begins again
+  std::uint32_t steps = 0;
+  while (krait_next(given.planner, state, control)) ++steps;
+
+  Bench<Unicycle> bench(two_rooms(), Unicycle(UnicycleParameters()));
+  bench.limits = {given.limits.vertices, 0, given.limits.iterations, WhenFull::recycle, 64};
+  ASSERT_TRUE(bench.init().ok());
+  ASSERT_EQ(bench.solve({start}), Status::solved);
+  ASSERT_EQ(bench.planner.improve(500), Status::solved);
+  const krait_statistics statistics = krait_statistics_of(given.planner);
+  EXPECT_GT(statistics.improvements, 0U);
+  EXPECT_EQ(statistics.improvements, bench.planner.statistics().improvements);
+  EXPECT_EQ(statistics.hash, bench.planner.statistics().hash);
+  EXPECT_EQ(statistics.plan_steps, steps);
+}
+
+TEST(CInterface, ImprovingNeedsRoomInTheLimits) {
+  Given given;
+  given.limits = krait_limits_for(200'000, &given.scene, &given.robot);
+  EXPECT_EQ(given.limits.way_legs, 0U);
+  given.block.assign(25'000, 0);
+  ASSERT_EQ(given.init(200'000).status, KRAIT_SOLVED);
+  const float start[] = {2, 6, 0};
+  const krait_query query = {start, krait_named_goal(0), 1};
+  ASSERT_EQ(krait_start(given.planner, &query), KRAIT_SEARCHING);
+  ASSERT_EQ(krait_advance(given.planner, 100'000), KRAIT_SOLVED);
+  EXPECT_EQ(krait_improve(given.planner, 10), KRAIT_BAD_ARGUMENT);
+  EXPECT_EQ(krait_last_failure(given.planner).status, KRAIT_SOLVED);
 }
 
 TEST(CInterface, TheSceneTellsWhatIsInIt) {
@@ -400,6 +448,7 @@ TEST(CInterface, EveryParameterIsInItsPlace) {
   EXPECT_SAME_PLACE(krait_limits, Limits, expansions);
   EXPECT_SAME_PLACE(krait_limits, Limits, iterations);
   EXPECT_SAME_PLACE(krait_limits, Limits, when_full);
+  EXPECT_SAME_PLACE(krait_limits, Limits, way_legs);
   EXPECT_EQ(static_cast<WhenFull>(KRAIT_RECYCLE), WhenFull::recycle);
   EXPECT_EQ(static_cast<WhenFull>(KRAIT_STOP), WhenFull::stop);
 }
@@ -462,6 +511,7 @@ TEST(CInterface, EveryAnswerIsInItsPlace) {
   EXPECT_SAME_PLACE(krait_statistics, Statistics, plan_duration);
   EXPECT_SAME_PLACE(krait_statistics, Statistics, plan_end_speed);
   EXPECT_SAME_PLACE(krait_statistics, Statistics, hash);
+  EXPECT_SAME_PLACE(krait_statistics, Statistics, improvements);
 }
 
 }  // namespace

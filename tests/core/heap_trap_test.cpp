@@ -95,18 +95,20 @@ TEST_F(HeapTrap, OpenAndLocateDoNotUseTheHeap) {
 template <class R, class P>
 void expect_no_heap(const R& robot, const std::vector<float>& start) {
   Bench<R, P> bench(two_rooms(), robot);
+  bench.limits.way_legs = 64;
   std::vector<std::uint64_t> block(P::template Of<R>::bytes_required(bench.open.scene, robot, bench.limits) / 8);
   std::vector<float> states(100'000), controls(100'000);
   bench.parameters.kappa = 1;
   Status status = Status::searching;
   {
     const Trap trap;
-    const Limits most = bench.planner.limits_for(block.size() * 8, bench.open.scene, robot);
+    const Limits most = bench.planner.limits_for(block.size() * 8, bench.open.scene, robot, 64);
     bench.limits.vertices = most.vertices;
     (void)bench.planner.init(block.data(), block.size() * 8, bench.open.scene, bench.robot, bench.parameters,
                              bench.limits);
     (void)bench.planner.start({start.data()});
     status = bench.planner.advance(1'000'000);
+    if (status == Status::solved) status = bench.planner.improve(200);
     const Plan<R> plan = bench.planner.plan();
     if (plan.steps() < 1000) plan.copy(states.data(), controls.data());
   }

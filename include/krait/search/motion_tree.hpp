@@ -5,8 +5,8 @@
 #pragma once
 
 #include "krait/arena.hpp"
-#include "krait/robot/robot.hpp"
 #include "krait/scene/scene.hpp"
+#include "krait/search/target_grid.hpp"
 
 namespace krait {
 
@@ -48,7 +48,7 @@ class MotionTree {
   void end_expansion(Index expansion, std::uint32_t steps);
 
   // The target as stored; `dt` is not.
-  Target target(Index expansion) const;
+  Target target(Index expansion) const { return grid_.unpack(records_[expansion].target); }
   Branch origin(Index expansion) const;
   std::uint32_t steps(Index expansion) const { return records_[expansion].steps_and_uses & kMostSteps; }
 
@@ -74,10 +74,7 @@ class MotionTree {
   struct Expansion {
     std::uint32_t origin;          // a packed branch
     std::uint32_t steps_and_uses;  // 10 bits, 22 bits: the vertices and expansions that need it, and 1 while it grows
-    std::uint16_t x;               // target, in parts of the bounds
-    std::uint16_t y;
-    std::int16_t speed;  // in parts of 1 / 32767
-    std::uint16_t turn;  // in parts of 1 / 65535
+    PackedTarget target;
   };
 
   static constexpr std::uint32_t kUse = kMostSteps + 1;
@@ -111,8 +108,7 @@ class MotionTree {
   std::uint32_t expansion_most_ = 0;
   Index free_vertex_ = kNone;  // lists of unused slots, linked through branches_ and origins
   Index free_expansion_ = kNone;
-  Vec2 low_{};
-  Vec2 unit_{};
+  TargetGrid grid_;
 };
 
 }  // namespace krait

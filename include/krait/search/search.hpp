@@ -9,8 +9,8 @@
 #include "krait/collision/motion_check.hpp"
 #include "krait/decomposition/locate.hpp"
 #include "krait/decomposition/regions.hpp"
+#include "krait/improve/improver.hpp"
 #include "krait/motion/drive.hpp"
-#include "krait/motion/plan_drive.hpp"
 #include "krait/plan.hpp"
 #include "krait/random.hpp"
 #include "krait/robot/robot.hpp"
@@ -18,6 +18,7 @@
 #include "krait/search/ending.hpp"
 #include "krait/search/motion_tree.hpp"
 #include "krait/search/parameters.hpp"
+#include "krait/search/plan_proof.hpp"
 #include "krait/search/restarts.hpp"
 #include "krait/search/statistics.hpp"
 
@@ -54,13 +55,16 @@ class Search {
     Regions regions;
     MotionTree tree;
     Guide guide;
-    take_pools(counting, scene, robot, limits, regions, tree, guide);
+    Improver<R> improver;
+    take_pools(counting, scene, robot, limits, regions, tree, guide, improver);
     return counting.needed();
   }
 
-  // The limits that spend a block of `bytes` best: as many vertices and expansions as fit, at least 2. O(1).
-  static Limits limits_for(std::uint64_t bytes, const Scene& scene, const R& robot) {
+  // The limits that spend a block of `bytes` best: as many vertices and expansions as fit beside `way_legs` legs, at
+  // least 2. O(1).
+  static Limits limits_for(std::uint64_t bytes, const Scene& scene, const R& robot, std::uint32_t way_legs = 0) {
     Limits limits;
+    limits.way_legs = way_legs;
     std::uint32_t fits = 2;
     std::uint32_t too_many = MotionTree::kMostExpansions + 1;
     while (too_many - fits > 1) {
@@ -84,7 +88,7 @@ class Search {
     if (!usable) return failure_ = bad_argument(Argument::block);
     fingerprint_ = scene.fingerprint();
     arena_ = Arena(block, bytes);
-    take_pools(arena_, scene, robot, limits, regions_, tree_, guide_);
+    take_pools(arena_, scene, robot, limits, regions_, tree_, guide_, improver_);
     statistics_ = {};
     ready_ = true;
     failure_ = bad_argument(Argument::start);  // until there is one
@@ -134,6 +138,24 @@ class Search {
     return status();
   }
 
+  // At most `iterations` more of looking for a plan of fewer steps; plan() and Statistics::plan_steps, plan_length,
+  // plan_duration and hash are then those of the best so far, which was driven and proven as the first one was. Work of
+  // one: at most max_steps steps, and 16 legs' steps that are not proven, or O(way_legs); the first call after start
+  // begins with one Dijkstra. The result does not depend on how the iterations are cut into calls. Plans and their
+  // cursors from before the call end with it. Gives status(), and nothing happens, where that is not solved or the plan
+  // has no steps; bad_argument where Limits::way_legs is 0.
+  [[nodiscard]] Status improve(std::uint64_t iterations) {
+    if (status() != Status::solved || path_ == kNone) return status();
+    if (limits_.way_legs == 0) return Status::bad_argument;
+    if (!improving_) begin_to_improve();
+    for (; iterations > 0; --iterations) {
+      if (!improver_.iterate()) continue;
+      ++statistics_.improvements;
+      note(improver_.measures());
+    }
+    return status();
+  }
+
   // What init cut the block into: Arena::needed(Pool) bytes a pool.
   const Arena& arena() const { return arena_; }
   const MotionTree& tree() const { return tree_; }
@@ -172,10 +194,10 @@ class Search {
     if (status() == Status::searching) finish(Status::time_used);
   }
 
-  // Empty unless solved. Valid until the next start.
+  // Empty unless solved. Valid until the next start or improve.
   Plan<R> plan() const {
     if (status() != Status::solved) return {};
-    return found_plan();
+    return {*robot_, improving_ ? improver_.plan() : found_path(), tree_.state(kRoot), parameters_.dt};
   }
 
   Statistics statistics() const {
@@ -277,8 +299,6 @@ class Search {
   static constexpr float kReachRounding = 1e-2F;  // metres
   static constexpr float kLeastCost = 0.05F;      // of an edge, in robot lengths: keeps h + C above h
   static constexpr float kDepthKept = 0.1F;       // share of the goal's margin that a plan keeps
-  static constexpr float kDriveError = 1e-4F;     // metres: how far the driven states may be off, and
-  static constexpr float kDriftShare = 5e-6F;     // by how much of the way of body 0's ends more
 
   struct NewState {
     Index region;
@@ -295,10 +315,11 @@ class Search {
   }
 
   static void take_pools(Arena& arena, const Scene& scene, const R& robot, const Limits& limits, Regions& regions,
-                         MotionTree& tree, Guide& guide) {
+                         MotionTree& tree, Guide& guide, Improver<R>& improver) {
     regions.take(arena, scene);
     tree.take(arena, limits.vertices, limits.kept_expansions(), robot.state_size());
     guide.take(arena, scene, limits.vertices);
+    if (limits.way_legs > 0) improver.take(arena, limits.way_legs, robot.state_size());
   }
 
   Derived& derived() { return static_cast<Derived&>(*this); }
@@ -331,6 +352,7 @@ class Search {
   // when a plan may end with the start.
   Status begin(const Query& query) {
     statistics_ = {};
+    improving_ = false;
     driven_ = kNone;
     braking_ = kNone;
     random_ = Random(query.seed);
@@ -566,22 +588,7 @@ class Search {
   }
 
   // CONTROLLER, MOTION and COLLISION (lines 5 and 6). False when the step is not free or leaves the robot's limits.
-  bool take_step(Drive<R>& drive) {
-    drive.lead(check_.poses());
-    const float* const state = drive.state();
-    const float* const next = drive.next();
-    if (!check_.lead_free(state, next)) return false;
-    drive.follow(check_.poses());
-    if (!keeps_reserve(*robot_, StateView(next, robot_->state_size()))) return false;
-    return step_holds(state, drive.control(), next);
-  }
-
-  bool step_holds(const float* state, const float* control, const float* next) {
-    if (!robot_->within_limits(StateView(next, robot_->state_size()))) return false;
-    if (!scene_->inside_bounds({next[0], next[1]})) return false;
-    if (parameters_.continuous) return check_.step_free(state, control, parameters_.dt, next);
-    return check_.keeps_limits(state, control, parameters_.dt, next) && check_.free(next);
-  }
+  bool take_step(Drive<R>& drive) { return ProvenStep<R>(*robot_, *scene_, parameters_, check_).take(drive); }
 
   // The region of a position; where no triangle contains it (a reference point outside the body may stand on an
   // obstacle), the last state's.
@@ -603,63 +610,45 @@ class Search {
     path_ = end.expansion == kNone ? kNone : tree_.turn_path(end);
     driven_ = path_;
     steps_left_ = 0;
-    meter_ = {};
-    turned_ = 0.0F;
-    plan_drive_.begin(*robot_, parameters_.dt, tree_.state(kRoot));
+    proof_.begin(*robot_, *scene_, parameters_, check_, tree_.state(kRoot));
     if (driven_ == kNone) return finish_plan();
-    keep_for_plan();
-    check_.begin(plan_drive_.state());
-  }
-
-  void keep_for_plan() {
-    const float error = kDriveError + kDriftShare * (meter_.length() + turned_ * robot_length_);
-    check_.keep(parameters_.clearance + error, longest_plan_step(*robot_, parameters_.dt));
+    proof_.place();
   }
 
   // At most max_steps steps of one expansion of the way.
   void drive_plan() {
     if (steps_left_ == 0) {
-      plan_drive_.aim(tree_.target(driven_));
+      proof_.aim(tree_.target(driven_));
       steps_left_ = tree_.steps(driven_);
     }
     for (std::uint32_t left = parameters_.max_steps; left > 0 && steps_left_ > 0; --left, --steps_left_) {
-      if (!drive_step()) return refuse_plan();
+      if (!proof_.step()) return refuse_plan();
     }
     if (steps_left_ == 0) driven_ = tree_.next_of_path(driven_);
     if (driven_ == kNone) return finish_plan();
-    keep_for_plan();
-  }
-
-  bool drive_step() {
-    const SinCos heading = check_.poses()[0].heading;
-    plan_drive_.step(check_.poses());
-    const float* const state = plan_drive_.state();
-    const float* const control = plan_drive_.control();
-    if (!step_holds(state, control, plan_drive_.next())) return false;
-    meter_.add(state, robot_->state_size(), control, robot_->control_size(), plan_drive_.next());
-    plan_drive_.go();
-    const SinCos after = check_.poses()[0].heading;
-    turned_ += length(Vec2{after.cos - heading.cos, after.sin - heading.sin});
-    return true;
+    proof_.keep();
   }
 
   // Ends the search as solved where the way that was driven ends in the goal; as internal where the tree beside it was
   // not the same as when it grew.
   void finish_plan() {
-    const float* const end = plan_drive_.state();
+    const float* const end = proof_.state();
     for (int i = 0; i < robot_->state_size(); ++i) {
-      if (plan_drive_.tree_state()[i] == drive_.state()[i]) continue;
+      if (proof_.tree_state()[i] == drive_.state()[i]) continue;
       finish(Status::internal);
       return;
     }
     const float depth = path_ == kNone ? 0.0F : kDepthKept * goal_depth_;
     if (!ending_.holds(end, depth)) return refuse_plan();
     finish(Status::solved);
-    const PlanMeasures measures = meter_.end(end, robot_->state_size());
+    note(proof_.measures());
+  }
+
+  void note(const PlanMeasures& measures) {
     statistics_.plan_steps = measures.steps;
     statistics_.plan_length = measures.length;
-    statistics_.plan_duration = found_plan().duration();
-    statistics_.plan_end_speed = speed_of(*robot_, StateView(end, robot_->state_size()));
+    statistics_.plan_duration = parameters_.dt * static_cast<float>(measures.steps);
+    statistics_.plan_end_speed = speed_of(*robot_, StateView(proof_.state(), robot_->state_size()));
     statistics_.hash = measures.hash;
   }
 
@@ -675,7 +664,16 @@ class Search {
     restarts_.end_try();
   }
 
-  Plan<R> found_plan() const { return {*robot_, tree_, path_, tree_.state(kRoot), parameters_.dt}; }
+  void begin_to_improve() {
+    improving_ = true;
+    find_paths();
+    const TargetGrid grid(scene_->bounds());
+    const WayTools<R> tools{robot_,  scene_, &parameters_, &check_,     &drive_,
+                            &brake_, grid,   &ending_,     goal_depth_, tree_.state(kRoot)};
+    improver_.begin(tools, proof_, regions_, found_path(), kDepthKept * goal_depth_, random_);
+  }
+
+  PlanPath found_path() const { return {tree_, path_}; }
 
   bool ready_ = false;
   std::uint32_t fingerprint_ = 0;                    // the scene's at init
@@ -696,9 +694,9 @@ class Search {
   Index braking_ = kNone;         // the expansion that brakes for the goal; kNone: none does
   std::uint32_t brake_steps_ = 0;
   Drive<R> brake_;
-  PlanDrive<R> plan_drive_;
-  PlanMeter meter_;
-  float turned_ = 0.0F;  // radians, of body 0 in the plan so far, as chords
+  PlanProof<R> proof_;
+  bool improving_ = false;  // since the first call of improve
+  Improver<R> improver_;
 };
 
 }  // namespace krait

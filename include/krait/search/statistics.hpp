@@ -22,6 +22,7 @@ struct Statistics {
   float plan_duration = 0.0F;   // seconds
   float plan_end_speed = 0.0F;  // m/s, of the last state; 0 of a robot whose states have no speed
   std::uint64_t hash = 0;
+  std::uint64_t improvements = 0;  // better plans that improve has found
 };
 
 }  // namespace krait

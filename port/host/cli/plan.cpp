@@ -33,6 +33,7 @@ struct PlanOptions {
   std::string memory = "64M";
   std::uint64_t iterations = 1'000'000;
   std::optional<double> time_limit;
+  double improve = 0;
   std::optional<double> alpha;
   std::optional<double> beta;
   std::optional<double> gamma;
@@ -62,6 +63,7 @@ SearchRequest request_of(const PlanOptions& options) {
   request.memory = parse_memory(options.memory);
   request.iterations = options.iterations;
   request.time_limit = options.time_limit;
+  request.improve = options.improve;
   Parameters& p = request.parameters;
   if (options.alpha) p.alpha = static_cast<float>(*options.alpha);
   if (options.beta) p.beta = static_cast<float>(*options.beta);
@@ -162,6 +164,14 @@ void print_quality(const SearchResult& result, const SearchRequest& request, con
   std::printf("\n");
 }
 
+// What improvement made of the first plan.
+void print_improvement(const SearchResult& result) {
+  const auto& s = result.plan.statistics;
+  std::printf("improved %llu times: %.1f s became %.1f s, %.1f m became %.1f m\n",
+              s.at("improvements").get<unsigned long long>(), result.first.duration,
+              s.at("plan_duration_s").get<double>(), result.first.length, s.at("plan_length_m").get<double>());
+}
+
 void print_summary(const SearchResult& result) {
   const PlanFile& plan = result.plan;
   const auto& s = plan.statistics;
@@ -232,6 +242,7 @@ void plan(const PlanOptions& options) {
   if (!options.csv.empty()) write_file(options.csv, csv_of(result.plan));
   draw(request, ground.scene, result, options);
   print_summary(result);
+  if (request.improve > 0 && !result.plan.states.empty()) print_improvement(result);
   if (code == kDone) print_quality(result, request, ground.scene, verdict);
   throw Exit{code};
 }
@@ -293,6 +304,12 @@ void add_plan(CLI::App& app, const char* program) {
       ->add_option("--time-limit", o->time_limit,
                    "seconds (default: none; a limit makes the result depend on the machine)")
       ->check(number_in(1e-9, 1e9, "seconds"));
+  command
+      ->add_option("--improve", o->improve,
+                   "look on for a shorter plan, by so many times the collision checks that the first plan took, 0 to\n"
+                   "1e6; 10 is plenty. The plan is the best so far, proven and verified as the first")
+      ->check(number_in(0, 1e6, "times the first plan's checks"))
+      ->capture_default_str();
   command->add_option("--alpha", o->alpha, with_default("strength of the heuristic, 1 to 64", defaults.alpha))
       ->check(number_in(1, 64, "a number without unit"));
   command->add_option("--beta", o->beta, with_default("penalty of a selection, between 0 and 1", defaults.beta))

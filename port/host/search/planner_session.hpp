@@ -18,12 +18,15 @@ namespace krait::host {
 void refuse(const Failure& failure, const SearchRequest& request);
 [[noreturn]] void refuse(const Contact& at_start, const krait::Scene& scene, const SearchRequest& request);
 
+// Limits::way_legs: none where nothing is to be improved, else one a kilobyte of the block, up to those of long plans.
+std::uint32_t way_legs(const SearchRequest& request);
+
 template <class R, class P>
 class PlannerSession : public Session {
  public:
   PlannerSession(R robot, const krait::Scene& scene, const SearchRequest& request, Block& block)
       : robot_(std::move(robot)), query_(resolve(scene, robot_, request)) {
-    Limits limits = P::limits_for(request.memory, scene, robot_);
+    Limits limits = P::limits_for(request.memory, scene, robot_, way_legs(request));
     limits.iterations = request.iterations;
     refuse(planner_.init(block.data(), request.memory, scene, robot_, request.parameters, limits), request);
     (void)planner_.start({query_.start.data(), query_.goal, request.seed});
@@ -35,6 +38,7 @@ class PlannerSession : public Session {
   PlannerSession& operator=(const PlannerSession&) = delete;
 
   Status advance(std::uint64_t iterations) override { return planner_.advance(iterations); }
+  Status improve(std::uint64_t iterations) override { return planner_.improve(iterations); }
   void stop_for_time() override { planner_.stop_for_time(); }
   Status status() const override { return planner_.status(); }
   Statistics statistics() const override { return planner_.statistics(); }

@@ -32,6 +32,18 @@ void search_to_end(Session& session, const SearchRequest& request, Clock::time_p
   }
 }
 
+// By collision checks, so that the result does not depend on the machine; without a time limit. An iteration that
+// checks nothing counts as a quarter of a check, so that it ends.
+void improve(Session& session, const SearchRequest& request, Clock::time_point begin) {
+  const std::uint64_t first = session.statistics().collision_checks;
+  const double checks = request.improve * static_cast<double>(first);
+  double idle = 0;
+  const auto done = [&] { return static_cast<double>(session.statistics().collision_checks - first) + idle; };
+  for (; done() < checks && session.improve(1) == Status::solved; idle += 0.25) {
+    if (request.time_limit && since(begin) > *request.time_limit) return;
+  }
+}
+
 nlohmann::ordered_json statistics_json(const Statistics& s, double seconds) {
   char hash[17];
   std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(s.hash));
@@ -122,11 +134,19 @@ SearchResult run_search(const std::string& scene_path, const SceneBytes& bytes, 
   const krait::Scene scene = open_scene(scene_path, bytes);
   const std::unique_ptr<Session> session = start_session(scene, request, block);
   search_to_end(*session, request, begin, progress);
-  SearchResult result{session->query().form, session->query().asked, since(begin)};
+  const Statistics found = session->statistics();
+  const PlanMeasure first{static_cast<double>(found.plan_length), static_cast<double>(found.plan_duration)};
+  improve(*session, request, begin);
+  SearchResult result{session->query().form, first, session->query().asked, since(begin)};
   result.plan.status = name(session->status());
   session->copy_plan(result.plan);
   result.plan.statistics = statistics_json(session->statistics(), result.seconds);
   result.why = why_no_plan(*session, scene, request);
+  if (request.improve > 0) {
+    result.plan.statistics["improvements"] = session->statistics().improvements;
+    result.plan.statistics["first_plan_length_m"] = first.length;
+    result.plan.statistics["first_plan_duration_s"] = first.duration;
+  }
   return result;
 }
 

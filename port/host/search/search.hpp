@@ -40,6 +40,7 @@ struct SearchRequest {
   std::uint64_t memory = std::uint64_t{64} << 20U;  // bytes of the block
   std::uint64_t iterations = 1'000'000;
   std::optional<double> time_limit;  // seconds
+  double improve = 0;  // multiples of the first plan's collision checks that a better one is looked for by
   Parameters parameters;
 
   // m/s: how fast the plan may end; absent: at any speed. Only the adaptive planner is asked to brake.
@@ -76,8 +77,14 @@ std::string section_name(std::uint8_t section);
 
 using Progress = std::function<void(std::uint64_t iterations, std::uint64_t vertices, double seconds)>;
 
+struct PlanMeasure {
+  double length = 0;    // metres
+  double duration = 0;  // seconds
+};
+
 struct SearchResult {
   PlanFile plan;
+  PlanMeasure first;               // of the first plan; zeros where there is none
   Asked asked;                     // what the verifier holds it to, world coordinates
   double seconds;                  // from opening the scene to the plan
   std::vector<std::string> why{};  // there is no plan, a line each

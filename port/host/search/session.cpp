@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/search/session.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "host/search/planner_session.hpp"
@@ -68,6 +69,11 @@ void refuse(const Failure& failure, const SearchRequest& request) {
 
 void refuse(const Contact& at_start, const krait::Scene& scene, const SearchRequest& request) {
   throw InputError(std::string(name(Status::start_in_collision)) + ": " + why_not_there(at_start, scene, request));
+}
+
+std::uint32_t way_legs(const SearchRequest& request) {
+  if (!(request.improve > 0)) return 0;
+  return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(request.memory / 1024, 16, 4096));
 }
 
 std::unique_ptr<Session> start_session(const krait::Scene& scene, const SearchRequest& request, Block& block) {

@@ -24,6 +24,8 @@ class Session {
   virtual Status advance(std::uint64_t iterations) = 0;
   // One iteration; `watch` is called with the states at both ends of every step that the tree grows by.
   virtual Status advance_watched(const Watch& watch) = 0;
+  // Only where the request asks for improvement.
+  virtual Status improve(std::uint64_t iterations) = 0;
   virtual void stop_for_time() = 0;
   virtual Status status() const = 0;
   virtual Statistics statistics() const = 0;

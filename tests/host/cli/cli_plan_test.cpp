@@ -167,6 +167,28 @@ TEST_F(CliPlan, IsTheSameTwice) {
   EXPECT_EQ(without_time(plan({"--robot", "snake:5", "--seed", "1", "--memory", "64M", "--time-limit", "100"})), first);
 }
 
+TEST_F(CliPlan, ImprovesAndSaysSo) {
+  for (const char* robot : {"truck:2", "car", "unicycle", "diff_drive"}) {
+    const ordered_json first = plan({"--robot", robot, "--seed", "3"});
+    const ordered_json better = plan({"--robot", robot, "--seed", "3", "--improve", "10"});
+    const ordered_json& s = better.at("statistics");
+    EXPECT_FALSE(first.at("statistics").contains("improvements"));
+    EXPECT_EQ(s.at("first_plan_length_m"), first.at("statistics").at("plan_length_m")) << robot;
+    EXPECT_EQ(s.at("first_plan_duration_s"), first.at("statistics").at("plan_duration_s")) << robot;
+    EXPECT_EQ(s.at("improvements").get<int>() > 0, better.at("controls").size() < first.at("controls").size()) << robot;
+    EXPECT_EQ(s.at("hash"), hash_of(better)) << robot;
+    const Outcome verdict = krait({"verify", "room.json", "plan.json", "--robot", robot});
+    EXPECT_EQ(verdict.code, 0) << verdict.output << verdict.errors;
+    EXPECT_EQ(without_time(plan({"--robot", robot, "--seed", "3", "--improve", "10"})), without_time(better));
+  }
+}
+
+TEST_F(CliPlan, RefusesToImproveByWhatIsNoNumber) {
+  for (const char* times : {"-1", "1e7", "much", "nan"}) {
+    EXPECT_EQ(krait({"plan", "room.krait", "--robot", "car", "--improve", times}).code, 2) << times;
+  }
+}
+
 TEST_F(CliPlan, DependsOnTheSeed) {
   const ordered_json one = plan({"--robot", "car", "--seed", "1"});
   const ordered_json two = plan({"--robot", "car", "--seed", "18446744073709551615"});
