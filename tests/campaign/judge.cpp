@@ -119,7 +119,8 @@ class Judge {
       const State before = stored(step - 1);
       way_ += std::hypot(said[0] - before[0], said[1] - before[1]) + radius_ * std::abs(said[2] - before[2]);
     }
-    if ((position > kPositionError + kPositionShare * way_ || angle > kAngleError) && verdict_.others.empty()) {
+    const double astray = kPositionError + (kPositionShare + kHeadingShare * std::abs(said[2])) * way_;
+    if ((position > astray || angle > kAngleError) && verdict_.others.empty()) {
       verdict_.others.push_back(
           text("state %zu: %.3g m and %.3g rad from where the controls lead", step, position, angle));
     }

@@ -46,8 +46,9 @@ inline constexpr double kCare = 5e-4;           // m
 inline constexpr double kCoarsest = 1e-4;       // m
 inline constexpr double kLimitShare = 1e-4;     // of a limit: rounding that is let pass
 inline constexpr double kPositionError = 5e-4;  // m, of a stored state, and
-inline constexpr double kPositionShare = 5e-6;  // of the way of body 0's ends more
-inline constexpr double kAngleError = 1e-3;     // rad, of a stored state
+inline constexpr double kPositionShare = 5e-6;  // of the way of body 0's ends more, and by what a heading
+inline constexpr double kHeadingShare = 6e-8;   // as a float is off by, of itself, times that way
+inline constexpr double kAngleError = 2e-3;     // rad, of a stored state: the reserve of the tree's hitch angles
 
 Verdict judge(const Robot& robot, const Field& field, const Region& goal, const PlanRecord& plan);
 

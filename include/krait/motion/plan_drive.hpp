@@ -108,7 +108,7 @@ class PlanDrive {
     float first[R::kMaxState];
     float middle[R::kMaxState];
     float last[R::kMaxState];
-    float at[R::kMaxState];
+    float at[R::kMaxState] = {};  // for compilers that doubt that the size is above 0
     float lost[R::kMaxState];  // of `at`, by rounding
     rates(state(), first);
     rates(next(), last);

@@ -137,7 +137,8 @@ SearchResult run_search(const std::string& scene_path, const SceneBytes& bytes, 
   const Statistics found = session->statistics();
   const PlanMeasure first{static_cast<double>(found.plan_length), static_cast<double>(found.plan_duration)};
   improve(*session, request, begin);
-  SearchResult result{session->query().form, first, session->query().asked, since(begin)};
+  SearchResult result{session->query().form, session->query().asked, since(begin)};
+  result.first = first;
   result.plan.status = name(session->status());
   session->copy_plan(result.plan);
   result.plan.statistics = statistics_json(session->statistics(), result.seconds);

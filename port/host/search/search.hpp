@@ -84,10 +84,10 @@ struct PlanMeasure {
 
 struct SearchResult {
   PlanFile plan;
-  PlanMeasure first;               // of the first plan; zeros where there is none
   Asked asked;                     // what the verifier holds it to, world coordinates
   double seconds;                  // from opening the scene to the plan
   std::vector<std::string> why{};  // there is no plan, a line each
+  PlanMeasure first{};             // of the first plan; zeros where there is none
 };
 
 // Opens, plans, and takes the plan out. Every end of a search (Status) that is an honest answer comes back in
