@@ -238,7 +238,7 @@ TEST(PlanDriveOfHitches, HasRoomBetweenTheTreeAndTheLimit) {
   bench.parameters.doomed_steps = 0;
   bench.parameters.candidates = 0;
   bench.parameters.dt = 0.01F;
-  bench.limits.iterations = 600;
+  bench.limits.iterations = 2000;
   ASSERT_TRUE(bench.init().ok());
   const float start[8] = {3, 6};
   ASSERT_EQ(bench.solve({start, Goal::named(0), 1}), Status::budget_used);

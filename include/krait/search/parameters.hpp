@@ -51,7 +51,7 @@ struct Parameters {
   std::uint32_t path_regions = 6;   // 1 … 64: targets come from that many regions after the group's own
   float near_radius = 0.7F;         // 0 … 10, in lengths of body 0: a target so near is reached
   float stray_share = 0.1F;         // 0 … 1: share of expansions toward a random point of the workspace instead
-  float gentle_share = 0.7F;       // 0 … 1: share of expansions from a group that was often selected that turn gently
+  float gentle_share = 0.35F;      // 0 … 1: share of expansions from a group that was often selected that turn gently
   std::uint32_t sight_tries = 16;  // 0 … 64: points drawn for one in sight of the vertex; 0: any point will do
   std::uint32_t candidates = 4;    // 0 … 8: ways that are sketched before one is driven; 0: any way will do
   std::uint32_t least_sketch = 8;  // 0 … 20: sketched steps, of 2 dt, below which no way is driven and costs are raised

@@ -137,8 +137,8 @@ TEST_F(CliMap, OptionsForMapsAreRefusedWithACompiledScene) {
                                   "plan in the map itself\n");
   }
   expect_refused({"plan", "room.json", "--unknown", "maybe"}, "--unknown: maybe not in {map,free,occupied}");
-  expect_refused({"plan", "room.json", "--tolerance", "-1"}, "--tolerance: Value -1 not in range");
-  expect_refused({"plan", "room.json", "--tolerance", "nan"}, "krait-compile: the tolerance is not a length in metres");
+  expect_refused({"plan", "room.json", "--tolerance", "-1"}, "--tolerance: give metres from 0 to 1000000, not -1");
+  expect_refused({"plan", "room.json", "--tolerance", "nan"}, "--tolerance: give metres from 0 to 1000000, not nan");
 }
 
 TEST_F(CliMap, WhatIsNeitherIsToldTheFormats) {

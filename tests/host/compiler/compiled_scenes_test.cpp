@@ -73,13 +73,10 @@ TEST(Scenes, EmptyRoom) {
   EXPECT_GT(v.triangles.size(), 50U);
 }
 
-TEST(Scenes, FullyBlockedHasNoTriangles) {
+TEST(Scenes, FullyBlockedIsRefused) {
   Workspace w = empty_room(10, 10);
   w.obstacles.push_back({"obstacles[0]", box(-1, -1, 11, 11), {}});
-  const SceneView v = checked(w);
-  EXPECT_TRUE(v.triangles.empty());
-  ASSERT_EQ(v.pieces.size(), 1U);
-  EXPECT_EQ(solid_area(v), 100);
+  EXPECT_THROW(checked(w), InputError);
 }
 
 TEST(Scenes, ABoxIsOnePiece) {
@@ -367,9 +364,7 @@ TEST(Maps, OfNoiseWithoutEndAreRefused) {
 
 TEST(Maps, EmptyAndFull) {
   EXPECT_TRUE(checked(map_room(cells({"...", "..."}, 0.5))).pieces.empty());
-  const SceneView full = checked(map_room(cells({"###", "###"}, 0.5)));
-  EXPECT_TRUE(full.triangles.empty());
-  EXPECT_EQ(full.pieces.size(), 1U);
+  EXPECT_THROW(checked(map_room(cells({"###", "###"}, 0.5))), InputError);
 }
 
 TEST(Maps, YawedAndFarAway) {
