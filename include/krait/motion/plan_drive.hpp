@@ -109,7 +109,7 @@ class PlanDrive {
     float middle[R::kMaxState];
     float last[R::kMaxState];
     float at[R::kMaxState] = {};  // for compilers that doubt that the size is above 0
-    float lost[R::kMaxState];  // of `at`, by rounding
+    float lost[R::kMaxState];     // of `at`, by rounding
     rates(state(), first);
     rates(next(), last);
     for (int i = 0; i < size; ++i) at[i] = halfway(i, first[i] - last[i], lost[i]);
