@@ -137,8 +137,8 @@ double read_parameter(const Field& field, const Parameter& parameter) {
   const bool usable = value >= parameter.least && value <= parameter.most;
   if (usable && (!parameter.whole || value == std::floor(value))) return value;
   field.fail("must be " + std::string(parameter.whole ? "a whole number of " : "") + parameter.unit + " from " +
-             shown(parameter.least) + " to " + shown(parameter.most) +
-             ", is " + (number ? shown(value) : std::string(field.value().type_name())));
+             shown(parameter.least) + " to " + shown(parameter.most) + ", is " +
+             (number ? shown(value) : std::string(field.value().type_name())));
 }
 
 void read_parameters(const Field& field, const Model& model, std::map<std::string, double>& values) {

@@ -95,7 +95,8 @@ TEST(Robot, ParametersOutOfRangeAreNamed) {
   const auto error = [](const std::string& parameter) {
     return read_error(R"({"model": "car", "parameters": {)" + parameter + "}}");
   };
-  EXPECT_THAT(error(R"("max_steering": 1.5708)"), HasSubstr("parameters.max_steering: must be radians from 0.001 to 1.57, is 1.5708"));
+  EXPECT_THAT(error(R"("max_steering": 1.5708)"),
+              HasSubstr("parameters.max_steering: must be radians from 0.001 to 1.57, is 1.5708"));
   EXPECT_THAT(error(R"("body_width": 0)"), HasSubstr("parameters.body_width"));
   EXPECT_THAT(error(R"("body_width": -1)"), HasSubstr("parameters.body_width"));
   EXPECT_THAT(error(R"("wheelbase": 1e300)"), HasSubstr("parameters.wheelbase"));
