@@ -106,7 +106,10 @@ class Simplifier {
     const double shrink = growth_ > 0 ? kShrink : 0;
     const bool sides = all_of_chain(n.previous, n.next, [&](GridPoint p, GridPoint) {
       const double out = double(cross(a, b, p));  // positive: solid there becomes free
-      return out <= shrink * length && -out <= (2 * growth_ + 1) * length;
+      if (out > shrink * length || -out > (2 * growth_ + 1) * length) return false;
+      const std::int64_t along = dot(a, b, p);
+      const bool beside = along >= 0 && along <= dot(a, b, b);
+      return beside || distance(p.x, p.y, a, b) <= shrink;  // a spike past an end would be cut off
     });
     if (!sides) return false;
     if (growth_ <= 0) return true;

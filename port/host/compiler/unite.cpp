@@ -7,6 +7,7 @@
 
 #include "host/compiler/rings.hpp"
 #include "host/compiler/snap.hpp"
+#include "host/workspace/workspace.hpp"
 
 namespace krait::host::compiler {
 namespace {
@@ -25,16 +26,18 @@ std::int32_t quotient_up(std::int32_t up, std::int32_t down) {
 }
 std::int32_t sign(std::int32_t x) { return x < 0 ? -1 : 1; }
 
-// One grid step to the side of the edge that stays within the bounds. An edge from bound to bound leaves them at one
-// end to either side: its neighbour ends on the bound.
-Edges thin_wall(const Edge& e, const GridBox& bounds) {
+// At most `widest` grid steps to the side of the edge that stays within the bounds. An edge from bound to bound leaves
+// them at one end to either side: its neighbour ends on the bound.
+Edges thin_wall(const Edge& e, const GridBox& bounds, std::int32_t widest) {
   const std::int32_t dx = e.to.x - e.from.x, dy = e.to.y - e.from.y;
   const bool flat = std::abs(dx) >= std::abs(dy);
-  const std::int32_t up = std::max(e.from.y, e.to.y) < bounds.max.y ? 1 : -1;
-  const std::int32_t right = std::max(e.from.x, e.to.x) < bounds.max.x ? 1 : -1;
+  const std::int32_t room = flat ? bounds.max.y - bounds.min.y : bounds.max.x - bounds.min.x;
+  const std::int32_t width = std::clamp(room / 2, 1, widest);
+  const std::int32_t up = std::max(e.from.y, e.to.y) + width <= bounds.max.y ? width : -width;
+  const std::int32_t right = std::max(e.from.x, e.to.x) + width <= bounds.max.x ? width : -width;
   const auto beside = [&](GridPoint p, int inwards) -> GridPoint {
-    if (flat && p.y + up < bounds.min.y) return {p.x + inwards * sign(dx) * quotient_up(dx, dy), p.y};
-    if (!flat && p.x + right < bounds.min.x) return {p.x, p.y + inwards * sign(dy) * quotient_up(dy, dx)};
+    if (flat && p.y + up < bounds.min.y) return {p.x + inwards * sign(dx) * quotient_up(width * dx, dy), p.y};
+    if (!flat && p.x + right < bounds.min.x) return {p.x, p.y + inwards * sign(dy) * quotient_up(width * dy, dx)};
     return flat ? GridPoint{p.x, p.y + up} : GridPoint{p.x + right, p.y};
   };
   GridRing ring{e.from, e.to, beside(e.to, -1), beside(e.from, 1)};
@@ -65,18 +68,24 @@ Edges collapsed(const Edges& edges, const Triangulation& t, const GridBox& bound
   return result;
 }
 
-United unite_group(const Edges& edges, const GridBox& bounds) {
-  const Snapped snapped = snap(edges);
-  const Triangulation t = triangulate(snapped.edges);
-  Edges walls = boundary(t, solid);
-  const Edges lost = collapsed(snapped.edges, t, bounds);
-  if (lost.empty()) return {std::move(walls), snapped.passes};
-  for (const Edge& e : lost) {
-    const Edges wall = thin_wall(e, bounds);
-    walls.insert(walls.end(), wall.begin(), wall.end());
+// Rounding may make a wall of one grid step collapse again, along a diagonal above all, so walls are added, and every
+// second time wider ones, until nothing is lost.
+United unite_group(Edges edges, const GridBox& bounds) {
+  constexpr int kMostRounds = 50;  // two or three in practice
+  int passes = 0;
+  for (int round = 0; round < kMostRounds; ++round) {
+    const Snapped snapped = snap(std::move(edges));
+    passes += snapped.passes;
+    const Triangulation t = triangulate(snapped.edges);
+    edges = boundary(t, solid);
+    const Edges lost = collapsed(snapped.edges, t, bounds);
+    if (lost.empty()) return {std::move(edges), passes};
+    for (const Edge& e : lost) {
+      const Edges wall = thin_wall(e, bounds, 1 + round / 2);
+      edges.insert(edges.end(), wall.begin(), wall.end());
+    }
   }
-  const Snapped thick = snap(walls);
-  return {boundary(triangulate(thick.edges), solid), snapped.passes + thick.passes};
+  throw InputError("some obstacles are too thin for the scene's grid: widen or remove them");
 }
 
 // Interleaved bits of the middle of the edges: near parts get near keys.
@@ -108,7 +117,7 @@ United unite(std::vector<Edges> parts, const GridBox& bounds) {
       for (std::size_t k = i; k < std::min(i + kGroup, parts.size()); ++k) {
         group.insert(group.end(), parts[k].begin(), parts[k].end());
       }
-      United united = unite_group(group, bounds);
+      United united = unite_group(std::move(group), bounds);
       most = std::max(most, united.passes);
       if (!united.boundary.empty()) larger.push_back(std::move(united.boundary));
     }

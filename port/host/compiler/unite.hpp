@@ -15,7 +15,8 @@ struct United {
 
 // A single part may be any tangle: solid is what has winding[0] != 0 and winding[1] == 0. Several parts must each be
 // sound, with winding {1, 0} and the solid on the left. Nothing gets lost: what is thinner than the grid becomes a wall
-// one step thick. All lies within `bounds`; along them no such wall is made.
+// one step thick, or two where rounding lets one collapse. All lies within `bounds`; along them no such wall is made.
+// Throws InputError where walls go on collapsing, which no drawing is known to cause.
 United unite(std::vector<Edges> parts, const GridBox& bounds);
 
 }  // namespace krait::host::compiler

@@ -3,10 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 #include "host/compiler/simplify.hpp"
 #include "host/compiler/snap.hpp"
+#include "host/compiler/unite.hpp"
 #include "host/workspace/workspace.hpp"
 
 namespace krait::host::compiler {
@@ -100,6 +102,70 @@ TEST(Simplify, KeepsWhatStandsInTheWay) {
   const GridRing post{{500, -3}, {499, -2}, {500, -1}, {501, -2}};
   EXPECT_THAT(simplify({room, post}, 50)[0], testing::Contains(GridPoint{500, -10}));
   EXPECT_THAT(simplify({room}, 50)[0], testing::Not(testing::Contains(GridPoint{500, -10})));
+}
+
+TEST(Simplify, KeepsASpikeThatLeansAlongItsBase) {
+  // Its tip is one step from the line through its neighbours, but 1,500 steps past the nearer of them.
+  const GridPoint tip{5001, 3000};
+  const GridRing room{{0, 0}, {5000, 0}, tip, {5001, 1500}, {5004, 0}, {10000, 0}, {10000, 10000}, {0, 10000}};
+  EXPECT_THAT(simplify({room}, 100)[0], testing::Contains(tip));
+}
+
+// Triangles thinner than the grid, of lengths over two decades; every eighth along a diagonal.
+std::vector<Edges> needles(std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  const auto place = [](double x, double y) {
+    return GridPoint{static_cast<std::int32_t>(std::lround(x)), static_cast<std::int32_t>(std::lround(y))};
+  };
+  std::vector<Edges> result;
+  for (int i = 0; i < 40; ++i) {
+    const double x = between(-20000, 20000), y = between(-20000, 20000);
+    const double angle = i % 8 == 0 ? 0.785398 : between(0, 6.2832);
+    const double length = 200 * std::pow(100, between(0, 1)), along = between(0, length), width = between(-2, 2);
+    const double cos = std::cos(angle), sin = std::sin(angle);
+    const GridRing ring{place(x, y), place(x + along * cos - width * sin, y + along * sin + width * cos),
+                        place(x + length * cos, y + length * sin)};
+    result.emplace_back();
+    append_ring(result.back(), ring, {1, 0});
+  }
+  return result;
+}
+
+double distance(const Edges& edges, double x, double y) {
+  double least = 1e18;
+  for (const Edge& e : edges) {
+    const double dx = e.to.x - e.from.x, dy = e.to.y - e.from.y;
+    const double along = std::clamp(((x - e.from.x) * dx + (y - e.from.y) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
+    least = std::min(least, std::hypot(e.from.x + along * dx - x, e.from.y + along * dy - y));
+  }
+  return least;
+}
+
+TEST(Unite, LosesNoPartOfANeedle) {
+  const GridBox bounds{{-41000, -41000}, {41000, 41000}};
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    std::vector<Edges> parts;
+    for (const Edges& needle : needles(seed)) parts.push_back(unite({needle}, bounds).boundary);
+    const United united = unite(parts, bounds);
+    for (const Edges& needle : needles(seed)) {
+      for (const Edge& e : needle) {
+        for (int i = 0; i <= 50; ++i) {
+          const double x = e.from.x + 0.02 * i * (e.to.x - e.from.x), y = e.from.y + 0.02 * i * (e.to.y - e.from.y);
+          ASSERT_LT(distance(united.boundary, x, y), 6) << "seed " << seed << ", at " << x << ", " << y;
+        }
+      }
+    }
+  }
+}
+
+TEST(Unite, FitsAWallIntoBoundsOfTwoSteps) {
+  const GridBox bounds{{0, 0}, {1000, 2}};
+  Edges line;
+  append_ring(line, {{10, 1}, {900, 1}}, {1, 0});
+  EXPECT_FALSE(unite({line}, bounds).boundary.empty());
 }
 
 }  // namespace
