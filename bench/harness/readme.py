@@ -8,8 +8,8 @@ from harness.statistics import Figure, quantile, succeeded
 
 BEGIN, END = "<!-- scenes -->", "<!-- end of scenes -->"
 HEADER = (
-    "| scene | solved | verified | time ms, median | 90th | vertices, median | 90th | worst step error "
-    "| worst drift mm | least clearance mm | least goal depth mm |\n|---|---|---|---|---|---|---|---|---|---|---|\n"
+    "| scene | solved | verified | ms, median | 90th | vertices, median | 90th | error | drift mm | clearance mm "
+    "| depth mm |\n|---|---|---|---|---|---|---|---|---|---|---|\n"
 )
 
 

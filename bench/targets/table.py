@@ -12,7 +12,7 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-README = ROOT / "README.md"
+PAGE = ROOT / "bench/targets/RESULTS.md"
 BEGIN, END = "<!-- targets -->", "<!-- end of targets -->"
 
 CORES = {  # preset: what the table calls it, the machine that the presets' tests run on, prefix of its tools
@@ -159,15 +159,15 @@ def report(builds):
     return lines
 
 
-def write_readme(lines):
-    text = README.read_text()
+def write_page(lines):
+    text = PAGE.read_text()
     if BEGIN not in text or END not in text:
-        sys.exit(f"bench/targets: README.md lacks the marks {BEGIN} and {END}")
+        sys.exit(f"bench/targets/RESULTS.md lacks the marks {BEGIN} and {END}")
     before, rest = text.split(BEGIN, 1)
     after = rest.split(END, 1)[1]
-    part = README.with_suffix(".part")
+    part = PAGE.with_suffix(".part")
     part.write_text(before + BEGIN + "\n" + "\n".join(lines) + "\n" + END + after)
-    part.replace(README)
+    part.replace(PAGE)
 
 
 def main():
@@ -182,7 +182,7 @@ def main():
     lines = report([Build(name, arguments.folder) for name in arguments.builds or BUILDS])
     print("\n".join(lines))
     if not arguments.only_print:
-        write_readme(lines)
+        write_page(lines)
 
 
 if __name__ == "__main__":

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "krait/search/parameters.hpp"
+#include "krait/parameters.hpp"
 
 namespace krait::bench {
 

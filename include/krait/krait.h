@@ -161,7 +161,7 @@ KRAIT_NODISCARD bool krait_rest(const krait_robot* robot, krait_pose pose, float
 
 /* ---- Planning ---- */
 
-/* krait/search/parameters.hpp says what each is for, with its range. */
+/* krait/parameters.hpp says what each is for, with its range. */
 typedef struct krait_parameters {
   uint32_t group_sample;
   float alpha, beta, epsilon;

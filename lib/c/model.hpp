@@ -65,9 +65,9 @@ template <class R>
 R make_robot(const krait_robot& from) {
   R robot(parameters_of<std::decay_t<decltype(std::declval<R>().parameters())>>(from));
   for (int k = 0; from.bodies != nullptr && k < robot.body_count() && k < R::kMaxBodies; ++k) {
-    Vec2 corners[format::kMaxPieceVertices] = {};
+    Vec2 corners[kMaxVertices] = {};
     const krait_polygon& body = from.bodies[k];
-    for (int i = 0; i < body.count && i < format::kMaxPieceVertices; ++i) {
+    for (int i = 0; i < body.count && i < kMaxVertices; ++i) {
       corners[i] = {body.corners[i].x, body.corners[i].y};
     }
     robot.set_body(k, {corners, body.count});

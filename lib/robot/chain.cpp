@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "krait/robot/chain.hpp"
 
+#include "base/lanes/angles.hpp"
 #include "krait/robot/box.hpp"
 #include "krait/robot/tracking.hpp"
-#include "lanes/angles.hpp"
 
 namespace krait {
 namespace {
@@ -133,7 +133,7 @@ Chain::Chain(const ChainParameters& parameters, bool slip)
 
 void Chain::set_body(int k, Polygon polygon) {
   Body& body = bodies_[k];
-  body.count = polygon.count <= format::kMaxPieceVertices ? polygon.count : 0;
+  body.count = polygon.count <= kMaxVertices ? polygon.count : 0;
   for (int i = 0; i < body.count; ++i) body.vertices[i] = polygon[i];
 }
 

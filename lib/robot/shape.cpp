@@ -13,7 +13,7 @@ float distance_left(Vec2 a, Vec2 b, Vec2 p) { return cross(b - a, p - a) / lengt
 }  // namespace
 
 bool usable_body(Polygon body) {
-  if (body.vertices == nullptr || body.count < format::kMinPieceVertices || body.count > format::kMaxPieceVertices) {
+  if (body.vertices == nullptr || body.count < kMinVertices || body.count > kMaxVertices) {
     return false;
   }
   for (int i = 0; i < body.count; ++i) {

@@ -7,7 +7,7 @@
 
 #include "judge.hpp"
 #include "krait/decomposition/goal.hpp"
-#include "krait/search/parameters.hpp"
+#include "krait/parameters.hpp"
 
 namespace krait::campaign {
 

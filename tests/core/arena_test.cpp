@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The block cut into pools: what it counts is what it takes.
-#include "krait/arena.hpp"
+#include "krait/base/arena.hpp"
 
 #include <gtest/gtest.h>
 

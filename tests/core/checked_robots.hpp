@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string>
 
-#include "krait/robot/check.hpp"
 #include "krait/robot/truck.hpp"
+#include "krait/robot_check/robot_check.hpp"
 
 namespace krait::test {
 

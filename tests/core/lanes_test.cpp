@@ -9,8 +9,8 @@
 #include <random>
 #include <vector>
 
+#include "base/lanes/kernels.hpp"
 #include "draws.hpp"
-#include "lanes/kernels.hpp"
 
 #ifndef KRAIT_LANES
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The core's own functions against libm in double precision, within the errors that their comments promise.
-#include "krait/math.hpp"
+#include "krait/base/math.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The motion tree against one made of shared pointers, and what its memory holds at any time.
-#include "krait/search/motion_tree.hpp"
+#include "krait/plan/motion_tree.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Indices of two or of four bytes: all of them, and kNone, are read back.
-#include "krait/packed_indices.hpp"
+#include "krait/base/packed_indices.hpp"
 
 #include <gtest/gtest.h>
 

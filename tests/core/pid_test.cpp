@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The controller against its definition, step by step.
-#include "krait/motion/pid.hpp"
+#include "krait/robot/pid.hpp"
 
 #include <gtest/gtest.h>
 

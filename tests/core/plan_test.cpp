@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a solved plan holds, for every model and planner: it replays bit for bit, keeps the limits, touches nothing.
-#include "krait/plan.hpp"
+#include "krait/plan/plan.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The generator against the published algorithms, and the uniformity of what is drawn from it.
-#include "krait/random.hpp"
+#include "krait/base/random.hpp"
 
 #include <gtest/gtest.h>
 

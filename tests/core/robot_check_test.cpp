@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // check_robot finds nothing in the library's models, and names what a wrong robot does wrong.
+#include "krait/robot_check/robot_check.hpp"
+
 #include <gmock/gmock.h>
 
 #include "checked_robots.hpp"
-#include "krait/robot/check.hpp"
 #include "robot_oracle.hpp"
 
 namespace krait {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Discs and their lines against brute force over all pieces in double precision.
-#include "krait/search/sight.hpp"
+#include "krait/collision/sight.hpp"
 
 #include <gtest/gtest.h>
 

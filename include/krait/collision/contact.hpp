@@ -2,7 +2,7 @@
 // What a robot overlaps, or comes too near to, where it stands.
 #pragma once
 
-#include "krait/math.hpp"
+#include "krait/base/math.hpp"
 #include "krait/scene/scene.hpp"
 
 namespace krait {

@@ -2,7 +2,7 @@
 // Where the ways to a goal are narrow.
 #pragma once
 
-#include "krait/math.hpp"
+#include "krait/base/math.hpp"
 
 namespace krait {
 

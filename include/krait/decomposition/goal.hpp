@@ -2,7 +2,7 @@
 // The goal of a query: a named polygon of the scene, or any disc.
 #pragma once
 
-#include "krait/random.hpp"
+#include "krait/base/random.hpp"
 #include "krait/scene/scene.hpp"
 
 namespace krait {

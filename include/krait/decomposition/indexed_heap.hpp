@@ -2,7 +2,7 @@
 // A binary heap of region numbers ordered by (key, number), with decrease-key: Dijkstra's queue.
 #pragma once
 
-#include "krait/packed_indices.hpp"
+#include "krait/base/packed_indices.hpp"
 
 namespace krait {
 

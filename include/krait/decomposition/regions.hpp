@@ -5,7 +5,7 @@
 // a disc goal makes every triangle that it meets a source of its own. Edges are the portals between regions.
 #pragma once
 
-#include "krait/arena.hpp"
+#include "krait/base/arena.hpp"
 #include "krait/decomposition/bottleneck.hpp"
 #include "krait/decomposition/goal.hpp"
 #include "krait/decomposition/indexed_heap.hpp"

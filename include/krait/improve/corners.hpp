@@ -2,8 +2,8 @@
 // How a route's vias are driven to: corners rounded by what the robot can turn, and the random changes that are tried.
 #pragma once
 
+#include "krait/base/random.hpp"
 #include "krait/improve/route.hpp"
-#include "krait/random.hpp"
 
 namespace krait {
 

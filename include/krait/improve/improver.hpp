@@ -10,7 +10,7 @@
 #include "krait/improve/corners.hpp"
 #include "krait/improve/taut_line.hpp"
 #include "krait/improve/way_drive.hpp"
-#include "krait/search/plan_proof.hpp"
+#include "krait/plan/plan_proof.hpp"
 
 namespace krait {
 

@@ -2,8 +2,8 @@
 // The line that a robot is driven along while a plan is improved: via points, and how each is driven to.
 #pragma once
 
-#include "krait/arena.hpp"
-#include "krait/math.hpp"
+#include "krait/base/arena.hpp"
+#include "krait/base/math.hpp"
 
 namespace krait {
 

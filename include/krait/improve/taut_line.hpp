@@ -3,8 +3,8 @@
 // and to and fro. What is left are its corners.
 #pragma once
 
-#include "krait/arena.hpp"
-#include "krait/search/sight.hpp"
+#include "krait/base/arena.hpp"
+#include "krait/collision/sight.hpp"
 
 namespace krait {
 

@@ -4,9 +4,9 @@
 #pragma once
 
 #include "krait/improve/route.hpp"
-#include "krait/improve/way.hpp"
-#include "krait/search/ending.hpp"
-#include "krait/search/proven_step.hpp"
+#include "krait/plan/ending.hpp"
+#include "krait/plan/proven_step.hpp"
+#include "krait/plan/way.hpp"
 
 namespace krait {
 

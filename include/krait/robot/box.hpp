@@ -2,7 +2,7 @@
 // The rectangle that most bodies are.
 #pragma once
 
-#include "krait/math.hpp"
+#include "krait/base/math.hpp"
 
 namespace krait {
 

@@ -93,7 +93,7 @@ class Chain {
 
  private:
   struct Body {
-    Vec2 vertices[format::kMaxPieceVertices] = {};
+    Vec2 vertices[kMaxVertices] = {};
     int count = 0;
   };
   bool hitches_within(StateView s, float most) const;

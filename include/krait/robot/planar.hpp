@@ -22,7 +22,7 @@ class PlanarBody {
   // Replaces the polygon: 3 to 8 vertices, convex, counter-clockwise, in the axle's frame; copied. Of more it keeps
   // none, which init refuses as bad_robot.
   void set_body(int, Polygon polygon) {
-    count_ = polygon.count <= format::kMaxPieceVertices ? polygon.count : 0;
+    count_ = polygon.count <= kMaxVertices ? polygon.count : 0;
     for (int i = 0; i < count_; ++i) vertices_[i] = polygon[i];
   }
 
@@ -38,7 +38,7 @@ class PlanarBody {
   }
 
  private:
-  Vec2 vertices_[format::kMaxPieceVertices];
+  Vec2 vertices_[kMaxVertices];
   int count_ = 0;
 };
 

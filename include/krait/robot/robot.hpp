@@ -5,9 +5,8 @@
 #include <Eigen/Core>
 #include <concepts>
 
-#include "krait/math.hpp"
-#include "krait/motion/pid.hpp"
-#include "krait/scene/scene.hpp"
+#include "krait/base/geometry.hpp"
+#include "krait/robot/pid.hpp"
 
 namespace krait {
 
@@ -46,7 +45,7 @@ struct Steering {
 };
 
 // A robot is a value with these members, none of which has side effects or depends on anything but its arguments;
-// check_robot (krait/robot/check.hpp) tells where one breaks what is said here.
+// check_robot (krait/robot_check/robot_check.hpp) tells where one breaks what is said here.
 //   kMaxState, kMaxControl, kMaxBodies   compile-time limits of the sizes below; kMaxBodies is at most 32
 //   state_size(), control_size(), body_count()
 //   derivative(s, u, ds)         the dynamics ds = f(s, u) (Eqn 2)

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "krait/base/geometry.hpp"
+#include "krait/base/index.hpp"
 #include "krait/version.h"
 
 namespace krait::format {
@@ -20,11 +22,11 @@ inline constexpr float kGrid = 1.0F / 4096.0F;
 inline constexpr float kMaxCoordinate = 2000.0F;
 
 // An absent neighbour, portal or goal: all bits set in the section's index width.
-inline constexpr std::uint16_t kNone16 = 0xFFFF;
+inline constexpr std::uint16_t kNone16 = krait::kNone16;
 inline constexpr std::uint32_t kNone32 = 0xFFFFFFFF;
 
-inline constexpr int kMinPieceVertices = 3;
-inline constexpr int kMaxPieceVertices = 8;
+inline constexpr int kMinPieceVertices = kMinVertices;
+inline constexpr int kMaxPieceVertices = kMaxVertices;
 inline constexpr std::uint8_t kMaxClearance = 255;
 inline constexpr int kClearanceUnits = 8;          // of Header::clearance_unit in a clearance cell
 inline constexpr int kCellMargin = 4;              // grid steps by which cells are widened: readers find them in float

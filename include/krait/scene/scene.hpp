@@ -6,38 +6,12 @@
 #include <cstdint>
 #include <cstring>
 
-#include "krait/math.hpp"
+#include "krait/base/geometry.hpp"
+#include "krait/base/index.hpp"
 #include "krait/scene/format.hpp"
 #include "krait/status.hpp"
 
 namespace krait {
-
-using Index = std::uint32_t;
-inline constexpr Index kNone = 0xFFFFFFFF;
-
-struct Box {
-  Vec2 min;
-  Vec2 max;
-};
-
-// `count` vertices, counter-clockwise, convex where it stands for an obstacle piece or a body.
-struct Polygon {
-  const Vec2* vertices = nullptr;
-  int count = 0;
-
-  Vec2 operator[](int i) const { return vertices[i]; }
-};
-
-// The smallest box around a polygon's vertices.
-inline Box bounding_box(Polygon polygon) {
-  Box box{polygon[0], polygon[0]};
-  for (int i = 1; i < polygon.count; ++i) {
-    const Vec2 p = polygon[i];
-    box.min = {p.x < box.min.x ? p.x : box.min.x, p.y < box.min.y ? p.y : box.min.y};
-    box.max = {p.x > box.max.x ? p.x : box.max.x, p.y > box.max.y ? p.y : box.max.y};
-  }
-  return box;
-}
 
 // Integers of the file's index width.
 class IndexArray {

@@ -3,10 +3,11 @@
 // group to expand (Eqns 7, 8).
 #pragma once
 
-#include "krait/arena.hpp"
+#include "krait/base/arena.hpp"
+#include "krait/base/random.hpp"
 #include "krait/decomposition/regions.hpp"
-#include "krait/random.hpp"
-#include "krait/search/motion_tree.hpp"
+#include "krait/parameters.hpp"
+#include "krait/plan/motion_tree.hpp"
 
 namespace krait {
 
@@ -16,9 +17,6 @@ struct GroupWeights {
   float beta;
   float epsilon;
 };
-
-// As large as a group's sample of the states that reached its region can be.
-inline constexpr std::uint32_t kUnboundedSample = 65535;
 
 class Groups {
  public:

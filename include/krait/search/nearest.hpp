@@ -3,7 +3,7 @@
 // are square cells, each with a linked list of its points.
 #pragma once
 
-#include "krait/arena.hpp"
+#include "krait/base/arena.hpp"
 #include "krait/scene/scene.hpp"
 
 namespace krait {

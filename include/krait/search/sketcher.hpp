@@ -3,9 +3,9 @@
 // discs.
 #pragma once
 
+#include "krait/collision/sight.hpp"
 #include "krait/robot/shape.hpp"
 #include "krait/robot/sketch.hpp"
-#include "krait/search/sight.hpp"
 
 namespace krait {
 

@@ -18,10 +18,10 @@ DifferentialDriveParameters differential_drive_parameters(const RobotSpec& spec)
 template <class R>
 R with_bodies(R robot, const RobotSpec& spec) {
   for (std::size_t k = 0; k < spec.bodies.size(); ++k) {
-    Vec2 vertices[format::kMaxPieceVertices];
+    Vec2 vertices[kMaxVertices];
     int count = 0;
     for (const Point& p : spec.bodies[k]) {
-      if (count < format::kMaxPieceVertices) vertices[count++] = {static_cast<float>(p.x), static_cast<float>(p.y)};
+      if (count < kMaxVertices) vertices[count++] = {static_cast<float>(p.x), static_cast<float>(p.y)};
     }
     robot.set_body(static_cast<int>(k), {vertices, count});
   }

@@ -14,8 +14,8 @@
 #include "host/picture/picture.hpp"
 #include "host/plan/plan.hpp"
 #include "host/verify/verify.hpp"
+#include "krait/parameters.hpp"
 #include "krait/scene/scene.hpp"
-#include "krait/search/parameters.hpp"
 
 namespace krait::host {
 

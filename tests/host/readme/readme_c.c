@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* Compiles the README's lines of C. */
+/* Compiles the lines of C of USING.md. */
 #include "krait/krait.h"
 
 void drive(const float* control);

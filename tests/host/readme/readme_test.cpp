@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Builds and runs the programs of the README.
+// Builds and runs the programs of README.md and USING.md.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "krait/krait.hpp"
-#include "krait/robot/check.hpp"
+#include "krait/robot_check/robot_check.hpp"
 #include "readme_program.inc"
 #include "readme_robot.inc"
 

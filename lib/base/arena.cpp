@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "krait/base/arena.hpp"
+
+namespace krait {
+namespace {
+constexpr const char* kPoolNames[kPoolCount] = {"regions",    "portals", "groups",  "vertices",   "states",
+                                                "expansions", "members", "nearest", "improvement"};
+}
+
+const char* name(Pool pool) { return kPoolNames[static_cast<std::size_t>(pool)]; }
+
+void* Arena::take_bytes(Pool pool, std::uint64_t bytes) {
+  const std::uint64_t padded = (bytes + kAlignment - 1) / kAlignment * kAlignment;
+  const std::uint64_t offset = needed_;
+  needed_ += padded;
+  by_pool_[static_cast<std::size_t>(pool)] += padded;
+  return block_ != nullptr && needed_ <= bytes_ ? block_ + offset : nullptr;
+}
+
+}  // namespace krait

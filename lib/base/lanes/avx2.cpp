@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// Compiled for AVX2 as no other file is: nothing here runs before the processor was asked.
+#include "base/lanes/kernels.hpp"
+
+#ifdef KRAIT_AVX2
+namespace krait::lanes::avx2 {
+
+void turn_frames(const float* angles, int count, Pose* frames) { turn_frames_by<kLeastAngles>(angles, count, frames); }
+
+void turn_hitches(const NearHitches& near, float* sines, float* cosines) {
+  turn_hitches_by<kLeastAngles>(near, sines, cosines);
+}
+
+}  // namespace krait::lanes::avx2
+#endif

@@ -1,0 +1,108 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Whether the includes follow the layers: no file and no folder includes itself, directly or round about, the core
+includes nothing of the workstation, and none of the core's layers includes one above it. Prints the includes that break
+a rule. Exit code: 0 none does, 1 some do. Usage: check.py [ROOT]"""
+import re
+import subprocess
+import sys
+from collections import defaultdict
+from pathlib import Path
+
+# Of the core, the lowest first: folders and files directly under include/krait and lib.
+LAYERS = [
+    "version", "base", "status", "parameters", "scene", "decomposition", "robot", "motion", "collision", "plan",
+    "improve", "search", "robot_check", "krait", "c",
+]
+SEARCHED = ["include", "lib", "port"]  # what #include "…" is relative to, beside the including file's folder
+
+
+def sources(root):
+    listed = subprocess.run(["git", "-C", root, "ls-files", "-co", "--exclude-standard", *SEARCHED],
+                            check=True, capture_output=True, text=True).stdout.split()
+    return {name for name in listed if name.endswith((".hpp", ".cpp", ".h", ".c")) and (root / name).exists()}
+
+
+def includes(root, names):
+    found = []  # (including file, included file)
+    for name in sorted(names):
+        for path in re.findall(r'^\s*#\s*include "([^"]+)"', (root / name).read_text(), re.MULTILINE):
+            beside = str(Path(name).parent / path)
+            for candidate in [beside, *(f"{folder}/{path}" for folder in SEARCHED)]:
+                if candidate in names:
+                    found.append((name, candidate))
+                    break
+    return found
+
+
+# The name of a core file's layer; None for a file of the workstation or of a port.
+def layer(name):
+    parts = Path(name).parts
+    if parts[0] == "port":
+        return None
+    inner = parts[2:] if parts[0] == "include" else parts[1:]
+    return Path(inner[0]).stem
+
+
+# A folder of the core has its headers under include/krait and its sources under lib.
+def folder(name):
+    own = layer(name)
+    return str(Path(name).parent) if own is None else f"core/{own}"
+
+
+def cycle(edges):
+    following = defaultdict(list)
+    for a, b in edges:
+        if a != b:
+            following[a].append(b)
+    done = set()
+
+    def walk(node, path):
+        if node in path:
+            return path[path.index(node):] + [node]
+        if node in done:
+            return None
+        for after in following[node]:
+            found = walk(after, path + [node])
+            if found:
+                return found
+        done.add(node)
+        return None
+
+    for node in sorted(following):
+        found = walk(node, [])
+        if found:
+            return found
+    return None
+
+
+def complaints(pairs):
+    for a, b in pairs:
+        own, other = layer(a), layer(b)
+        for name, of in ((a, own), (b, other)):
+            if of is not None and of not in LAYERS:
+                yield f"{name}: the layer {of} is not in the list of tests/layers/check.py"
+                return
+        if own is not None and other is None:
+            yield f"{a} includes {b}: the core must not include a port"
+        elif own is not None and LAYERS.index(other) > LAYERS.index(own):
+            yield f"{a} includes {b}: {own} lies below {other}"
+    for what, edges in (("files", pairs), ("folders", [(folder(a), folder(b)) for a, b in pairs])):
+        found = cycle(edges)
+        if found:
+            yield f"{what} include each other: " + " -> ".join(found)
+            for a, b in zip(found, found[1:]):
+                yield from (f"  {x} includes {y}" for x, y in pairs if what == "folders" and (folder(x), folder(y)) == (a, b))
+
+
+def main():
+    root = Path(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).parents[2]).resolve()
+    pairs = includes(root, sources(root))
+    if len(pairs) < 100:
+        sys.exit(f"{root}: only {len(pairs)} includes were found, which cannot be all")
+    found = list(complaints(pairs))
+    print("\n".join(found) if found else f"{len(pairs)} includes follow the layers")
+    sys.exit(1 if found else 0)
+
+
+main()
