@@ -5,18 +5,18 @@ namespace krait {
 namespace {
 
 constexpr float kLeastRadius = 0.4F;                 // in lengths of body 0: of a robot that turns on the spot
-constexpr float kRadii[] = {1.15F, 1.75F, 2.8F};     // of the lines' arcs, in turning radii
+constexpr float kRadii[] = {1.05F, 1.5F, 3.0F};     // of the lines' arcs, in turning radii
 constexpr float kCaptureRadii = 4.0F;                // how near the goal must be, in turning radii, and
 constexpr float kCaptureLengths = 3.5F;              // as many lengths of body 0 more
-constexpr float kLeads[] = {0.0F, 1.0F};             // straight ends of lines, in lengths of body 0, and
-constexpr float kHitchLeads[] = {0.6F, 2.0F, 4.0F};  // where hitches must be straight
+constexpr float kLeads[] = {0.7F, 1.3F};             // straight ends of lines, in lengths of body 0, and
+constexpr float kHitchLeads[] = {1.2F, 2.8F, 4.5F};  // where hitches must be straight
 constexpr float kDetour = 2.0F;                      // the most of a line, in distances to the goal, and
 constexpr float kDetourLengths = 8.0F;               // as many lengths of body 0 more
 constexpr float kSightStep = 0.4F;                   // of looks along a line, in lengths of body 0
 constexpr float kLook = 0.5F;                        // how far ahead the robot steers, in lengths of body 0,
-constexpr float kLookRadii = 0.3F;                   // and turning radii
+constexpr float kLookSteps = 2.5F;                   // and time steps of its way
 constexpr float kOff = 1.0F;                         // how far off the line it may be, in lengths of body 0
-constexpr float kBraking = 0.35F;                    // of the sharpest
+constexpr float kBraking = 0.12F;                    // of the sharpest
 constexpr float kSettle = 3.0F;                      // time steps in which the way that is left shrinks by e, at most
 constexpr float kSlowest = 0.02F;                    // of the top speed
 constexpr float kNearEnough = 0.25F;                 // of the goal's radius: there it stops
@@ -42,7 +42,6 @@ void LastMetres::assign(const Scene& scene, const Goal& goal, const Nimbleness& 
     for (const float lead : kHitchLeads) leads_[lead_count_++] = lead * robot.length;
   }
   capture_ = kCaptureRadii * radius + kCaptureLengths * robot.length + leads_[lead_count_ - 1];
-  look_ = kLook * robot.length + kLookRadii * radius;
   sight_ = Sight(scene, 0.9F * robot.half_width, kSightStep * robot.length);
   shot_count_ = 0;
   shot_ = 0;
@@ -116,7 +115,7 @@ bool LastMetres::next(const Pose& from) {
 bool LastMetres::aim(const Pose& at, float speed, float stopping_way, Target& target) {
   for (int i = 0; i < 2; ++i) {
     const Pose on = line_.at(arc_);
-    arc_ = arc_ + clamp(dot(at.position - on.position, direction(on)), 0.0F, 2.0F * look_);
+    arc_ = arc_ + clamp(dot(at.position - on.position, direction(on)), 0.0F, kOff * robot_.length);
   }
   if (length(at.position - line_.at(arc_).position) > kOff * robot_.length) return false;
   const float left = line_.length() - arc_;
@@ -131,7 +130,7 @@ bool LastMetres::aim(const Pose& at, float speed, float stopping_way, Target& ta
   const float share = clamp(wanted / robot_.top_speed, kSlowest, 1.0F);
   target.speed = stops ? 0.0F : (backward_ ? -share : share);
   target.turn = 1.0F;
-  float look = look_;
+  float look = kLook * robot_.length + kLookSteps * robot_.dt * speed;
   target.point = line_.at(arc_ + look).position;
   for (int i = 0; i < 8 && !scene_->inside_bounds(target.point); ++i) {
     look = 0.7F * look;

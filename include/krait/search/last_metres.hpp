@@ -71,7 +71,6 @@ class LastMetres {
   float leads_[kMostLeads];
   int lead_count_ = 0;
   float capture_ = 0.0F;
-  float look_ = 0.0F;
   Shot shots_[kMostShots];
   std::uint32_t shot_count_ = 0;
   std::uint32_t shot_ = 0;   // the one after that which is driven

@@ -112,7 +112,8 @@ class Search {
   }
 
   // At most `iterations` expansions more; returns at once when the search has ended. Where an expansion comes so near
-  // to the goal that braking may end there, it brakes; such steps count as steps of the expansion for the work of a
+  // to the goal that braking may end there, it brakes, and from every fourth state near a pose it drives the shortest
+  // few of at most 216 lines to it (last_metres.hpp); such steps count as steps of the expansion for the work of a
   // call, and it goes on where they lead to nothing. A way that has reached the goal is driven once more before it is
   // given out as a plan: up to max_steps steps of it count as one of `iterations` here, but not in Statistics and
   // Limits. The result does not depend on how a search is cut into calls.
@@ -142,7 +143,8 @@ class Search {
 
   // At most `iterations` more of looking for a plan of fewer steps; plan() and Statistics::plan_steps, plan_length,
   // plan_duration and hash are then those of the best so far, which was driven and proven as the first one was. Work of
-  // one: at most max_steps steps, and 16 legs' steps that are not proven, or O(way_legs); the first call after start
+  // one, which must end in the goal as the first did, so that few are found for a pose: at most max_steps steps, and 16
+  // legs' steps that are not proven, or O(way_legs); the first call after start
   // begins with one Dijkstra. The result does not depend on how the iterations are cut into calls. Plans and their
   // cursors from before the call end with it. Gives status(), and nothing happens, where that is not solved or the plan
   // has no steps; bad_argument where Limits::way_legs is 0.

@@ -69,6 +69,26 @@ std::uint64_t read_seed(const Field& field) {
   return field.value().get<std::uint64_t>();
 }
 
+void add_facing(const GoalFacing& facing, Json& goal) {
+  goal["heading"] = facing.heading;
+  goal["heading_tolerance"] = facing.tolerance;
+  goal["either_way"] = facing.either_way;
+  if (facing.hitches) goal["hitch_tolerance"] = *facing.hitches;
+}
+
+GoalFacing read_facing(const Field& goal) {
+  constexpr double kMostHeading = 1e4;
+  constexpr double kMostTolerance = 3.15;
+  GoalFacing facing;
+  facing.heading = goal.at("heading").number(-kMostHeading, kMostHeading);
+  facing.tolerance = goal.at("heading_tolerance").number(0, kMostTolerance);
+  const Field either_way = goal.at("either_way");
+  if (!either_way.value().is_boolean()) either_way.fail("must be true or false");
+  facing.either_way = either_way.value().get<bool>();
+  if (goal.has("hitch_tolerance")) facing.hitches = goal.at("hitch_tolerance").number(0, kMostHeading);
+  return facing;
+}
+
 void read_motion(const Field& field, PlanFile& plan) {
   const Field names = field.at("state_names");
   for (std::size_t i = 0; i < names.size(); ++i) plan.state_names.push_back(names.item(i).text());
@@ -108,6 +128,7 @@ Json to_json(const PlanFile& plan) {
   json["robot"] = to_json(plan.robot);
   json["dt"] = plan.dt;
   json["goal"] = {{"name", plan.goal_name}, {"polygon", to_json(plan.goal_polygon)}};
+  if (plan.goal_facing) add_facing(*plan.goal_facing, json["goal"]);
   json["state_names"] = plan.state_names;
   json["states"] = solved ? rows(plan.states) : Json::array();
   json["controls"] = solved ? rows(plan.controls) : Json::array();
@@ -134,6 +155,7 @@ PlanFile parse_plan(const std::string& text, const std::string& file) {
   plan.goal_name = goal.at("name").printed();
   const Field polygon = goal.at("polygon");
   if (plan.status == kSolved || polygon.size() > 0) plan.goal_polygon = polygon.ring();
+  if (goal.has("heading")) plan.goal_facing = read_facing(goal);
   read_motion(field, plan);
   plan.origin = field.at("origin").point();
   plan.statistics = field.at("statistics").value();

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,14 @@
 
 namespace krait::host {
 
+// How the robot is turned where a plan ends, radians.
+struct GoalFacing {
+  double heading = 0;             // of the first body
+  double tolerance = 0;           // above 0 and at most pi: how far off the heading may be
+  bool either_way = false;        // whether the opposite heading will do as well
+  std::optional<double> hitches;  // every other body's heading is so near to that of the body before it; absent: free
+};
+
 struct PlanFile {
   std::string status;  // "solved", or why not
   std::string scene;
@@ -21,7 +30,8 @@ struct PlanFile {
   RobotSpec robot;
   double dt = 0;  // seconds
   std::string goal_name;
-  Ring goal_polygon;  // local coordinates; a disc goal's polygon has many vertices inside the disc
+  std::optional<GoalFacing> goal_facing;  // absent: the robot may be turned in any way
+  Ring goal_polygon;                      // local coordinates; a disc goal's polygon has many vertices inside the disc
   std::vector<std::string> state_names;
   std::vector<std::vector<float>> states;    // local coordinates: world = origin + local
   std::vector<std::vector<float>> controls;  // states.size() - 1 of them

@@ -48,6 +48,16 @@ Ring goal_ring(const krait::Scene& scene, const krait::Goal& goal) {
   return ring;
 }
 
+Facing facing_of(const GoalFacing& from) {
+  const float hitches = from.hitches ? static_cast<float>(*from.hitches) : kInfinity;
+  return {static_cast<float>(from.heading), static_cast<float>(from.tolerance), from.either_way, hitches};
+}
+
+std::string goal_name(const krait::Scene& scene, const krait::Goal& goal) {
+  if (!goal.is_disc()) return scene.goal_name(goal.index());
+  return goal.is_pose() ? "pose" : "disc";
+}
+
 }  // namespace
 
 Start resolve_start(const krait::Scene& scene, const SearchRequest& request) {
@@ -63,8 +73,12 @@ Start resolve_start(const krait::Scene& scene, const SearchRequest& request) {
 }
 
 krait::Goal resolve_goal(const krait::Scene& scene, const SearchRequest& request) {
-  if (request.goal)
-    return krait::Goal::disc(local_of(scene, request.goal->center), static_cast<float>(request.goal->radius));
+  if (request.goal) {
+    const Vec2 center = local_of(scene, request.goal->center);
+    const auto radius = static_cast<float>(request.goal->radius);
+    return request.facing ? krait::Goal::pose(center, radius, facing_of(*request.facing))
+                          : krait::Goal::disc(center, radius);
+  }
   if (request.goal_name.empty() && scene.goal_count() > 0) return krait::Goal::named(0);
   const Index index = scene.find_goal(request.goal_name.c_str());
   if (index != kNone) return krait::Goal::named(index);
@@ -83,6 +97,7 @@ Asked asked_of(const krait::Scene& scene, const SearchRequest& request, const St
   if (goal.is_disc()) {
     asked.disc_center = request.goal->center;
     asked.disc_radius = request.goal->radius;
+    asked.facing = request.facing;
   } else {
     for (const Point& p : goal_ring(scene, goal)) {
       asked.goal.push_back({p.x + scene.header().origin_x, p.y + scene.header().origin_y});
@@ -98,7 +113,8 @@ PlanFile plan_form(const krait::Scene& scene, const SearchRequest& request, cons
   form.planner = request.planner;
   form.robot = request.robot;
   form.dt = static_cast<double>(request.parameters.dt);
-  form.goal_name = goal.is_disc() ? "disc" : scene.goal_name(goal.index());
+  form.goal_name = goal_name(scene, goal);
+  form.goal_facing = request.facing;
   form.goal_polygon = goal_ring(scene, goal);
   form.state_names = state_names(request.robot);
   form.origin = {scene.header().origin_x, scene.header().origin_y};

@@ -37,6 +37,7 @@ struct SearchRequest {
   std::string start_name;
   std::optional<GoalDisc> goal;  // absent: the scene's goal `goal_name`, or its first
   std::string goal_name;
+  std::optional<GoalFacing> facing;                 // only with `goal`
   std::uint64_t memory = std::uint64_t{64} << 20U;  // bytes of the block
   std::uint64_t iterations = 1'000'000;
   std::optional<double> time_limit;  // seconds
