@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "core/recording.hpp"
-#include "host/search/query.hpp"
-#include "host/search/robots.hpp"
-#include "host/search/search.hpp"
+#include "host/run/query.hpp"
+#include "host/run/robots.hpp"
+#include "host/run/run.hpp"
 #include "host/workspace/workspace.hpp"
 #include "trials/trials.hpp"
 

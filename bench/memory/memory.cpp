@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "host/search/search.hpp"
+#include "host/run/run.hpp"
 #include "krait/krait.hpp"
 
 namespace krait::host {

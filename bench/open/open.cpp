@@ -4,7 +4,7 @@
 #include <chrono>
 #include <cstdio>
 
-#include "host/search/search.hpp"
+#include "host/run/run.hpp"
 
 namespace {
 

@@ -9,7 +9,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "host/search/query.hpp"
+#include "host/run/query.hpp"
 #include "peers/controls.hpp"
 #include "peers/motion.hpp"
 #include "peers/space.hpp"

@@ -2,7 +2,7 @@
 // A search by one of OMPL's planners, timed and taken out as run_search does for the core's.
 #pragma once
 
-#include "host/search/search.hpp"
+#include "host/run/run.hpp"
 #include "peers/planners.hpp"
 
 namespace krait::bench {

@@ -2,7 +2,7 @@
 // krait-bench-search: trials of the core's planners.
 #include <cstdio>
 
-#include "host/search/session.hpp"
+#include "host/run/session.hpp"
 #include "trials/planners.hpp"
 #include "trials/trials.hpp"
 

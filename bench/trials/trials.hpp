@@ -10,7 +10,7 @@
 #include <functional>
 #include <string>
 
-#include "host/search/search.hpp"
+#include "host/run/run.hpp"
 
 namespace krait::bench {
 

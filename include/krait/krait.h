@@ -218,12 +218,19 @@ KRAIT_NODISCARD krait_failure krait_init(krait_planner** planner, void* block, u
                                          const krait_robot* robot, const krait_parameters* parameters,
                                          const krait_limits* limits);
 
+/* Where a plan ends. What follows `radius` is for the disc only, and all zero leaves the heading free. */
 typedef struct krait_goal {
-  uint32_t index; /* of the scene's goals, or KRAIT_NONE for the disc */
-  float x, y, radius;
+  uint32_t index;          /* of the scene's goals, or KRAIT_NONE for the disc */
+  float x, y, radius;      /* metres, local coordinates; of the position */
+  float heading;           /* radians, -8192 to 8192, of body 0 */
+  float heading_tolerance; /* radians, above 0 and at most pi: how far off the heading may be; 0: the heading is free,
+                              and the two fields below must be zero */
+  float hitch_tolerance;   /* radians: every other body's heading is so near to that of the body before it; 0: free */
+  bool either_way;         /* whether the opposite heading will do as well */
 } krait_goal;
 krait_goal krait_named_goal(uint32_t index);
 krait_goal krait_disc_goal(float x, float y, float radius);
+krait_goal krait_pose_goal(float x, float y, float radius, float heading, float heading_tolerance);
 
 typedef struct krait_query {
   const float* start; /* krait_state_size floats, copied */

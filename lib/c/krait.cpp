@@ -39,7 +39,19 @@ const krait::Scene& view(const krait_scene* scene) {
   return *std::launder(reinterpret_cast<const krait::Scene*>(scene));
 }
 
-krait_goal goal(std::uint32_t index, float x, float y, float radius) { return {index, x, y, radius}; }
+krait_goal disc(std::uint32_t index, float x, float y, float radius) {
+  return {index, x, y, radius, 0.0F, 0.0F, 0.0F, false};
+}
+
+// Fields that contradict each other become a goal that is refused.
+krait::Goal goal_of(const krait_goal& from) {
+  const bool turned = from.heading_tolerance != 0.0F || from.hitch_tolerance != 0.0F || from.either_way;
+  const krait::Facing facing{from.heading, from.heading_tolerance, from.either_way,
+                             from.hitch_tolerance == 0.0F ? krait::kInfinity : from.hitch_tolerance};
+  if (from.index != KRAIT_NONE) return krait::Goal::named(turned ? krait::kNone : from.index);
+  const krait::Vec2 center{from.x, from.y};
+  return turned ? krait::Goal::pose(center, from.radius, facing) : krait::Goal::disc(center, from.radius);
+}
 
 }  // namespace
 
@@ -114,15 +126,16 @@ krait_failure krait_init(krait_planner** planner, void* block, uint64_t bytes, c
   return failure_of(failure);
 }
 
-krait_goal krait_named_goal(uint32_t index) { return goal(index, 0.0F, 0.0F, 0.0F); }
+krait_goal krait_named_goal(uint32_t index) { return disc(index, 0.0F, 0.0F, 0.0F); }
 
-krait_goal krait_disc_goal(float x, float y, float radius) { return goal(KRAIT_NONE, x, y, radius); }
+krait_goal krait_disc_goal(float x, float y, float radius) { return disc(KRAIT_NONE, x, y, radius); }
+
+krait_goal krait_pose_goal(float x, float y, float radius, float heading, float heading_tolerance) {
+  return {KRAIT_NONE, x, y, radius, heading, heading_tolerance, 0.0F, false};
+}
 
 krait_status krait_start(krait_planner* planner, const krait_query* query) {
-  const krait_goal& g = query->goal;
-  const bool disc = g.index == KRAIT_NONE;
-  const krait::Goal goal = disc ? krait::Goal::disc({g.x, g.y}, g.radius) : krait::Goal::named(g.index);
-  return status_of(planner->model->start(planner, {query->start, goal, query->seed}));
+  return status_of(planner->model->start(planner, {query->start, goal_of(query->goal), query->seed}));
 }
 
 krait_status krait_advance(krait_planner* planner, uint64_t iterations) {

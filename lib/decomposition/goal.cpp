@@ -36,6 +36,12 @@ float distance_to_border(Polygon polygon, Vec2 p) {
   return least;
 }
 
+// NaN is in no range.
+bool usable(const Facing& facing) {
+  const bool turns = facing.tolerance > 0.0F && facing.tolerance <= kPi && absolute(facing.heading) <= kMaxAngle;
+  return turns && facing.hitches > 0.0F;
+}
+
 bool triangle_meets_disc(const Scene& scene, Index triangle, Vec2 center, float radius) {
   bool inside = true;
   for (int i = 0; i < 3; ++i) {
@@ -50,6 +56,7 @@ bool triangle_meets_disc(const Scene& scene, Index triangle, Vec2 center, float 
 }  // namespace
 
 bool Goal::valid(const Scene& scene) const {
+  if (is_pose() && !usable(facing_)) return false;
   if (!is_disc()) return index_ < scene.goal_count();
   return finite(center_) && finite(radius_) && radius_ > 0.0F && scene.inside_bounds(center_);
 }

@@ -197,6 +197,16 @@ void Chain::steer(StateView s, const Pose* poses, const Target& target, Steering
   approach(s, speed, clamp(psi, -lock, lock), target.dt, u);
 }
 
+float Chain::turning_radius() const {
+  const ChainParameters& p = parameters_;
+  const SinCos lock = sin_cos(p.max_steering);
+  const float steered = p.wheelbase * lock.cos / lock.sin;
+  if (p.trailers == 0) return steered;
+  const float followed =
+      slip_ ? p.hitch_length : kTurnReserve * p.hitch_length * std::sqrt(static_cast<float>(p.trailers));
+  return steered > followed ? steered : followed;
+}
+
 // The rear axle's, with the steering angle held.
 float Chain::stopping_way(StateView s) const {
   return 0.5F * s[3] * absolute(s[3]) / parameters_.max_acceleration * sin_cos(s[4]).cos;

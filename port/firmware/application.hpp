@@ -45,11 +45,35 @@ inline Failure bad_argument(Argument argument) {
   return {Status::bad_argument, 0, static_cast<std::uint32_t>(argument), 0};
 }
 
-// The robot standing still at the scene's first start; trailers at the start's angles, or all at its heading.
+// A place of the world in the scene's coordinates, to the same bits as on the workstation.
+inline Vec2 local_of(const Scene& scene, const Triple& place) {
+  const format::Header& header = scene.header();
+  return {static_cast<float>(place.x - header.origin_x), static_cast<float>(place.y - header.origin_y)};
+}
+
+// The pose that is asked for, or the scene's first start.
+inline ScenePose start_of(const Scene& scene, const Request& request) {
+  if (!request.has_start) return scene.start(0);
+  ScenePose start{};
+  start.position = local_of(scene, request.start);
+  start.heading = static_cast<float>(request.start.third);
+  return start;
+}
+
+// The disc or pose that is asked for, or the scene's first goal.
+inline Goal goal_of(const Scene& scene, const Request& request) {
+  if (!request.has_goal) return Goal::named(0);
+  const Vec2 center = local_of(scene, request.goal);
+  const auto radius = static_cast<float>(request.goal.third);
+  if (!request.has_heading) return Goal::disc(center, radius);
+  return Goal::pose(center, radius, static_cast<float>(request.heading), static_cast<float>(request.heading_tolerance));
+}
+
+// The robot standing still at the start; trailers at the start's angles, or all at its heading.
 template <class R>
 Failure rest_at_start(const Scene& scene, const R& robot, const Request& request, float* state) {
-  if (scene.start_count() == 0) return bad_argument(Argument::start);
-  const ScenePose start = scene.start(0);
+  if (!request.has_start && scene.start_count() == 0) return bad_argument(Argument::start);
+  const ScenePose start = start_of(scene, request);
   if constexpr (requires { robot.rest(start.position, start.heading, nullptr, state); }) {
     const bool straight = start.angle_count == 0 || request.trailers == 0;
     if (!straight && start.angle_count != static_cast<std::uint32_t>(request.trailers)) {
@@ -76,7 +100,7 @@ Failure set_up(const Board& board, const Request& request, const R& robot, Scene
   limits.iterations = request.iterations;
   const Failure ready = planner.init(board.arena, bytes, scene, robot, Parameters(), limits);
   if (!ready.ok()) return ready;
-  (void)planner.start({state, Goal::named(0), request.seed});
+  (void)planner.start({state, goal_of(scene, request), request.seed});
   return planner.failure();
 }
 

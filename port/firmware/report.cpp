@@ -8,6 +8,18 @@ namespace {
 
 void say(const Board& board, const char* text) { board.port.log(board.port.context, text); }
 
+// What to do about an argument of the query.
+const char* hint(Argument argument) {
+  switch (argument) {
+    case Argument::start:
+      return ": the scene has none that suits the robot, or the numbers are out of range: ask with --start X,Y,HEADING";
+    case Argument::goal:
+      return ": the scene has none, or the numbers are out of range: ask with --goal X,Y,RADIUS";
+    default:
+      return "";
+  }
+}
+
 // Why a request is refused.
 void put_reason(Line& line, const Board& board, const Failure& failure) {
   line.put(name(failure.status));
@@ -24,6 +36,7 @@ void put_reason(Line& line, const Board& board, const Failure& failure) {
     case Status::bad_argument:
     case Status::bad_robot:
       line.put(": ").put(name(static_cast<Argument>(failure.element)));
+      line.put(hint(static_cast<Argument>(failure.element)));
       break;
     default:
       break;

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <limits>
 
+#include "firmware/decimal.hpp"
 #include "krait/robot/chain.hpp"
 
 namespace krait::firmware {
@@ -13,19 +14,6 @@ constexpr int kDefaultTrailers = 15;
 
 bool same(const char* a, const char* b) { return std::strcmp(a, b) == 0; }
 
-// The decimal number at the beginning of `text`, which is moved behind it. False without digits or beyond 64 bits.
-bool take_number(const char*& text, std::uint64_t& number) {
-  constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
-  const char* const begin = text;
-  number = 0;
-  for (; *text >= '0' && *text <= '9'; ++text) {
-    const auto digit = static_cast<std::uint64_t>(*text - '0');
-    if (number > (kMost - digit) / 10) return false;
-    number = number * 10 + digit;
-  }
-  return text != begin;
-}
-
 bool parse_number(const char* text, std::uint64_t& number) { return take_number(text, number) && *text == '\0'; }
 
 bool parse_bytes(const char* text, std::uint64_t& bytes) {
@@ -34,6 +22,36 @@ bool parse_bytes(const char* text, std::uint64_t& bytes) {
   if (bytes > (std::numeric_limits<std::uint64_t>::max() >> shift)) return false;
   bytes <<= shift;
   return text[shift == 0 ? 0 : 1] == '\0';
+}
+
+bool parse_decimal(const char* text, double& number) { return take_decimal(text, number) && *text == '\0'; }
+
+bool parse_triple(const char* text, Triple& triple) {
+  for (double* number : {&triple.x, &triple.y}) {
+    if (!take_decimal(text, *number) || *text != ',') return false;
+    ++text;
+  }
+  return parse_decimal(text, triple.third);
+}
+
+const char* parse_query(const char* option, const char* value, Request& request) {
+  if (same(option, "--start")) {
+    request.has_start = true;
+    return parse_triple(value, request.start) ? nullptr : "--start: give X,Y,HEADING in metres and radians, as 2,3.5,0";
+  }
+  if (same(option, "--goal")) {
+    request.has_goal = true;
+    return parse_triple(value, request.goal) ? nullptr : "--goal: give X,Y,RADIUS in metres, as 28,13,0.5";
+  }
+  if (same(option, "--heading")) {
+    request.has_heading = true;
+    return parse_decimal(value, request.heading) ? nullptr : "--heading: give radians, as 1.57";
+  }
+  if (same(option, "--heading-tolerance")) {
+    return parse_decimal(value, request.heading_tolerance) ? nullptr : "--heading-tolerance: give radians, as 0.1";
+  }
+  return "unknown option: --robot, --seed, --memory, --iterations, --start, --goal, --heading, --heading-tolerance and "
+         "--icount are known";
 }
 
 const char* parse_robot(const char* text, const char* model, bool has_trailers, Request& request) {
@@ -61,7 +79,7 @@ const char* parse_option(const char* option, const char* value, const char* mode
   if (same(option, "--iterations")) {
     return parse_number(value, request.iterations) ? nullptr : "--iterations: give a whole number";
   }
-  return "unknown option: --robot, --seed, --memory, --iterations and --icount are known";
+  return parse_query(option, value, request);
 }
 
 }  // namespace
@@ -80,7 +98,7 @@ const char* parse(int count, const char* const* words, const char* model, bool h
     if (wrong != nullptr) return wrong;
     ++i;
   }
-  return nullptr;
+  return request.has_heading && !request.has_goal ? "--heading: give --goal X,Y,RADIUS with it" : nullptr;
 }
 
 }  // namespace krait::firmware

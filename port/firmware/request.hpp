@@ -6,6 +6,13 @@
 
 namespace krait::firmware {
 
+// Three numbers with commas between them: the place in the world, metres, and a third.
+struct Triple {
+  double x = 0.0;
+  double y = 0.0;
+  double third = 0.0;
+};
+
 struct Request {
   const char* robot = "";                  // "snake:15", "truck:2", "car", …
   int trailers = 0;                        // the number after the colon
@@ -13,9 +20,17 @@ struct Request {
   std::uint64_t memory = 0;                // bytes of the planner's block; 0: by the robot's size, as much as there is
   std::uint64_t iterations = 1'000'000;    // expansions, at most
   bool clock_counts_instructions = false;  // under an emulator whose clock advances 1 ns an instruction
+  bool has_start = false;
+  bool has_goal = false;
+  bool has_heading = false;
+  Triple start;                    // and the heading, radians; without it, the scene's first start
+  Triple goal;                     // and the radius, metres; without it, the scene's first goal
+  double heading = 0.0;            // radians: of body 0 at the end, with `goal` only
+  double heading_tolerance = 0.1;  // radians
 };
 
-// Reads `--robot MODEL[:N] --seed S --memory B[K|M] --iterations N --icount` for a program that plans for `model`,
+// Reads `--robot MODEL[:N] --seed S --memory B[K|M] --iterations N --start X,Y,HEADING --goal X,Y,RADIUS --heading H
+// --heading-tolerance T --icount` for a program that plans for `model`,
 // which has trailers or not. Gives null, or what is wrong. The words must stay.
 const char* parse(int count, const char* const* words, const char* model, bool has_trailers, Request& request);
 

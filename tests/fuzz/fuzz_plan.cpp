@@ -6,7 +6,7 @@
 #include <string>
 
 #include "host/import/format.hpp"
-#include "host/search/search.hpp"
+#include "host/run/run.hpp"
 #include "host/verify/verify.hpp"
 #include "scene_input.hpp"
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "harness.hpp"
-#include "host/plan/plan.hpp"
+#include "host/plan_file/plan_file.hpp"
 #include "host/verify/verify.hpp"
 
 namespace {

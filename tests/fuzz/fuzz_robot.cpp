@@ -3,7 +3,7 @@
 #include <string>
 
 #include "harness.hpp"
-#include "host/robot/robot.hpp"
+#include "host/robot_file/robot_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace krait::host;

@@ -113,6 +113,12 @@ void turn_to(const float* angles, int count, Pose* frames);
 // Angle of the vector (x, y) in [-pi, pi], error below 4e-7; 0 for the zero vector.
 float atan2(float y, float x);
 
+// The angle between two directions, in [0, pi].
+inline float angle_between(SinCos a, SinCos b) {
+  const SinCos apart = a - b;
+  return absolute(atan2(apart.sin, apart.cos));
+}
+
 // Natural logarithm of a positive normal number, error below 2 units in the last place near 1 and 3e-7 relative
 // elsewhere; -infinity for 0 and below, NaN for NaN.
 float log(float x);

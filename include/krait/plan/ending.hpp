@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a state must be for a plan to end with it: in the goal, and no faster than asked.
+// What a state must be for a plan to end with it: in the goal, turned as a pose asks, and no faster than asked.
 #pragma once
 
 #include "krait/decomposition/goal.hpp"
@@ -25,9 +25,10 @@ class Ending {
   // Whether a robot may have to brake.
   bool limits_speed() const { return kHasSpeed<R> && most_ < kInfinity; }
 
-  // Whether a plan may end with the state, whose position must lie `depth` metres inside the goal.
+  // Whether a plan may end with the state, whose position must lie `depth` metres inside the goal, and whose headings a
+  // radian for each of them inside a pose's tolerances, at most a tenth of those.
   bool holds(const float* state, float depth) const {
-    return slow(state) && goal_.contains(*scene_, {state[0], state[1]}, depth);
+    return slow(state) && goal_.contains(*scene_, {state[0], state[1]}, depth) && faces(state, depth);
   }
 
   // Whether the state is no faster than asked.
@@ -38,11 +39,36 @@ class Ending {
   bool stops_inside(const float* state, const Pose& pose) const {
     if (slow(state)) return false;
     const Vec2 along{pose.heading.cos, pose.heading.sin};
-    return goal_.contains(*scene_, pose.position + stopping_way(*robot_, view(state)) * along, 0.0F);
+    const Vec2 end = pose.position + stopping_way(*robot_, view(state)) * along;
+    return goal_.contains(*scene_, end, 0.0F) && faces(state, 0.0F);
   }
 
  private:
+  static constexpr float kMostInside = 0.1F;  // of a tolerance
+
   StateView view(const float* state) const { return {state, robot_->state_size()}; }
+
+  // Whether the bodies are turned as a pose asks.
+  bool faces(const float* state, float inside) const {
+    if (!goal_.is_pose()) return true;
+    const Facing& facing = goal_.facing();
+    Pose poses[R::kMaxBodies];
+    robot_->place(view(state), poses);
+    const float off = angle_between(poses[0].heading, sin_cos(facing.heading));
+    const bool turned = facing.either_way && off > 0.5F * kPi ? within(kPi - off, facing.tolerance, inside)
+                                                              : within(off, facing.tolerance, inside);
+    if (!turned || facing.hitches == kInfinity) return turned;
+    for (int k = 1; k < robot_->body_count(); ++k) {
+      if (!within(angle_between(poses[k - 1].heading, poses[k].heading), facing.hitches, inside)) return false;
+    }
+    return true;
+  }
+
+  static bool within(float angle, float tolerance, float inside) {
+    if (tolerance >= kPi) return true;
+    const float least = kMostInside * tolerance;
+    return angle <= tolerance - (inside < least ? inside : least);
+  }
 
   const R* robot_ = nullptr;
   const Scene* scene_ = nullptr;

@@ -63,6 +63,9 @@ class Chain {
   // Of the front wheels.
   float speed(StateView s) const { return absolute(s[3]); }
   float stopping_way(StateView s) const;
+  // Of body 0: as far as the wheels steer, but no tighter than a snake's hitch or a truck's trailers follow.
+  float turning_radius() const;
+  float top_speed() const { return parameters_.max_speed; }
   bool within_limits(StateView s) const;
   // Whether the hitch angles stay 2 mrad below their limit.
   bool keeps_reserve(StateView s) const;

@@ -57,6 +57,8 @@ class DifferentialDrive : public PlanarBody {
     return parameters_.wheel_radius * (left > right ? left : right);
   }
   float stopping_way(StateView s) const;
+  float turning_radius() const { return 0.0F; }
+  float top_speed() const { return parameters_.wheel_radius * parameters_.max_wheel_speed; }
   bool within_limits(StateView s) const;
   bool travel(StateView s, ControlView u, float dt, StateView next, Travel* travel) const;
   // 1/s: half the largest turn rate, or the root of half the largest angular acceleration, as much of it as a time step

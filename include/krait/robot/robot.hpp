@@ -66,6 +66,12 @@ struct Steering {
 //   to
 //                                rest, roughly, when it brakes in s. Used to know where it pays to brake for the goal;
 //                                without it, 0
+//   turning_radius()             metres, at least 0: of the sharpest turn that it drives for long, forwards. Used to
+//   find
+//                                the way to a pose; without it, the length of body 0
+//   top_speed()                  m/s, above 0: of the position, straight ahead at a target's speed of 1. Used to come
+//   to
+//                                rest at a pose; without it, a length of body 0 a second
 //   fastest_rate(dt)             1/s, at least 0: Runge-Kutta steps of h seconds with h fastest_rate(dt) <= kStepRate
 //                                (rk4.hpp) are accurate to its bounds, whatever state and control the limits allow in a
 //                                time step of dt. Without it, every time step is taken for short enough
@@ -236,6 +242,26 @@ float stopping_way(const R& robot, StateView s) {
                 })
     return robot.stopping_way(s);
   return 0.0F;
+}
+
+// Metres, of the sharpest turn that the robot drives for long; a robot may say, and else it is `length`.
+template <Robot R>
+float turning_radius(const R& robot, float length) {
+  if constexpr (requires {
+                  { robot.turning_radius() } -> std::same_as<float>;
+                })
+    return robot.turning_radius();
+  return length;
+}
+
+// m/s, straight ahead; a robot may say, and else it is `length` metres a second.
+template <Robot R>
+float top_speed(const R& robot, float length) {
+  if constexpr (requires {
+                  { robot.top_speed() } -> std::same_as<float>;
+                })
+    return robot.top_speed();
+  return length;
 }
 
 // Whether the robot can drive backwards; a robot may say.

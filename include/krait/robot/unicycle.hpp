@@ -44,6 +44,8 @@ class Unicycle : public PlanarBody {
   }
   void steer(StateView s, const Target& target, Steering& steering, ControlRef u) const;
   void track(StateView s, StateView reference, float dt, ControlRef u) const;
+  float turning_radius() const { return 0.0F; }
+  float top_speed() const { return parameters_.max_speed; }
   // It is at rest where its controls end: its state has no speed.
   bool within_limits(StateView s) const;
   bool travel(StateView s, ControlView u, float dt, StateView next, Travel* travel) const;

@@ -39,6 +39,7 @@ class Planner : public GroupedSearch<Planner<R>, R> {
   std::uint32_t open_steps() const { return this->parameters_.open_steps; }
   float slowest() const { return this->parameters_.slowest; }
   float end_speed() const { return this->parameters_.end_speed; }
+  static bool shoots() { return true; }
 
   // Algorithm 1, lines 4 to 13.
   template <class Watch>

@@ -22,6 +22,7 @@ class PriorPlanner : public GroupedSearch<PriorPlanner<R>, R> {
   static std::uint32_t open_steps() { return 0; }
   static float slowest() { return kRivalsSlowest; }
   static float end_speed() { return kInfinity; }
+  static bool shoots() { return false; }
 
   void reset_guide() {
     const Parameters& parameters = this->parameters_;

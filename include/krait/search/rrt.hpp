@@ -21,6 +21,7 @@ class RrtPlanner : public Search<RrtPlanner<R>, R, NearestPoints> {
   static std::uint32_t open_steps() { return 0; }
   static float slowest() { return kRivalsSlowest; }
   static float end_speed() { return kInfinity; }
+  static bool shoots() { return false; }
 
   void reset_guide() {
     this->guide_.clear();

@@ -19,6 +19,7 @@
 #include "krait/plan/plan_proof.hpp"
 #include "krait/robot/robot.hpp"
 #include "krait/robot/shape.hpp"
+#include "krait/search/last_metres.hpp"
 #include "krait/search/restarts.hpp"
 #include "krait/search/statistics.hpp"
 
@@ -38,6 +39,7 @@ struct Query {
 //   open_steps()                   Parameters::open_steps or 0
 //   slowest()                      Parameters::slowest or another such share
 //   end_speed()                    Parameters::end_speed or infinity
+//   shoots()                       whether it may drive the last metres to a pose, so that an expansion may go on
 //   iterate(watch)                 one expansion
 //   keep(region, branch, state)    hears of every new state that is not doomed, and may keep it as a vertex; false when
 //                                  it cannot go on
@@ -110,7 +112,8 @@ class Search {
   }
 
   // At most `iterations` expansions more; returns at once when the search has ended. Where an expansion comes so near
-  // to the goal that braking may end there, it brakes; such steps count as steps of the expansion for the work of a
+  // to the goal that braking may end there, it brakes, and from every fourth state near a pose it drives the shortest
+  // few of at most 216 lines to it (last_metres.hpp); such steps count as steps of the expansion for the work of a
   // call, and it goes on where they lead to nothing. A way that has reached the goal is driven once more before it is
   // given out as a plan: up to max_steps steps of it count as one of `iterations` here, but not in Statistics and
   // Limits. The result does not depend on how a search is cut into calls.
@@ -140,7 +143,8 @@ class Search {
 
   // At most `iterations` more of looking for a plan of fewer steps; plan() and Statistics::plan_steps, plan_length,
   // plan_duration and hash are then those of the best so far, which was driven and proven as the first one was. Work of
-  // one: at most max_steps steps, and 16 legs' steps that are not proven, or O(way_legs); the first call after start
+  // one, which must end in the goal as the first did, so that few are found for a pose: at most max_steps steps, and 16
+  // legs' steps that are not proven, or O(way_legs); the first call after start
   // begins with one Dijkstra. The result does not depend on how the iterations are cut into calls. Plans and their
   // cursors from before the call end with it. Gives status(), and nothing happens, where that is not solved or the plan
   // has no steps; bad_argument where Limits::way_legs is 0.
@@ -323,6 +327,7 @@ class Search {
   }
 
   Derived& derived() { return static_cast<Derived&>(*this); }
+  const Derived& derived() const { return static_cast<const Derived&>(*this); }
 
   // The arguments that do not change between queries. Gives solved, or what is wrong.
   Failure check_setup(const R& robot, const Scene& scene, const Parameters& parameters, const Limits& limits) {
@@ -355,18 +360,40 @@ class Search {
     improving_ = false;
     driven_ = kNone;
     braking_ = kNone;
+    shooting_ = false;
     random_ = Random(query.seed);
     check_.assign(*robot_, *scene_, tree_clearance(), static_cast<int>(parameters_.max_substeps), !parameters_.plain);
     keep_for_tree();
     ending_.assign(*robot_, *scene_, query.goal, derived().end_speed());
-    tree_.clear(scene_->bounds(), ending_.limits_speed() ? 1 : 0);
+    tree_.clear(scene_->bounds(), spare_expansions());
     failure_ = check_query(query);
     if (status() != Status::searching) return status();
+    if (shoots()) last_metres_.assign(*scene_, query.goal, nimbleness());
     const float tenth = 0.1F * query.goal.size(*scene_);
     goal_depth_ = parameters_.goal_margin < tenth ? parameters_.goal_margin : tenth;
     const bool fits = !parameters_.prune_portals || body_fits();
     if (!find_paths()) return finish(Status::goal_in_obstacle);
     return plant(fits);
+  }
+
+  // Whether the last metres are driven.
+  bool shoots() const { return ending_.goal().is_pose() && derived().shoots(); }
+
+  // Those that end a way: a brake or the legs of a shot, which half of a small tree must do for.
+  std::uint32_t spare_expansions() const {
+    if (!shoots()) return ending_.limits_speed() ? 1 : 0;
+    const std::uint32_t half = limits_.kept_expansions() / 2;
+    return half < LastMetres::kMostLegs ? half : LastMetres::kMostLegs;
+  }
+
+  Nimbleness nimbleness() const {
+    const R& robot = *robot_;
+    return {robot_length_,
+            turning_radius(robot, robot_length_),
+            top_speed(robot, robot_length_),
+            inner_radius(robot.body(0), {}),
+            reversible(robot) && robot.body_count() == 1,
+            parameters_.dt};
   }
 
   // The edge costs as new, and the shortest paths. False when no region belongs to the goal.
@@ -381,6 +408,7 @@ class Search {
     drive_.begin(tree_.state(kRoot));
     tree_.empty();
     braking_ = kNone;
+    shooting_ = false;
     derived().reset_guide();
     find_paths();
     derived().keep(root_region_, {}, drive_.state());
@@ -474,9 +502,9 @@ class Search {
   Expanded drive(Expanded& expanded, Watch watch) {
     bool goes = true;
     for (std::uint32_t left = parameters_.max_steps; goes && left > 0; --left) {
-      expanded.result = braking() ? brake(expanded, watch) : grow(expanded, watch);
+      expanded.result = take_turn(expanded, watch);
       const bool under_way = expanded.result == Expansion::target_not_reached;
-      goes = under_way && (braking() || goes_on(expanded));
+      goes = under_way && (aside() || goes_on(expanded));
     }
     if (goes) {
       expanded.result = Expansion::goes_on;
@@ -494,6 +522,15 @@ class Search {
     tree_.end_expansion(expanded.last.expansion, expanded.last.step);
     if (expanded.result == Expansion::tree_full) finish(Status::tree_full);
     return expanded;
+  }
+
+  // Whether the expansion waits for what may end the way from its last state.
+  bool aside() const { return braking() || shooting_; }
+
+  template <class Watch>
+  Expansion take_turn(Expanded& expanded, Watch watch) {
+    if (shooting_) return shoot(expanded, watch);
+    return braking() ? brake(expanded, watch) : grow(expanded, watch);
   }
 
   // Whether the expansion continues after this step. Past max_steps it does in the open only, and while each step
@@ -524,7 +561,53 @@ class Search {
       begin_braking(expanded.last);
       return Expansion::target_not_reached;
     }
+    if (shoots() && expanded.last.step % LastMetres::kEvery == 0 && last_metres_.near(at)) {
+      last_metres_.choose(check_.poses()[0]);
+      if (begin_shot()) return Expansion::target_not_reached;
+    }
     return settle(expanded);
+  }
+
+  // The next shot from the expansion's last state. False when there is none left.
+  bool begin_shot() {
+    check_.begin(drive_.state());
+    shooting_ = last_metres_.next(check_.poses()[0]);
+    if (shooting_) brake_.begin(drive_.state());
+    shot_legs_ = 0;
+    brake_steps_ = LastMetres::kHold;
+    return shooting_;
+  }
+
+  // One step of a shot. Where none ends in the goal, the expansion goes on from where they began.
+  template <class Watch>
+  Expansion shoot(Expanded& expanded, Watch watch) {
+    const bool aimed = brake_steps_ < LastMetres::kHold || begin_shot_leg(expanded.last);
+    if (aimed && take_step(brake_)) {
+      watch(brake_.state(), brake_.next());
+      brake_.go();
+      ++statistics_.vertices;
+      ++brake_steps_;
+      return ending_.holds(brake_.state(), goal_depth_) ? end_braking() : Expansion::target_not_reached;
+    }
+    if (braking()) tree_.end_expansion(braking_, 0);
+    braking_ = kNone;
+    return begin_shot() ? Expansion::target_not_reached : settle(expanded);
+  }
+
+  // Each leg is an expansion of its own, which the tree has slots for.
+  bool begin_shot_leg(Branch from) {
+    const StateView state(brake_.state(), robot_->state_size());
+    Target target;
+    const float speed = speed_of(*robot_, state);
+    const bool aims = last_metres_.aim(check_.poses()[0], speed, stopping_way(*robot_, state), target);
+    if (!aims || shot_legs_ == spare_expansions()) return false;
+    const Index before = braking_;
+    braking_ = tree_.begin_expansion(before == kNone ? from : Branch{before, brake_steps_}, target);
+    if (before != kNone) tree_.end_expansion(before, brake_steps_);
+    ++shot_legs_;
+    brake_steps_ = 0;
+    brake_.aim(tree_.target(braking_));
+    return true;
   }
 
   // What becomes of an expansion whose last state does not end it in the goal.
@@ -658,6 +741,7 @@ class Search {
     tree_.turn_path_back(path_);
     if (braking()) tree_.end_expansion(braking_, brake_steps_);
     braking_ = kNone;
+    shooting_ = false;
     tree_.end_expansion(reached_.expansion, reached_.step);
     driven_ = kNone;
     keep_for_tree();
@@ -694,6 +778,9 @@ class Search {
   Index braking_ = kNone;         // the expansion that brakes for the goal; kNone: none does
   std::uint32_t brake_steps_ = 0;
   Drive<R> brake_;
+  bool shooting_ = false;        // whether the last metres are driven; braking_ is their last leg
+  std::uint32_t shot_legs_ = 0;  // of this shot
+  LastMetres last_metres_;
   PlanProof<R> proof_;
   bool improving_ = false;  // since the first call of improve
   Improver<R> improver_;

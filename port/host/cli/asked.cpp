@@ -21,6 +21,7 @@ Asked asked_of(const Workspace& workspace, const SearchRequest& request) {
   asked.robot = request.robot;
   asked.dt = static_cast<double>(request.parameters.dt);
   asked.end_speed = request.end_speed();
+  asked.facing = request.facing;
   asked.start = request.start ? Start{"start", request.start->position, request.start->heading, {}}
                               : by_name(workspace.starts, request.start_name, "start");
   if (request.goal) {

@@ -2,7 +2,7 @@
 // What a plan is held to: what the command line asks, in terms of the map itself.
 #pragma once
 
-#include "host/search/search.hpp"
+#include "host/run/run.hpp"
 #include "host/verify/verify.hpp"
 #include "host/workspace/workspace.hpp"
 

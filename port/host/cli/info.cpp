@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "host/cli/commands.hpp"
-#include "host/search/robots.hpp"
-#include "host/search/search.hpp"
+#include "host/run/robots.hpp"
+#include "host/run/run.hpp"
 
 namespace krait::host {
 namespace {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "host/workspace/heading.hpp"
@@ -11,6 +12,7 @@
 namespace krait::host {
 namespace {
 
+constexpr double kLeastTolerance = 1e-4;  // radians, of headings
 constexpr std::uint64_t kMostMemory = std::uint64_t{64} << 30U;
 
 std::optional<double> parse_number(std::string_view text) {
@@ -108,6 +110,7 @@ void add_unknown(CLI::App& command, std::string& unknown) {
 }
 
 void QueryOptions::add(CLI::App& command) {
+  command_ = &command;
   command
       .add_option("--robot", robot,
                   "snake:N, truck:N (N trailers, 0 to 25), car, unicycle, diff_drive, or a ROBOT.json")
@@ -116,6 +119,20 @@ void QueryOptions::add(CLI::App& command) {
                      "a start of the scene by NAME, or X,Y,HEADING in metres and radians (default: its first)");
   command.add_option("--goal", goal,
                      "a goal of the scene by NAME, or a disc X,Y,RADIUS in metres (default: its first)");
+  command
+      .add_option("--heading", heading,
+                  "radians: the heading of the robot's first body at the end, with a goal X,Y,RADIUS only\n"
+                  "(default: any heading)")
+      ->check(number_in(-kMaxCoordinate, kMaxCoordinate, "radians"));
+  command.add_option("--heading-tolerance", heading_tolerance, "radians, to pi: how far off --heading it may end")
+      ->check(number_in(kLeastTolerance, std::numbers::pi, "radians"))
+      ->capture_default_str();
+  command.add_flag("--either-way", either_way, "the heading opposite to --heading will do as well");
+  command
+      .add_option("--hitch-tolerance", hitch_tolerance,
+                  "radians, to pi: how far a trailer's heading may end off that of the body before it, with --heading\n"
+                  "(default: as far as the hitches bend)")
+      ->check(number_in(kLeastTolerance, std::numbers::pi, "radians"));
   command.add_option("--end-speed", end_speed,
                      "metres a second, 0 or more: how fast the plan may end, inf for any speed (default: 0, at rest)");
 }
@@ -125,10 +142,23 @@ bool QueryOptions::robot_is_file() const {
   return std::find(models.begin(), models.end(), robot.substr(0, robot.find(':'))) == models.end();
 }
 
+void QueryOptions::read_facing(SearchRequest& request) const {
+  if (!heading) {
+    for (const char* option : {"--heading-tolerance", "--either-way", "--hitch-tolerance"}) {
+      if (command_->count(option) > 0) throw InputError(std::string(option) + ": give --heading RADIANS with it");
+    }
+    return;
+  }
+  check_heading("--heading " + shown(*heading), *heading);
+  if (!request.goal) throw InputError("--heading: give the goal as --goal X,Y,RADIUS with it, not by its name");
+  request.facing = GoalFacing{*heading, heading_tolerance, either_way, hitch_tolerance};
+}
+
 void QueryOptions::read(SearchRequest& request) const {
   request.robot = parse_robot(robot);
   if (!start.empty()) parse_start(start, request);
   if (!goal.empty()) parse_goal(goal, request);
+  read_facing(request);
   if (!end_speed) return;
   if (!(*end_speed >= 0)) throw InputError("--end-speed: give metres a second, 0 or more, or inf");
   request.parameters.end_speed = static_cast<float>(*end_speed);

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "host/import/import.hpp"
-#include "host/search/search.hpp"
+#include "host/run/run.hpp"
 
 namespace krait::host {
 
@@ -34,11 +34,19 @@ struct QueryOptions {
   std::string robot = "snake:15";
   std::string start;
   std::string goal;
+  std::optional<double> heading;  // radians
+  double heading_tolerance = 0.1;
+  bool either_way = false;
+  std::optional<double> hitch_tolerance;
   std::optional<double> end_speed;
 
   void add(CLI::App& command);
   bool robot_is_file() const;  // and not a model's name
   void read(SearchRequest& request) const;
+
+ private:
+  void read_facing(SearchRequest& request) const;
+  CLI::App* command_ = nullptr;
 };
 
 // Adds --unknown free|occupied|map.

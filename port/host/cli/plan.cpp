@@ -13,8 +13,8 @@
 #include "host/input/file.hpp"
 #include "host/input/outputs.hpp"
 #include "host/picture/picture.hpp"
-#include "host/search/query.hpp"
-#include "host/search/shortest_way.hpp"
+#include "host/run/query.hpp"
+#include "host/run/shortest_way.hpp"
 #include "host/verify/verify.hpp"
 #include "krait/robot/shape.hpp"
 
@@ -158,6 +158,7 @@ void print_quality(const SearchResult& result, const SearchRequest& request, con
   const bool far = verdict.clearance >= kLargestClearance;
   std::printf("as driven: least clearance %s%.4g m, speed at the end %.3g m/s", far ? "at least " : "",
               verdict.clearance, verdict.end_speed);
+  if (!std::isnan(verdict.heading_error)) std::printf(", %.3g rad off the heading", verdict.heading_error);
   const double shortest = shortest_way_of(result, request, bytes);
   const double length = result.plan.statistics.at("plan_length_m").get<double>();
   if (shortest > 0.1)

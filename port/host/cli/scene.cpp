@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "host/cli/commands.hpp"
-#include "host/plan/plan.hpp"
+#include "host/plan_file/plan_file.hpp"
 #include "host/scenes/scenes.hpp"
 
 namespace krait::host {

@@ -36,6 +36,7 @@ Start start_of(const PlanFile& plan) {
 }
 
 Asked asked_of(const Workspace& workspace, SearchRequest request, const PlanFile& plan) {
+  if (!request.facing) request.facing = plan.goal_facing;
   if (request.start || !request.start_name.empty()) return asked_of(workspace, request);
   const Start start = start_of(plan);
   request.start = StartPose{start.position, start.heading};
@@ -63,6 +64,18 @@ void print_verdict(const Verdict& verdict, bool all) {
       "step by %.2g\n",
       verdict.holds ? "the plan holds" : "the plan does not hold", verdict.clearance, verdict.goal_depth,
       verdict.end_speed, verdict.drift, verdict.step_error);
+  if (!std::isnan(verdict.heading_error))
+    std::printf("as driven, it ends %.4g rad off the heading\n", verdict.heading_error);
+}
+
+// What the plan was judged by though it was not asked for.
+void print_own(const VerifyOptions& options, const Asked& asked) {
+  std::printf("from %.10g,%.10g,%.10g%s\n", asked.start.position.x, asked.start.position.y, asked.start.heading,
+              options.query.start.empty() ? ", the plan's own start: --start asks for another" : "");
+  if (options.query.heading || !asked.facing) return;
+  const GoalFacing& facing = *asked.facing;
+  std::printf("to the heading %.10g to %.10g rad%s, the plan's own: --heading asks for another\n", facing.heading,
+              facing.tolerance, facing.either_way ? " either way" : "");
 }
 
 void judge(const VerifyOptions& options) {
@@ -75,10 +88,7 @@ void judge(const VerifyOptions& options) {
   const Asked asked = asked_of(workspace, request, plan);
   const Verdict verdict = verify(workspace, plan, asked);
   print_verdict(verdict, options.all);
-  if (verdict.holds) {
-    std::printf("from %.10g,%.10g,%.10g%s\n", asked.start.position.x, asked.start.position.y, asked.start.heading,
-                options.query.start.empty() ? ", the plan's own start: --start asks for another" : "");
-  }
+  if (verdict.holds) print_own(options, asked);
   throw Exit{verdict.holds ? kDone : kHonestNo};
 }
 

@@ -58,6 +58,7 @@ class Painter {
     tree();
     path();
     bodies();
+    heading();
     marks();
     cairo_restore(cr_);
     map_rectangle();
@@ -268,6 +269,16 @@ class Painter {
   void start_mark(Point at) {
     disc(at, 5.5);
     fill_and_stroke(kRobotStart, kInk, 1.8);
+  }
+
+  void heading() {
+    for (const Ring& arrow : goal_arrows(picture_.plan)) {
+      cairo_new_sub_path(cr_);
+      for (const Point& point : arrow) line_to(figure_.at(point));
+    }
+    cairo_set_line_cap(cr_, CAIRO_LINE_CAP_ROUND);
+    cairo_set_line_join(cr_, CAIRO_LINE_JOIN_ROUND);
+    stroke(kInk, 1.9);
   }
 
   void marks() {

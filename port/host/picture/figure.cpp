@@ -178,6 +178,28 @@ Point Figure::at(Point local) const {
           std::clamp(top + (max.y - local.y) * scale, -kFarthest, kFarthest)};
 }
 
+std::vector<Ring> goal_arrows(const PlanFile& plan) {
+  if (!plan.goal_facing || plan.goal_polygon.empty() || plan.robot.bodies.empty()) return {};
+  Point middle{};
+  for (const Point& corner : plan.goal_polygon) {
+    const auto share = 1.0 / static_cast<double>(plan.goal_polygon.size());
+    middle = {middle.x + share * corner.x, middle.y + share * corner.y};
+  }
+  double size = 0;
+  for (const Point& corner : plan.robot.bodies.front()) size = std::max(size, 1.3 * std::hypot(corner.x, corner.y));
+  std::vector<Ring> arrows;
+  for (const double side : {1.0, -1.0}) {
+    if (side < 0 && !plan.goal_facing->either_way) break;
+    const double c = side * std::cos(plan.goal_facing->heading);
+    const double s = side * std::sin(plan.goal_facing->heading);
+    const auto at = [&](double ahead, double left) {
+      return Point{middle.x + size * (ahead * c - left * s), middle.y + size * (ahead * s + left * c)};
+    };
+    arrows.push_back({at(0, 0), at(1, 0), at(0.7, 0.25), at(1, 0), at(0.7, -0.25)});
+  }
+  return arrows;
+}
+
 Figure layout(const Picture& picture) {
   Figure figure;
   figure.min = picture.min;

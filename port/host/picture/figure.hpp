@@ -24,6 +24,9 @@ double round_length(double limit);
 // A number without trailing zeros: "0.5", "20".
 std::string short_number(double value);
 
+// A line that is an arrow around the goal's middle for each heading that will do there, scene coordinates.
+std::vector<Ring> goal_arrows(const PlanFile& plan);
+
 // The sheet of a still picture: the map with a head above and a legend below. One unit is a point; a PNG has
 // kPixelsPerPoint pixels each.
 inline constexpr int kPixelsPerPoint = 2;

@@ -213,6 +213,7 @@ std::string draw_html(const Picture& picture) {
                      {"frames", frames(picture)},
                      {"tree", tree(picture)},
                      {"goal", rings({plan.goal_polygon})},
+                     {"arrows", rings(goal_arrows(plan))},
                      {"bodies", rings(plan.robot.bodies)},
                      {"names", names(plan)},
                      {"motion", motion(plan)},

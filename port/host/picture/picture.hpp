@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "host/plan/plan.hpp"
+#include "host/plan_file/plan_file.hpp"
 #include "host/workspace/workspace.hpp"
 
 namespace krait::host {

@@ -141,6 +141,17 @@ void check_disc(const Ring& planned, const Point& center, double radius, Complai
   if (!inside(planned, center)) complaints.add("goal: the plan's polygon misses the center of the disc asked for");
 }
 
+bool same_angle(double planned, double asked) {
+  return std::abs(std::remainder(planned - asked, 2 * std::numbers::pi)) <= kAngleTolerance;
+}
+
+bool same(const GoalFacing& planned, const GoalFacing& asked) {
+  const bool hitches = planned.hitches.has_value() == asked.hitches.has_value() &&
+                       (!asked.hitches || std::abs(*planned.hitches - *asked.hitches) <= kAngleTolerance);
+  return hitches && same_angle(planned.heading, asked.heading) && planned.either_way == asked.either_way &&
+         std::abs(planned.tolerance - asked.tolerance) <= kAngleTolerance;
+}
+
 }  // namespace
 
 void check_robot(const RobotSpec& planned, const RobotSpec& asked, Complaints& complaints) {
@@ -218,6 +229,9 @@ void check_goal(const PlanFile& plan, const Asked& asked, Complaints& complaints
   if (planned.size() < 3 || !finite) {
     complaints.add("goal: the plan gives no polygon");
     return;
+  }
+  if (asked.facing && !(plan.goal_facing && same(*plan.goal_facing, *asked.facing))) {
+    complaints.add("goal: the plan was not made for the heading and the tolerances asked for");
   }
   if (asked.disc_center) {
     check_disc(planned, *asked.disc_center, asked.disc_radius, complaints);

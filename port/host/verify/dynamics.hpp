@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "host/robot/robot.hpp"
+#include "host/robot_file/robot_file.hpp"
 
 namespace krait::host {
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/verify/verify.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "host/verify/agreement.hpp"
 #include "host/verify/comparison.hpp"
@@ -116,10 +118,46 @@ class Judge {
     } else if (!(last >= 0)) {
       complaints_.add("goal: the last state lies " + text(-last) + " m outside");
     }
+    if (asked_.facing) {
+      verdict.heading_error = heading_error(state_, *asked_.facing);
+      if (!check_facing("the driven end", state_)) check_facing("the last state", end);
+    }
     verdict.end_speed = dynamics_.speed(state_);
     if (asked_.end_speed && !check_speed("the driven end", verdict.end_speed)) {
       check_speed("the last state", dynamics_.speed(end));
     }
+  }
+
+  // Radians, at least 0, between the frames' x axes.
+  static double angle(const Frame& a, const Frame& b) {
+    return std::abs(std::atan2(a.cos * b.sin - a.sin * b.cos, a.cos * b.cos + a.sin * b.sin));
+  }
+
+  // Radians, from the nearer of the headings that will do.
+  double heading_error(const State& state, const GoalFacing& facing) const {
+    const Frame wanted{{}, std::cos(facing.heading), std::sin(facing.heading)};
+    const double error = angle(dynamics_.frames(state).front(), wanted);
+    return facing.either_way ? std::min(error, std::numbers::pi - error) : error;
+  }
+
+  // Whether it complains.
+  bool check_facing(const std::string& where, const State& state) {
+    const GoalFacing& facing = *asked_.facing;
+    const double error = heading_error(state, facing);
+    if (!(error <= facing.tolerance)) {
+      complaints_.add("goal: the heading of " + where + " is " + text(error) +
+                      " rad from the one asked for, allowed are " + text(facing.tolerance) + " rad");
+      return true;
+    }
+    const std::vector<Frame> frames = dynamics_.frames(state);
+    for (std::size_t k = 1; facing.hitches && k < frames.size(); ++k) {
+      const double bent = angle(frames[k - 1], frames[k]);
+      if (bent <= *facing.hitches) continue;
+      complaints_.add("goal: the hitch before body " + text(k) + " of " + where + " is bent by " + text(bent) +
+                      " rad, allowed are " + text(*facing.hitches) + " rad");
+      return true;
+    }
+    return false;
   }
 
   // Whether it complains.

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "host/plan/plan.hpp"
+#include "host/plan_file/plan_file.hpp"
 #include "host/workspace/workspace.hpp"
 
 namespace krait::host {
@@ -21,8 +21,9 @@ struct Asked {
   Ring goal;  // polygon; a disc is given by center and radius instead
   std::optional<Point> disc_center;
   double disc_radius = 0;
-  std::optional<double> dt;         // seconds, the time step; absent: not known, any from 0.001 to 1 s is accepted
-  std::optional<double> end_speed;  // m/s, how fast the plan may end; absent: at any speed
+  std::optional<GoalFacing> facing;  // how the robot must be turned at the end; absent: in any way
+  std::optional<double> dt;          // seconds, the time step; absent: not known, any from 0.001 to 1 s is accepted
+  std::optional<double> end_speed;   // m/s, how fast the plan may end; absent: at any speed
 };
 
 struct Verdict {
@@ -40,11 +41,12 @@ struct Verdict {
                                                                      // outside by that much
   double self_clearance = std::numeric_limits<double>::quiet_NaN();  // m, smallest distance of two bodies that are
                                                                      // tested, as driven; infinite if none are
-  double goal_depth = std::numeric_limits<double>::quiet_NaN();      // m, how deep inside the goal the driven end
-                                                                     // lies; negative outside
-  double end_speed = std::numeric_limits<double>::quiet_NaN();       // m/s, of the driven end
-  double sweep_error = std::numeric_limits<double>::quiet_NaN();     // m, how far a body strays between two poses from
-                                                                     // the hull that was checked (at most 2e-5)
+  double heading_error = std::numeric_limits<double>::quiet_NaN();  // rad, of the driven end from the heading asked for
+  double goal_depth = std::numeric_limits<double>::quiet_NaN();     // m, how deep inside the goal the driven end
+                                                                    // lies; negative outside
+  double end_speed = std::numeric_limits<double>::quiet_NaN();      // m/s, of the driven end
+  double sweep_error = std::numeric_limits<double>::quiet_NaN();    // m, how far a body strays between two poses from
+                                                                    // the hull that was checked (at most 2e-5)
 };
 
 inline constexpr double kLargestClearance = 1.0;  // m, obstacles further away are not looked for

@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "host/cli/program.hpp"
-#include "host/search/session.hpp"
+#include "host/run/session.hpp"
 
 namespace krait::host {
 namespace {

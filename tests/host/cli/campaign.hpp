@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "host/import/import.hpp"
-#include "host/search/search.hpp"
+#include "host/run/run.hpp"
 
 namespace krait::host {
 

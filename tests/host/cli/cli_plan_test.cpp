@@ -7,7 +7,7 @@
 #include <cstring>
 
 #include "host/cli/program.hpp"
-#include "host/robot/robot.hpp"
+#include "host/robot_file/robot_file.hpp"
 
 namespace krait::host {
 namespace {

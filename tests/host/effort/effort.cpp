@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "host/compiler/compiler.hpp"
+#include "host/run/session.hpp"
 #include "host/scenes/scenes.hpp"
-#include "host/search/session.hpp"
 
 namespace krait::host {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "host/compiler/compiler.hpp"
-#include "host/search/session.hpp"
+#include "host/run/session.hpp"
 #include "random_workspace.hpp"
 
 namespace krait::host::test {

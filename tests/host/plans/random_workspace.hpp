@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "host/search/search.hpp"
+#include "host/run/run.hpp"
 #include "host/workspace/workspace.hpp"
 
 namespace krait::host::test {

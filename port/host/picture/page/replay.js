@@ -21,6 +21,7 @@
   const [minX, minY, maxX, maxY] = raw.bounds;
   const obstacles = rings(raw.obstacles);
   const goal = rings(raw.goal)[0];
+  const arrows = rings(raw.arrows);
   const bodies = rings(raw.bodies);
   const bodySize = Math.max(0, ...bodies.flat().map(Math.abs));  // metres, from a body's axle to its farthest side
   const triangles = metres(raw.triangles);
@@ -206,6 +207,12 @@
       still.strokeStyle = '#171b22';
       still.lineWidth = pixels(2);
       still.fill();
+      still.stroke();
+    }
+    for (const arrow of arrows) {
+      still.beginPath();
+      for (let i = 0; i < arrow.length; i += 2) still.lineTo(arrow[i], arrow[i + 1]);
+      still.strokeStyle = '#171b22';
       still.stroke();
     }
     if (layers.tree) drawTree(still, vertices);

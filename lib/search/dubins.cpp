@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "krait/search/dubins.hpp"
+
+namespace krait {
+namespace {
+
+constexpr float kNoTurn = 1e-3F;  // radians: a circle less than so much is no turn at all, but for rounding
+
+Vec2 direction(SinCos heading) { return {heading.cos, heading.sin}; }
+Vec2 left_of(Vec2 a) { return {-a.y, a.x}; }
+
+// Radians, 0 … 2 pi, by which `from` must turn left (1) or right (-1) to become `to`.
+float turn_between(Vec2 from, Vec2 to, int turn) {
+  const float angle = static_cast<float>(turn) * atan2(cross(from, to), dot(from, to));
+  const float positive = angle < 0.0F ? angle + 2.0F * kPi : angle;
+  return positive > 2.0F * kPi - kNoTurn ? 0.0F : positive;
+}
+
+Vec2 circle_center(const Pose& pose, float radius, int turn) {
+  return pose.position + static_cast<float>(turn) * radius * left_of(direction(pose.heading));
+}
+
+// Two turns and the straight line that touches both circles.
+bool turn_straight_turn(int first, int second, const Pose& from, const Pose& to, float radius, CurvedLine& line) {
+  const Vec2 apart = circle_center(to, radius, second) - circle_center(from, radius, first);
+  const float squared = dot(apart, apart);
+  const float sideways = first == second ? 0.0F : 2.0F * radius;
+  if (squared < sideways * sideways) return false;
+  const float straight = std::sqrt(squared - sideways * sideways);
+  const bool same_circle = squared < 1e-8F * radius * radius;
+  const float side = static_cast<float>(first) * sideways;
+  const Vec2 along =
+      same_circle ? direction(from.heading) : (1.0F / squared) * (straight * apart + side * left_of(apart));
+  line.add(first, radius * turn_between(direction(from.heading), along, first));
+  line.add(0, straight);
+  line.add(second, radius * turn_between(along, direction(to.heading), second));
+  return true;
+}
+
+// Three turns; of the two circles that touch both others, the one that makes the middle turn the longer one.
+bool three_turns(int first, const Pose& from, const Pose& to, float radius, CurvedLine& line) {
+  const Vec2 begin = circle_center(from, radius, first);
+  const Vec2 end = circle_center(to, radius, first);
+  const Vec2 half = 0.5F * (end - begin);
+  const float squared = dot(half, half);
+  const float apart = 2.0F * radius;
+  if (squared > apart * apart || squared < 1e-8F * radius * radius) return false;
+  const float sideways = static_cast<float>(first) * std::sqrt((apart * apart - squared) / squared);
+  const Vec2 middle = begin + half + sideways * left_of(half);
+  const auto side = static_cast<float>(first);
+  const Vec2 into = side * left_of(middle - begin);  // directions where the circles touch
+  const Vec2 out = side * left_of(end - middle);
+  line.add(first, radius * turn_between(direction(from.heading), into, first));
+  line.add(-first, radius * turn_between(into, -1.0F * out, -first));
+  line.add(first, radius * turn_between(-1.0F * out, direction(to.heading), first));
+  return true;
+}
+
+}  // namespace
+
+void CurvedLine::add(int turn, float length) {
+  pieces_[count_++] = {end_, length, turn};
+  end_ = along(end_, turn, length);
+  length_ += length;
+}
+
+Pose CurvedLine::at(float arc) const {
+  if (arc < 0.0F || count_ == 0) return along(count_ == 0 ? end_ : pieces_[0].from, 0, arc);
+  for (int i = 0; i < count_; ++i) {
+    const Piece& piece = pieces_[i];
+    if (arc <= piece.length) return along(piece.from, piece.turn, arc);
+    arc -= piece.length;
+  }
+  return along(end_, 0, arc);
+}
+
+Pose CurvedLine::along(const Pose& from, int turn, float way) const {
+  if (turn == 0) return {from.position + way * direction(from.heading), from.heading};
+  const auto side = static_cast<float>(turn);
+  const SinCos heading = from.heading + sin_cos(side * way / radius_);
+  return {from.position + side * radius_ * (left_of(direction(from.heading)) - left_of(direction(heading))), heading};
+}
+
+bool dubins(int word, const Pose& from, const Pose& to, float radius, CurvedLine& line) {
+  line = CurvedLine(from, radius);
+  switch (word) {
+    case 0:
+      return turn_straight_turn(1, 1, from, to, radius, line);
+    case 1:
+      return turn_straight_turn(-1, -1, from, to, radius, line);
+    case 2:
+      return turn_straight_turn(1, -1, from, to, radius, line);
+    case 3:
+      return turn_straight_turn(-1, 1, from, to, radius, line);
+    case 4:
+      return three_turns(1, from, to, radius, line);
+    default:
+      return three_turns(-1, from, to, radius, line);
+  }
+}
+
+}  // namespace krait

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "krait/search/last_metres.hpp"
+
+namespace krait {
+namespace {
+
+constexpr float kLeastRadius = 0.4F;                 // in lengths of body 0: of a robot that turns on the spot
+constexpr float kRadii[] = {1.05F, 1.5F, 3.0F};      // of the lines' arcs, in turning radii
+constexpr float kCaptureRadii = 4.0F;                // how near the goal must be, in turning radii, and
+constexpr float kCaptureLengths = 3.5F;              // as many lengths of body 0 more
+constexpr float kLeads[] = {0.7F, 1.3F};             // straight ends of lines, in lengths of body 0, and
+constexpr float kHitchLeads[] = {1.2F, 2.8F, 4.5F};  // where hitches must be straight
+constexpr float kDetour = 2.0F;                      // the most of a line, in distances to the goal, and
+constexpr float kDetourLengths = 8.0F;               // as many lengths of body 0 more
+constexpr float kSightStep = 0.4F;                   // of looks along a line, in lengths of body 0
+constexpr float kLook = 0.5F;                        // how far ahead the robot steers, in lengths of body 0,
+constexpr float kLookSteps = 2.5F;                   // and time steps of its way
+constexpr float kOff = 1.0F;                         // how far off the line it may be, in lengths of body 0
+constexpr float kBraking = 0.12F;                    // of the sharpest
+constexpr float kSettle = 3.0F;                      // time steps in which the way that is left shrinks by e, at most
+constexpr float kSlowest = 0.02F;                    // of the top speed
+constexpr float kNearEnough = 0.25F;                 // of the goal's radius: there it stops
+constexpr std::uint32_t kMostStops = 5;
+
+SinCos opposite(SinCos heading) { return {-heading.sin, -heading.cos}; }
+
+Vec2 direction(const Pose& pose) { return {pose.heading.cos, pose.heading.sin}; }
+
+}  // namespace
+
+void LastMetres::assign(const Scene& scene, const Goal& goal, const Nimbleness& robot) {
+  scene_ = &scene;
+  goal_ = goal;
+  robot_ = robot;
+  const float least = kLeastRadius * robot.length;
+  const float radius = robot.turning_radius > least ? robot.turning_radius : least;
+  for (int i = 0; i < kRadii; ++i) radii_[i] = krait::kRadii[i] * radius;
+  lead_count_ = 0;
+  if (goal.facing().hitches == kInfinity) {
+    for (const float lead : kLeads) leads_[lead_count_++] = lead * robot.length;
+  } else {
+    for (const float lead : kHitchLeads) leads_[lead_count_++] = lead * robot.length;
+  }
+  capture_ = kCaptureRadii * radius + kCaptureLengths * robot.length + leads_[lead_count_ - 1];
+  sight_ = Sight(scene, 0.9F * robot.half_width, kSightStep * robot.length);
+  shot_count_ = 0;
+  shot_ = 0;
+}
+
+void LastMetres::choose(const Pose& from) {
+  shot_count_ = 0;
+  shot_ = 0;
+  const int ways = goal_.facing().either_way ? 2 : 1;
+  const int directions = robot_.backward ? 2 : 1;
+  for (int way = 0; way < ways; ++way) {
+    for (int direction = 0; direction < directions; ++direction) {
+      for (int radius = 0; radius < kRadii; ++radius) {
+        for (int lead = 0; lead < lead_count_; ++lead) {
+          for (int word = 0; word < kDubinsWords; ++word) {
+            consider(from, {0.0F, static_cast<std::uint8_t>(word), static_cast<std::uint8_t>(radius),
+                            static_cast<std::uint8_t>(lead), direction == 1, way == 1});
+          }
+        }
+      }
+    }
+  }
+}
+
+// Keeps the shot if it is among the shortest.
+void LastMetres::consider(const Pose& from, Shot shot) {
+  CurvedLine line;
+  if (!draw(from, shot, line)) return;
+  shot.length = line.length();
+  const float most = kDetour * length(goal_.center() - from.position) + kDetourLengths * robot_.length;
+  if (shot.length > most) return;
+  const bool full = shot_count_ == kMostShots;
+  if (full && shot.length >= shots_[kMostShots - 1].length) return;
+  if (!free(line)) return;
+  std::uint32_t at = full ? kMostShots - 1 : shot_count_++;
+  for (; at > 0 && shots_[at - 1].length > shot.length; --at) shots_[at] = shots_[at - 1];
+  shots_[at] = shot;
+}
+
+bool LastMetres::draw(const Pose& from, const Shot& shot, CurvedLine& line) const {
+  const SinCos heading = sin_cos(goal_.facing().heading);
+  Pose to{goal_.center(), shot.opposite ? opposite(heading) : heading};
+  Pose begin = from;
+  if (shot.backward) {
+    begin.heading = opposite(begin.heading);
+    to.heading = opposite(to.heading);
+  }
+  to.position = to.position - leads_[shot.lead] * direction(to);
+  if (!dubins(shot.word, begin, to, radii_[shot.radius], line)) return false;
+  line.add(0, leads_[shot.lead]);
+  return true;
+}
+
+bool LastMetres::free(const CurvedLine& line) const {
+  const float step = kSightStep * robot_.length;
+  for (float arc = line.length(); arc > 0.0F; arc = arc - step) {
+    if (sight_.slack(line.at(arc).position) < 0.0F) return false;
+  }
+  return true;
+}
+
+bool LastMetres::next(const Pose& from) {
+  if (shot_ == shot_count_) return false;
+  const Shot& shot = shots_[shot_++];
+  backward_ = shot.backward;
+  arc_ = 0.0F;
+  stops_ = 0;
+  return draw(from, shot, line_);
+}
+
+bool LastMetres::aim(const Pose& at, float speed, float stopping_way, Target& target) {
+  for (int i = 0; i < 2; ++i) {
+    const Pose on = line_.at(arc_);
+    arc_ = arc_ + clamp(dot(at.position - on.position, direction(on)), 0.0F, kOff * robot_.length);
+  }
+  if (length(at.position - line_.at(arc_).position) > kOff * robot_.length) return false;
+  const float left = line_.length() - arc_;
+  const bool stops = left <= kNearEnough * goal_.radius();
+  if (stops && ++stops_ > kMostStops) return false;
+  const float way = absolute(stopping_way);
+  float wanted = left / (kSettle * robot_.dt);
+  if (way > 0.0F) {
+    const float braking = speed * std::sqrt(kBraking * left / way);
+    if (braking < wanted) wanted = braking;
+  }
+  const float share = clamp(wanted / robot_.top_speed, kSlowest, 1.0F);
+  target.speed = stops ? 0.0F : (backward_ ? -share : share);
+  target.turn = 1.0F;
+  float look = kLook * robot_.length + kLookSteps * robot_.dt * speed;
+  target.point = line_.at(arc_ + look).position;
+  for (int i = 0; i < 8 && !scene_->inside_bounds(target.point); ++i) {
+    look = 0.7F * look;
+    target.point = line_.at(arc_ + look).position;
+  }
+  return true;
+}
+
+}  // namespace krait

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "host/robot_file/robot_file.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+
+#include "host/input/file.hpp"
+
+namespace krait::host {
+namespace {
+
+constexpr std::uint64_t kMaxFileBytes = 1 << 20;
+constexpr std::size_t kMaxBodyVertices = 8;
+constexpr double kMaxLength = 1000;  // m; of a robot's dimensions and the coordinates of its bodies
+
+struct Parameter {
+  const char* name;
+  double normal;  // the default
+  double least;
+  double most;
+  const char* unit = "";
+  bool whole = false;
+};
+
+struct Model {
+  const char* name;
+  int most_links;
+  std::vector<Parameter> parameters;
+};
+
+Parameter length(const char* name, double normal) { return {name, normal, 0.001, kMaxLength, "metres"}; }
+Parameter limit(const char* name, double normal, const char* unit) { return {name, normal, 0.001, 1e4, unit}; }
+
+constexpr const char* kSpeed = "metres a second";
+
+// Snake, truck and car: the front axle steers, the control is the acceleration and the steering rate.
+std::vector<Parameter> steered(double body_length, double body_width) {
+  return {length("body_length", body_length),
+          length("body_width", body_width),
+          length("wheelbase", 0.8),
+          length("hitch_length", 0.8),
+          limit("max_speed", 2.5, kSpeed),
+          {"min_speed", 0, -1e4, 0, kSpeed},
+          {"max_steering", 1, 0.001, 1.57, "radians"},
+          limit("max_acceleration", 5, "metres a second squared"),
+          limit("max_steering_rate", 4, "radians a second"),
+          {"self_collision_gap", 2, 1, 1000, "bodies", true},
+          {"max_hitch_angle", 1.5707963, 0.001, 1.5707963, "radians"}};
+}
+
+const std::vector<Model>& models() {
+  static const std::vector<Model> all = {
+      {"snake", kMaxLinks, steered(0.7, 0.5)},
+      {"truck", kMaxLinks, steered(0.7, 0.5)},
+      {"car", 0, steered(1.2, 0.6)},
+      {"unicycle",
+       0,
+       {length("body_length", 0.5),
+        length("body_width", 0.4),
+        limit("max_speed", 1, kSpeed),
+        {"min_speed", -1, -1e4, 0, kSpeed},
+        limit("max_turn_rate", 2, "radians a second")}},
+      {"diff_drive",
+       0,
+       {length("body_length", 0.5), length("body_width", 0.4), length("wheel_radius", 0.08),
+        length("track_width", 0.36), limit("max_wheel_speed", 12, "radians a second"),
+        limit("max_wheel_acceleration", 24, "radians a second squared")}}};
+  return all;
+}
+
+const Model* find_model(const std::string& name) {
+  const auto found = std::find_if(models().begin(), models().end(), [&](const Model& m) { return m.name == name; });
+  return found == models().end() ? nullptr : &*found;
+}
+
+std::string known_models() {
+  std::string names;
+  for (const Model& model : models()) names += (names.empty() ? "" : ", ") + std::string(model.name);
+  return names;
+}
+
+double cross(const Point& a, const Point& b, const Point& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+double twice_area(const Ring& ring) {
+  double sum = 0;
+  for (std::size_t i = 1; i + 1 < ring.size(); ++i) sum += cross(ring[0], ring[i], ring[i + 1]);
+  return sum;
+}
+
+// Every vertex strictly left of every edge that does not end in it; a star, which winds twice, fails.
+bool strictly_convex(const Ring& ring) {
+  constexpr double kLeast = 1e-9;  // m^2
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const std::size_t next = (i + 1) % ring.size();
+    for (std::size_t j = 0; j < ring.size(); ++j) {
+      if (j != i && j != next && cross(ring[i], ring[next], ring[j]) <= kLeast) return false;
+    }
+  }
+  return true;
+}
+
+Ring read_body(const Field& field) {
+  field.keys({"polygon"});
+  Ring ring = field.at("polygon").ring(kMaxBodyVertices, kMaxLength);
+  if (twice_area(ring) < 0) std::reverse(ring.begin(), ring.end());
+  if (!strictly_convex(ring)) field.fail("must be strictly convex: no crossing edges, no three corners in a line");
+  return ring;
+}
+
+std::vector<Ring> default_bodies(const RobotSpec& robot) {
+  const double half_length = robot.parameters.at("body_length") / 2;
+  const double half_width = robot.parameters.at("body_width") / 2;
+  const double middle = robot.model == "car" ? robot.parameters.at("wheelbase") / 2 : 0;
+  const Ring box = {{middle - half_length, -half_width},
+                    {middle + half_length, -half_width},
+                    {middle + half_length, half_width},
+                    {middle - half_length, half_width}};
+  return std::vector<Ring>(static_cast<std::size_t>(robot.links) + 1, box);
+}
+
+RobotSpec default_robot(const Model& model, int links) {
+  RobotSpec robot;
+  robot.model = model.name;
+  robot.links = links;
+  for (const Parameter& parameter : model.parameters) robot.parameters[parameter.name] = parameter.normal;
+  robot.bodies = default_bodies(robot);
+  return robot;
+}
+
+double read_parameter(const Field& field, const Parameter& parameter) {
+  const bool number = field.value().is_number();
+  const double value = number ? field.value().get<double>() : std::nan("");
+  const bool usable = value >= parameter.least && value <= parameter.most;
+  if (usable && (!parameter.whole || value == std::floor(value))) return value;
+  field.fail("must be " + std::string(parameter.whole ? "a whole number of " : "") + parameter.unit + " from " +
+             shown(parameter.least) + " to " + shown(parameter.most) + ", is " +
+             (number ? shown(value) : std::string(field.value().type_name())));
+}
+
+void read_parameters(const Field& field, const Model& model, std::map<std::string, double>& values) {
+  if (!field.value().is_object()) field.fail("must be an object of numbers by name");
+  for (const auto& item : field.value().items()) {
+    const auto known = std::find_if(model.parameters.begin(), model.parameters.end(),
+                                    [&](const Parameter& p) { return p.name == item.key(); });
+    if (known == model.parameters.end()) {
+      std::string names;
+      for (const Parameter& p : model.parameters) names += (names.empty() ? "" : ", ") + std::string(p.name);
+      field.fail("unknown parameter \"" + cleaned_name(item.key()) + "\"; a " + model.name + " has " + names);
+    }
+    values[known->name] = read_parameter(field.at(known->name), *known);
+  }
+}
+
+int parse_links(const std::string& text, const Model& model, const std::string& whole) {
+  int links = -1;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), links);
+  if (error == std::errc() && end == text.data() + text.size() && links >= 0 && links <= model.most_links) return links;
+  if (model.most_links == 0)
+    throw InputError("robot " + whole + ": a " + model.name + " has no trailers; say " + model.name);
+  throw InputError("robot " + whole + ": the number of trailers after " + model.name + ": must be from 0 to " +
+                   std::to_string(model.most_links));
+}
+
+}  // namespace
+
+std::vector<std::string> robot_models() {
+  std::vector<std::string> names;
+  for (const Model& model : models()) names.emplace_back(model.name);
+  return names;
+}
+
+std::vector<std::pair<std::string, double>> default_parameters(const std::string& model) {
+  const Model* known = find_model(model);
+  if (known == nullptr) throw InputError("unknown robot model \"" + model + "\"; known are " + known_models());
+  std::vector<std::pair<std::string, double>> defaults;
+  for (const Parameter& parameter : known->parameters) defaults.emplace_back(parameter.name, parameter.normal);
+  return defaults;
+}
+
+RobotSpec read_robot(const Field& field) {
+  field.keys({"model", "links", "parameters", "bodies"});
+  const Field name = field.at("model");
+  const Model* model = find_model(name.text());
+  if (model == nullptr) name.fail("unknown model \"" + cleaned_name(name.text()) + "\"; known are " + known_models());
+  const bool needs_links = model->most_links > 0;
+  const int links =
+      needs_links || field.has("links") ? static_cast<int>(field.at("links").integer(0, model->most_links)) : 0;
+  RobotSpec robot = default_robot(*model, links);
+  if (field.has("parameters")) read_parameters(field.at("parameters"), *model, robot.parameters);
+  robot.bodies = default_bodies(robot);
+  if (field.has("bodies")) {
+    const Field bodies = field.at("bodies");
+    if (bodies.size() != robot.bodies.size()) {
+      bodies.fail("must have links + 1 = " + std::to_string(robot.bodies.size()) + " bodies, has " +
+                  std::to_string(bodies.size()));
+    }
+    for (std::size_t k = 0; k < robot.bodies.size(); ++k) robot.bodies[k] = read_body(bodies.item(k));
+  }
+  return robot;
+}
+
+RobotSpec parse_robot(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  if (const Model* model = find_model(text.substr(0, colon))) {
+    if (colon != std::string::npos) return default_robot(*model, parse_links(text.substr(colon + 1), *model, text));
+    if (model->most_links == 0) return default_robot(*model, 0);
+    throw InputError("robot " + text + ": say how many trailers it has, as in " + text + ":2");
+  }
+  std::error_code ignored;
+  if (!text.ends_with(".json") && !std::filesystem::exists(text, ignored)) {
+    throw InputError("unknown robot \"" + text +
+                     "\"; known are snake:N and truck:N (N trailers), car, unicycle, "
+                     "diff_drive, or the path of a ROBOT.json");
+  }
+  const Json document = parse_json(read_file(text, kMaxFileBytes), text);
+  return read_robot(Field(document, text));
+}
+
+Json to_json(const RobotSpec& robot) {
+  Json json = {
+      {"model", robot.model}, {"links", robot.links}, {"parameters", Json::object()}, {"bodies", Json::array()}};
+  for (const auto& [name, normal] : default_parameters(robot.model)) {
+    json["parameters"][name] = robot.parameters.at(name);
+  }
+  for (const Ring& body : robot.bodies) json["bodies"].push_back({{"polygon", to_json(body)}});
+  return json;
+}
+
+}  // namespace krait::host

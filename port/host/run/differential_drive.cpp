@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "krait/robot/differential_drive.hpp"
+
+#include "host/run/planner_session.hpp"
+#include "host/run/sessions.hpp"
+
+namespace krait::host {
+
+std::unique_ptr<Session> differential_drive_session(const krait::Scene& scene, const SearchRequest& request,
+                                                    Block& block) {
+  return robot_session(DifferentialDrive(differential_drive_parameters(request.robot)), scene, request, block);
+}
+
+}  // namespace krait::host

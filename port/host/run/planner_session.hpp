@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// The template behind Session. Every pair of robot and planner is compiled once, each robot in a file of its own.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "host/run/session.hpp"
+#include "krait/search/planner.hpp"
+#include "krait/search/prior.hpp"
+#include "krait/search/rrt.hpp"
+
+namespace krait::host {
+
+// Throws InputError with one line for every status that is not an honest answer, a start in collision with what it lies
+// against.
+void refuse(const Failure& failure, const SearchRequest& request);
+[[noreturn]] void refuse(const Contact& at_start, const krait::Scene& scene, const SearchRequest& request);
+
+// Limits::way_legs: none where nothing is to be improved, else one a kilobyte of the block, up to those of long plans.
+std::uint32_t way_legs(const SearchRequest& request);
+
+template <class R, class P>
+class PlannerSession : public Session {
+ public:
+  PlannerSession(R robot, const krait::Scene& scene, const SearchRequest& request, Block& block)
+      : robot_(std::move(robot)), query_(resolve(scene, robot_, request)) {
+    Limits limits = P::limits_for(request.memory, scene, robot_, way_legs(request));
+    limits.iterations = request.iterations;
+    refuse(planner_.init(block.data(), request.memory, scene, robot_, request.parameters, limits), request);
+    (void)planner_.start({query_.start.data(), query_.goal, request.seed});
+    refuse(planner_.failure(), request);
+    if (planner_.status() == Status::start_in_collision) refuse(planner_.contact(), scene, request);
+  }
+  // The planner points to the robot.
+  PlannerSession(const PlannerSession&) = delete;
+  PlannerSession& operator=(const PlannerSession&) = delete;
+
+  Status advance(std::uint64_t iterations) override { return planner_.advance(iterations); }
+  Status improve(std::uint64_t iterations) override { return planner_.improve(iterations); }
+  void stop_for_time() override { planner_.stop_for_time(); }
+  Status status() const override { return planner_.status(); }
+  Statistics statistics() const override { return planner_.statistics(); }
+  const Regions& regions() const override { return planner_.regions(); }
+  Bottleneck bottleneck() override { return planner_.bottleneck(); }
+  Effort effort() const override {
+    if constexpr (requires { planner_.effort(); }) return planner_.effort();
+    return {};
+  }
+  Status advance_watched(const Watch& watch) override {
+    return planner_.advance(1, [&](const float* from, const float* to) {
+      const int n = robot_.state_size();
+      watch({from, from + n}, {to, to + n});
+    });
+  }
+  void copy_plan(PlanFile& file) const override {
+    const Plan<R> plan = planner_.plan();
+    if (plan.empty()) return;
+    PlanCursor<R> at = plan.cursor();
+    for (; !at.done(); at.advance()) {
+      file.states.emplace_back(at.state(), at.state() + plan.state_size());
+      file.controls.emplace_back(at.control(), at.control() + plan.control_size());
+    }
+    file.states.emplace_back(at.state(), at.state() + plan.state_size());
+  }
+  const ResolvedQuery& query() const override { return query_; }
+
+ private:
+  R robot_;
+  ResolvedQuery query_;
+  P planner_;
+};
+
+template <class R>
+std::unique_ptr<Session> robot_session(R robot, const krait::Scene& scene, const SearchRequest& request, Block& block) {
+  robot = with_bodies(std::move(robot), request.robot);
+  if (request.planner == "adaptive") {
+    return std::make_unique<PlannerSession<R, Planner<R>>>(std::move(robot), scene, request, block);
+  }
+  if (request.planner == "prior") {
+    return std::make_unique<PlannerSession<R, PriorPlanner<R>>>(std::move(robot), scene, request, block);
+  }
+  if (request.planner == "rrt") {
+    return std::make_unique<PlannerSession<R, RrtPlanner<R>>>(std::move(robot), scene, request, block);
+  }
+  throw InputError("no planner '" + request.planner + "' (there is: adaptive, prior, rrt)");
+}
+
+}  // namespace krait::host

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "host/run/query.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace krait::host {
+namespace {
+
+constexpr int kDiscCorners = 64;  // of the polygon that stands for a disc goal in the plan's file
+
+template <class Name>
+std::string listed(Index count, Name name) {
+  std::string names;
+  for (Index i = 0; i < count; ++i) names += (i == 0 ? "" : ", ") + std::string(name(i));
+  return names.empty() ? "none" : names;
+}
+
+Start scene_start(const krait::Scene& scene, Index index, int links) {
+  const ScenePose pose = scene.start(index);
+  Start start{scene.start_name(index), world_of(scene, pose.position), static_cast<double>(pose.heading), {}};
+  if (pose.angle_count == 0 || links == 0) return start;
+  if (pose.angle_count != static_cast<std::uint32_t>(links)) {
+    throw InputError("start '" + start.name + "' gives " + std::to_string(pose.angle_count) +
+                     " trailer angles, the robot has " + std::to_string(links) + " trailers");
+  }
+  start.angles.assign(pose.angles, pose.angles + pose.angle_count);
+  return start;
+}
+
+Ring disc_polygon(Vec2 center, float radius) {
+  Ring ring;
+  for (int i = 0; i < kDiscCorners; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kDiscCorners;
+    ring.push_back({static_cast<double>(center.x) + static_cast<double>(radius) * std::cos(angle),
+                    static_cast<double>(center.y) + static_cast<double>(radius) * std::sin(angle)});
+  }
+  return ring;
+}
+
+Ring goal_ring(const krait::Scene& scene, const krait::Goal& goal) {
+  if (goal.is_disc()) return disc_polygon(goal.center(), goal.radius());
+  Ring ring;
+  const Polygon polygon = scene.goal_polygon(goal.index());
+  for (int i = 0; i < polygon.count; ++i) {
+    ring.push_back({static_cast<double>(polygon[i].x), static_cast<double>(polygon[i].y)});
+  }
+  return ring;
+}
+
+Facing facing_of(const GoalFacing& from) {
+  const float hitches = from.hitches ? static_cast<float>(*from.hitches) : kInfinity;
+  return {static_cast<float>(from.heading), static_cast<float>(from.tolerance), from.either_way, hitches};
+}
+
+std::string goal_name(const krait::Scene& scene, const krait::Goal& goal) {
+  if (!goal.is_disc()) return scene.goal_name(goal.index());
+  return goal.is_pose() ? "pose" : "disc";
+}
+
+}  // namespace
+
+Start resolve_start(const krait::Scene& scene, const SearchRequest& request) {
+  if (request.start) return {"start", request.start->position, request.start->heading, {}};
+  if (request.start_name.empty() && scene.start_count() > 0) return scene_start(scene, 0, request.robot.links);
+  for (Index i = 0; i < scene.start_count(); ++i) {
+    if (request.start_name == scene.start_name(i)) return scene_start(scene, i, request.robot.links);
+  }
+  const std::string known = listed(scene.start_count(), [&](Index i) { return scene.start_name(i); });
+  throw InputError(request.start_name.empty()
+                       ? "the scene has no start: give --start X,Y,HEADING"
+                       : "the scene has no start '" + request.start_name + "' (it has: " + known + ")");
+}
+
+krait::Goal resolve_goal(const krait::Scene& scene, const SearchRequest& request) {
+  if (request.goal) {
+    const Vec2 center = local_of(scene, request.goal->center);
+    const auto radius = static_cast<float>(request.goal->radius);
+    return request.facing ? krait::Goal::pose(center, radius, facing_of(*request.facing))
+                          : krait::Goal::disc(center, radius);
+  }
+  if (request.goal_name.empty() && scene.goal_count() > 0) return krait::Goal::named(0);
+  const Index index = scene.find_goal(request.goal_name.c_str());
+  if (index != kNone) return krait::Goal::named(index);
+  const std::string known = listed(scene.goal_count(), [&](Index i) { return scene.goal_name(i); });
+  throw InputError(request.goal_name.empty()
+                       ? "the scene has no goal: give --goal X,Y,RADIUS"
+                       : "the scene has no goal '" + request.goal_name + "' (it has: " + known + ")");
+}
+
+Asked asked_of(const krait::Scene& scene, const SearchRequest& request, const Start& start, const krait::Goal& goal) {
+  Asked asked;
+  asked.robot = request.robot;
+  asked.start = start;
+  asked.dt = static_cast<double>(request.parameters.dt);
+  asked.end_speed = request.end_speed();
+  if (goal.is_disc()) {
+    asked.disc_center = request.goal->center;
+    asked.disc_radius = request.goal->radius;
+    asked.facing = request.facing;
+  } else {
+    for (const Point& p : goal_ring(scene, goal)) {
+      asked.goal.push_back({p.x + scene.header().origin_x, p.y + scene.header().origin_y});
+    }
+  }
+  return asked;
+}
+
+PlanFile plan_form(const krait::Scene& scene, const SearchRequest& request, const krait::Goal& goal) {
+  PlanFile form;
+  form.scene = scene.name();
+  form.seed = request.seed;
+  form.planner = request.planner;
+  form.robot = request.robot;
+  form.dt = static_cast<double>(request.parameters.dt);
+  form.goal_name = goal_name(scene, goal);
+  form.goal_facing = request.facing;
+  form.goal_polygon = goal_ring(scene, goal);
+  form.state_names = state_names(request.robot);
+  form.origin = {scene.header().origin_x, scene.header().origin_y};
+  return form;
+}
+
+}  // namespace krait::host

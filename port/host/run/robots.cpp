@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "host/run/robots.hpp"
+
+namespace krait::host {
+namespace {
+
+float number(const RobotSpec& spec, const char* name) { return static_cast<float>(spec.parameters.at(name)); }
+
+}  // namespace
+
+ChainParameters chain_parameters(const RobotSpec& spec) {
+  ChainParameters p;
+  p.trailers = spec.links;
+  p.body_length = number(spec, "body_length");
+  p.body_width = number(spec, "body_width");
+  p.wheelbase = number(spec, "wheelbase");
+  p.hitch_length = number(spec, "hitch_length");
+  p.max_speed = number(spec, "max_speed");
+  p.min_speed = number(spec, "min_speed");
+  p.max_steering = number(spec, "max_steering");
+  p.max_acceleration = number(spec, "max_acceleration");
+  p.max_steering_rate = number(spec, "max_steering_rate");
+  p.self_collision_gap = static_cast<int>(spec.parameters.at("self_collision_gap"));
+  p.max_hitch_angle = number(spec, "max_hitch_angle");
+  return p;
+}
+
+UnicycleParameters unicycle_parameters(const RobotSpec& spec) {
+  return {number(spec, "body_length"), number(spec, "body_width"), number(spec, "max_speed"), number(spec, "min_speed"),
+          number(spec, "max_turn_rate")};
+}
+
+DifferentialDriveParameters differential_drive_parameters(const RobotSpec& spec) {
+  return {number(spec, "body_length"), number(spec, "body_width"),      number(spec, "wheel_radius"),
+          number(spec, "track_width"), number(spec, "max_wheel_speed"), number(spec, "max_wheel_acceleration")};
+}
+
+RobotExtent extent_of(const RobotSpec& spec, const Parameters& parameters) {
+  const auto measure = [&](auto robot) { return extent(with_bodies(std::move(robot), spec), parameters); };
+  if (spec.model == "unicycle") return measure(Unicycle(unicycle_parameters(spec)));
+  if (spec.model == "diff_drive") return measure(DifferentialDrive(differential_drive_parameters(spec)));
+  if (spec.model == "car") return measure(Car(chain_parameters(spec)));
+  if (spec.model == "truck") return measure(Truck(chain_parameters(spec)));
+  return measure(Snake(chain_parameters(spec)));
+}
+
+}  // namespace krait::host

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "host/run/run.hpp"
+
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+#include "host/input/file.hpp"
+#include "host/run/session.hpp"
+#include "host/run/why.hpp"
+
+namespace krait::host {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::uint64_t kSlice = 64;  // expansions between looks at the clock
+
+double since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+
+void search_to_end(Session& session, const SearchRequest& request, Clock::time_point begin, const Progress& progress) {
+  double shown = 0;
+  while (session.advance(kSlice) == Status::searching) {
+    const double seconds = since(begin);
+    if (request.time_limit && seconds > *request.time_limit) session.stop_for_time();
+    if (seconds - shown > 0.2 && progress) {
+      shown = seconds;
+      const Statistics statistics = session.statistics();
+      progress(statistics.iterations, statistics.vertices, seconds);
+    }
+  }
+}
+
+// By collision checks, so that the result does not depend on the machine; without a time limit. An iteration that
+// checks nothing counts as a quarter of a check, so that it ends.
+void improve(Session& session, const SearchRequest& request, Clock::time_point begin) {
+  const std::uint64_t first = session.statistics().collision_checks;
+  const double checks = request.improve * static_cast<double>(first);
+  double idle = 0;
+  const auto done = [&] { return static_cast<double>(session.statistics().collision_checks - first) + idle; };
+  for (; done() < checks && session.improve(1) == Status::solved; idle += 0.25) {
+    if (request.time_limit && since(begin) > *request.time_limit) return;
+  }
+}
+
+nlohmann::ordered_json statistics_json(const Statistics& s, double seconds) {
+  char hash[17];
+  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(s.hash));
+  return {{"time_s", seconds},
+          {"iterations", s.iterations},
+          {"restarts", s.restarts},
+          {"vertices", s.vertices},
+          {"recycled", s.recycled},
+          {"collision_checks", s.collision_checks},
+          {"dijkstra_runs", s.dijkstra_runs},
+          {"regions_repaired", s.regions_repaired},
+          {"plans_refused", s.plans_refused},
+          {"bytes_used", s.bytes_used},
+          {"bytes_given", s.bytes_given},
+          {"plan_steps", s.plan_steps},
+          {"plan_length_m", static_cast<double>(s.plan_length)},
+          {"plan_duration_s", static_cast<double>(s.plan_duration)},
+          {"plan_end_speed_m_s", static_cast<double>(s.plan_end_speed)},
+          {"hash", hash}};
+}
+
+}  // namespace
+
+SceneBytes SceneBytes::read(const std::string& path) {
+  const std::string content = read_file(path, UINT32_MAX);
+  return copy(content.data(), content.size());
+}
+
+SceneBytes SceneBytes::copy(const void* bytes, std::size_t size) {
+  SceneBytes copy;
+  copy.size_ = size;
+  copy.words_.resize((size + 7) / 8);
+  std::memcpy(copy.words_.data(), bytes, size);
+  return copy;
+}
+
+std::string section_name(std::uint8_t section) {
+  static constexpr const char* kNames[format::kSectionCount] = {"vertices",
+                                                                "triangle_vertices",
+                                                                "triangle_neighbors",
+                                                                "triangle_portals",
+                                                                "triangle_goals",
+                                                                "portal_widths",
+                                                                "goal_offsets",
+                                                                "goal_vertices",
+                                                                "starts",
+                                                                "start_angles",
+                                                                "piece_offsets",
+                                                                "piece_vertices",
+                                                                "piece_boxes",
+                                                                "bucket_triangle_offsets",
+                                                                "bucket_triangles",
+                                                                "bucket_piece_offsets",
+                                                                "bucket_pieces",
+                                                                "clearance",
+                                                                "names"};
+  return section < format::kSectionCount ? kNames[section] : "header";
+}
+
+bool is_scene_file(std::string_view content) {
+  return content.size() >= sizeof format::kMagic &&
+         std::memcmp(content.data(), format::kMagic, sizeof format::kMagic) == 0;
+}
+
+krait::Scene open_scene(const std::string& path, const SceneBytes& bytes) {
+  if (bytes.size() >= sizeof format::kMagic && std::memcmp(bytes.data(), format::kMagic, sizeof format::kMagic) != 0) {
+    throw InputError(path + ": bad_scene: is no compiled scene; krait compile makes one of a map or drawing");
+  }
+  krait::Scene scene;
+  const Failure failure = krait::Scene::open(bytes.data(), bytes.size(), scene);
+  if (!failure.ok()) {
+    const char* unit = failure.section == krait::Scene::kHeaderSection ? ", byte " : ", element ";
+    throw InputError(path + ": bad_scene: section " + section_name(failure.section) + unit +
+                     std::to_string(failure.element) + ": not a whole scene file of this version (compile it again)");
+  }
+  return scene;
+}
+
+SearchResult run_search(const std::string& scene_path, const SceneBytes& bytes, const SearchRequest& request,
+                        const Progress& progress) {
+  Block block = block_of(request);
+  return run_search(scene_path, bytes, request, block, progress);
+}
+
+SearchResult run_search(const std::string& scene_path, const SceneBytes& bytes, const SearchRequest& request,
+                        Block& block, const Progress& progress) {
+  const Clock::time_point begin = Clock::now();
+  const krait::Scene scene = open_scene(scene_path, bytes);
+  const std::unique_ptr<Session> session = start_session(scene, request, block);
+  search_to_end(*session, request, begin, progress);
+  const Statistics found = session->statistics();
+  const PlanMeasure first{static_cast<double>(found.plan_length), static_cast<double>(found.plan_duration)};
+  improve(*session, request, begin);
+  SearchResult result{session->query().form, session->query().asked, since(begin)};
+  result.first = first;
+  result.plan.status = name(session->status());
+  session->copy_plan(result.plan);
+  result.plan.statistics = statistics_json(session->statistics(), result.seconds);
+  result.why = why_no_plan(*session, scene, request);
+  if (request.improve > 0) {
+    result.plan.statistics["improvements"] = session->statistics().improvements;
+    result.plan.statistics["first_plan_length_m"] = first.length;
+    result.plan.statistics["first_plan_duration_s"] = first.duration;
+  }
+  return result;
+}
+
+}  // namespace krait::host

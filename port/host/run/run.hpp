@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs the core on a scene for a robot named by the user: the bridge from the workstation to the library.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host/picture/picture.hpp"
+#include "host/plan_file/plan_file.hpp"
+#include "host/verify/verify.hpp"
+#include "krait/parameters.hpp"
+#include "krait/scene/scene.hpp"
+
+namespace krait::host {
+
+// A pose or disc of the command line, world coordinates.
+struct StartPose {
+  Point position;
+  double heading = 0;
+};
+struct GoalDisc {
+  Point center;
+  double radius = 0;
+};
+
+struct SearchRequest {
+  RobotSpec robot;
+  std::string planner = "adaptive";
+  std::uint64_t seed = 1;
+  std::optional<StartPose> start;  // absent: the scene's start `start_name`, or its first
+  std::string start_name;
+  std::optional<GoalDisc> goal;  // absent: the scene's goal `goal_name`, or its first
+  std::string goal_name;
+  std::optional<GoalFacing> facing;                 // only with `goal`
+  std::uint64_t memory = std::uint64_t{64} << 20U;  // bytes of the block
+  std::uint64_t iterations = 1'000'000;
+  std::optional<double> time_limit;  // seconds
+  double improve = 0;  // multiples of the first plan's collision checks that a better one is looked for by
+  Parameters parameters;
+
+  // m/s: how fast the plan may end; absent: at any speed. Only the adaptive planner is asked to brake.
+  std::optional<double> end_speed() const {
+    const auto speed = static_cast<double>(parameters.end_speed);
+    return planner == "adaptive" && speed < std::numeric_limits<double>::infinity() ? std::optional(speed)
+                                                                                    : std::nullopt;
+  }
+};
+
+// Bytes of a scene file, aligned as Scene::open needs them.
+class SceneBytes {
+ public:
+  // Throws InputError.
+  static SceneBytes read(const std::string& path);
+  static SceneBytes copy(const void* bytes, std::size_t size);
+
+  const void* data() const { return words_.data(); }
+  std::size_t size() const { return size_; }
+
+ private:
+  std::vector<std::uint64_t> words_;
+  std::size_t size_ = 0;
+};
+
+// Whether the bytes of a file begin as those of a compiled scene do.
+bool is_scene_file(std::string_view content);
+
+// Opens the scene; throws InputError that names section and element of what is wrong.
+krait::Scene open_scene(const std::string& path, const SceneBytes& bytes);
+
+// "magic", "triangle_vertices", …
+std::string section_name(std::uint8_t section);
+
+using Progress = std::function<void(std::uint64_t iterations, std::uint64_t vertices, double seconds)>;
+
+struct PlanMeasure {
+  double length = 0;    // metres
+  double duration = 0;  // seconds
+};
+
+struct SearchResult {
+  PlanFile plan;
+  Asked asked;                     // what the verifier holds it to, world coordinates
+  double seconds;                  // from opening the scene to the plan
+  std::vector<std::string> why{};  // there is no plan, a line each
+  PlanMeasure first{};             // of the first plan; zeros where there is none
+};
+
+// Opens, plans, and takes the plan out. Every end of a search (Status) that is an honest answer comes back in
+// plan.status; arguments that cannot be used throw InputError. `progress` is called a few times a second.
+SearchResult run_search(const std::string& scene_path, const SceneBytes& bytes, const SearchRequest& request,
+                        const Progress& progress);
+
+// The same search again, watched: the workspace, its regions, the costs as they changed, the tree as it grew.
+Picture watch_search(const std::string& scene_path, const SceneBytes& bytes, const SearchRequest& request,
+                     const PlanFile& plan);
+
+}  // namespace krait::host

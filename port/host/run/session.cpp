@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "host/run/session.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "host/run/planner_session.hpp"
+#include "host/run/sessions.hpp"
+#include "host/run/why.hpp"
+
+namespace krait::host {
+namespace {
+
+// The number with two digits.
+std::string shortest(float number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g", static_cast<double>(number));
+  return text;
+}
+
+std::string explanation(const Failure& failure, const SearchRequest& request) {
+  const std::string argument = name(static_cast<Argument>(failure.element));
+  switch (failure.status) {
+    case Status::arena_too_small:
+      return "--memory " + std::to_string(request.memory) +
+             " bytes is too little: this scene and robot need at least " + std::to_string(failure.bytes_needed) +
+             " bytes";
+    case Status::start_outside:
+      return "the start lies outside the workspace's bounds";
+    case Status::goal_in_obstacle:
+      return "no free part of the goal is left: it lies in obstacles or outside";
+    case Status::bad_robot:
+      return argument + " cannot be used";
+    case Status::bad_argument:
+      if (argument == name(Argument::goal)) return "the goal's centre lies outside the workspace's bounds";
+      if (failure.most > 0) return "dt: at most " + shortest(failure.most) + " s for a robot so fast and so short";
+      return argument +
+             " is not finite or out of its range (numbers in metres, seconds and radians; krait plan --help)";
+    case Status::bad_arithmetic:
+      return "the program was built with contracted or relaxed floating point";
+    default:
+      return "unusable input";
+  }
+}
+
+// Whether a search that ends so has an answer, or its refusal another form.
+bool passes(Status status) {
+  switch (status) {
+    case Status::searching:
+    case Status::solved:
+    case Status::no_route:
+    case Status::budget_used:
+    case Status::tree_full:
+    case Status::time_used:
+    case Status::internal:
+    case Status::start_in_collision:  // which is refused with the contact
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+void refuse(const Failure& failure, const SearchRequest& request) {
+  if (passes(failure.status)) return;
+  throw InputError(std::string(name(failure.status)) + ": " + explanation(failure, request));
+}
+
+void refuse(const Contact& at_start, const krait::Scene& scene, const SearchRequest& request) {
+  throw InputError(std::string(name(Status::start_in_collision)) + ": " + why_not_there(at_start, scene, request));
+}
+
+std::uint32_t way_legs(const SearchRequest& request) {
+  if (!(request.improve > 0)) return 0;
+  return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(request.memory / 1024, 16, 4096));
+}
+
+std::unique_ptr<Session> start_session(const krait::Scene& scene, const SearchRequest& request, Block& block) {
+  const std::string& model = request.robot.model;
+  if (model == "snake") return snake_session(scene, request, block);
+  if (model == "truck") return truck_session(scene, request, block);
+  if (model == "car") return car_session(scene, request, block);
+  if (model == "unicycle") return unicycle_session(scene, request, block);
+  return differential_drive_session(scene, request, block);
+}
+
+}  // namespace krait::host

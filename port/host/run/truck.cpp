@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "krait/robot/truck.hpp"
+
+#include "host/run/planner_session.hpp"
+#include "host/run/sessions.hpp"
+
+namespace krait::host {
+
+std::unique_ptr<Session> truck_session(const krait::Scene& scene, const SearchRequest& request, Block& block) {
+  return robot_session(Truck(chain_parameters(request.robot)), scene, request, block);
+}
+
+}  // namespace krait::host

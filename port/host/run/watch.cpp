@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// Repeats a search with an eye on it. The core is deterministic, so what is seen is what happened.
+#include <map>
+
+#include "host/run/run.hpp"
+#include "host/run/session.hpp"
+
+namespace krait::host {
+namespace {
+
+constexpr std::uint64_t kFrames = 60;           // of costs, at most
+constexpr std::uint32_t kTreeVertices = 20000;  // shown, at most
+
+Point point(Vec2 p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
+
+Ring ring(Polygon polygon) {
+  Ring result;
+  for (int i = 0; i < polygon.count; ++i) result.push_back(point(polygon[i]));
+  return result;
+}
+
+void draw_scene(const krait::Scene& scene, Picture& picture) {
+  picture.title = scene.name();
+  picture.min = point(scene.bounds().min);
+  picture.max = point(scene.bounds().max);
+  for (Index p = 0; p < scene.piece_count(); ++p) picture.obstacle_pieces.push_back(ring(scene.piece(p)));
+  for (Index t = 0; t < scene.triangle_count(); ++t) {
+    picture.triangles.push_back({{point(scene.corner(t, 0)), point(scene.corner(t, 1)), point(scene.corner(t, 2))}});
+  }
+}
+
+CostFrame costs_now(const Regions& regions, std::uint64_t iteration) {
+  CostFrame frame;
+  frame.iteration = iteration;
+  for (Index t = 0; t < regions.scene().triangle_count(); ++t) frame.costs.push_back(regions.cost(regions.region(t)));
+  return frame;
+}
+
+// The motion tree as it grew, which the planner itself does not keep.
+class TreeRecorder {
+ public:
+  explicit TreeRecorder(const std::vector<float>& start) { add(start, 0, 0); }
+
+  void add_step(const std::vector<float>& from, const std::vector<float>& to, std::uint64_t iteration) {
+    add(to, vertex_of_.at(from), static_cast<std::uint32_t>(iteration));
+  }
+
+  // Every `stride`-th vertex, hung on its nearest ancestor that stays; the root is vertex 0.
+  std::vector<TreeVertex> thinned() const {
+    const std::uint32_t stride = static_cast<std::uint32_t>(vertices_.size()) / kTreeVertices + 1;
+    std::vector<TreeVertex> shown;
+    for (std::size_t v = 0; v < vertices_.size(); v += stride) {
+      std::uint32_t ancestor = vertices_[v].parent;
+      while (ancestor % stride != 0) ancestor = vertices_[ancestor].parent;
+      TreeVertex vertex = vertices_[v];
+      vertex.parent = ancestor / stride;
+      shown.push_back(vertex);
+    }
+    return shown;
+  }
+
+ private:
+  void add(const std::vector<float>& state, std::uint32_t parent, std::uint32_t iteration) {
+    vertex_of_[state] = static_cast<std::uint32_t>(vertices_.size());
+    vertices_.push_back({state[0], state[1], parent, iteration});
+  }
+
+  std::vector<TreeVertex> vertices_;
+  std::map<std::vector<float>, std::uint32_t> vertex_of_;
+};
+
+void watch(Session& session, std::uint64_t iterations, Picture& picture) {
+  const std::uint64_t slice = iterations / kFrames + 1;
+  TreeRecorder recorder(session.query().start);
+  picture.frames.push_back(costs_now(session.regions(), 0));
+  for (std::uint64_t done = 0; done < iterations;) {
+    for (std::uint64_t i = 0; i < slice && done < iterations; ++i) {
+      ++done;
+      session.advance_watched([&](const auto& from, const auto& to) { recorder.add_step(from, to, done); });
+    }
+    picture.frames.push_back(costs_now(session.regions(), done));
+  }
+  picture.tree = recorder.thinned();
+}
+
+}  // namespace
+
+Picture watch_search(const std::string& scene_path, const SceneBytes& bytes, const SearchRequest& request,
+                     const PlanFile& plan) {
+  Block block = block_of(request);
+  const krait::Scene scene = open_scene(scene_path, bytes);
+  Picture picture;
+  picture.plan = plan;
+  draw_scene(scene, picture);
+  const std::unique_ptr<Session> session = start_session(scene, request, block);
+  watch(*session, plan.statistics.at("iterations").get<std::uint64_t>(), picture);
+  return picture;
+}
+
+}  // namespace krait::host

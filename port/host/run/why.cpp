@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "host/run/why.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+#include "host/run/query.hpp"
+
+namespace krait::host {
+namespace {
+
+template <class... Values>
+std::string text(const char* format, Values... values) {
+  char line[256];
+  std::snprintf(line, sizeof line, format, values...);
+  return line;
+}
+
+// To a tenth of a millimetre.
+std::string metres(double length) { return text("%.4g m", std::round(1e4 * length) / 1e4); }
+
+std::string place(const krait::Scene& scene, Vec2 at) {
+  const Point world = world_of(scene, at);
+  return text("%.10g,%.10g", std::round(100 * world.x) / 100, std::round(100 * world.y) / 100);
+}
+
+std::string body_name(const RobotSpec& robot, Index body) {
+  if (robot.links == 0) return "the robot";
+  return body == 0 ? "the car (body 0)" : "trailer " + std::to_string(body) + " (body " + std::to_string(body) + ")";
+}
+
+std::string other_name(const Contact& contact, const RobotSpec& robot) {
+  switch (contact.with) {
+    case Hindrance::obstacle:
+      return "an obstacle (piece " + std::to_string(contact.other) + ")";
+    case Hindrance::body:
+      return body_name(robot, contact.other);
+    default:
+      return "the bounds of the workspace";
+  }
+}
+
+std::string why_no_route(const Bottleneck& bottleneck, const krait::Scene& scene, const SearchRequest& request) {
+  if (bottleneck.needed == 0.0F || bottleneck.width == 0.0F) {
+    return "no way leads from the start to the goal: obstacles or the bounds close it off";
+  }
+  const double width = static_cast<double>(bottleneck.width);
+  const double needed = static_cast<double>(bottleneck.needed);
+  const double kept = 2 * static_cast<double>(request.parameters.clearance);
+  const std::string at = place(scene, bottleneck.at);
+  std::string why =
+      bottleneck.at_goal
+          ? "the robot cannot stand in the goal: its roomiest place is " + metres(width) + " wide at " + at
+          : "every way to the goal is narrower than the robot: " + metres(width) + " at " + at;
+  why += ", it needs " + metres(needed);
+  if (needed - kept < width) why += "; without the --clearance on both sides it would need " + metres(needed - kept);
+  return why;
+}
+
+// Where the widest way is hardly wider than the robot.
+std::vector<std::string> where_it_is_tight(const Bottleneck& bottleneck, const krait::Scene& scene) {
+  constexpr float kTight = 1.5F;  // times what the robot needs
+  if (bottleneck.needed == 0.0F || bottleneck.width > kTight * bottleneck.needed) return {};
+  return {"the widest way to the goal is " + metres(static_cast<double>(bottleneck.width)) + " wide at " +
+          place(scene, bottleneck.at) + ", where the robot needs at least " +
+          metres(static_cast<double>(bottleneck.needed))};
+}
+
+bool cannot_reverse(const RobotSpec& robot) {
+  const auto speed = robot.parameters.find("min_speed");
+  return speed != robot.parameters.end() && speed->second == 0;
+}
+
+// Metres, of the tightest circle of the axle's middle; 0 for a robot that turns on the spot.
+double turning_radius(const RobotSpec& robot) {
+  const auto steering = robot.parameters.find("max_steering");
+  return steering == robot.parameters.end() ? 0 : robot.parameters.at("wheelbase") / std::tan(steering->second);
+}
+
+std::vector<std::string> what_to_try(Status status, const Statistics& statistics, const SearchRequest& request) {
+  std::vector<std::string> lines;
+  if (status == Status::budget_used) lines.push_back("try more --iterations");
+  if (status == Status::time_used) lines.push_back("try a longer --time-limit");
+  if (status == Status::tree_full || statistics.recycled > 0) lines.push_back("try more --memory");
+  if (statistics.plans_refused > 0) {
+    lines.push_back(std::to_string(statistics.plans_refused) +
+                    " ways reached the goal but did not hold as driven: try a larger goal");
+  }
+  if (request.parameters.clearance > Parameters{}.clearance) lines.push_back("try a smaller --clearance");
+  if (cannot_reverse(request.robot)) lines.push_back("try a ROBOT.json that may reverse, with a min_speed below 0");
+  if (const double radius = turning_radius(request.robot); radius > 0) {
+    lines.push_back("it turns with a radius of " + metres(radius) + ": has every bend so much room?");
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::string why_not_there(const Contact& contact, const krait::Scene& scene, const SearchRequest& request) {
+  const std::string at = place(scene, contact.at);
+  if (contact.with == Hindrance::ground) return "the position " + at + " lies in an obstacle, though no body does";
+  const std::string body = body_name(request.robot, contact.body);
+  const std::string other = other_name(contact, request.robot);
+  if (!(contact.distance > 0.0F)) {
+    const bool outside = contact.with == Hindrance::bounds;
+    return body + (outside ? " reaches to or beyond " : " overlaps ") + other + " at " + at;
+  }
+  const double distance = static_cast<double>(contact.distance);
+  const double clearance = static_cast<double>(request.parameters.clearance);
+  const double rounding = static_cast<double>(contact.needed) - clearance;
+  const std::string margin = metres(static_cast<double>(contact.needed)) + " (--clearance " + metres(clearance) +
+                             ", and " + metres(rounding) + " for what a motion is off by)";
+  const std::string where = body + " is " + metres(distance) + " from " + other + " at " + at;
+  return "the start does not keep the clearance: " + where + ", and must keep " + margin;
+}
+
+std::vector<std::string> why_no_plan(Session& session, const krait::Scene& scene, const SearchRequest& request) {
+  switch (session.status()) {
+    case Status::no_route:
+      return {why_no_route(session.bottleneck(), scene, request)};
+    case Status::budget_used:
+    case Status::time_used:
+    case Status::tree_full:
+      break;
+    default:
+      return {};
+  }
+  std::vector<std::string> lines = where_it_is_tight(session.bottleneck(), scene);
+  if (const Effort effort = session.effort(); effort.tries > 0) {
+    lines.push_back("most expansions, " + std::to_string(effort.tries) + ", grew from around " +
+                    place(scene, effort.at) + ": what is in the way there?");
+  }
+  for (std::string& line : what_to_try(session.status(), session.statistics(), request)) lines.push_back(line);
+  return lines;
+}
+
+}  // namespace krait::host

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Why there is no plan, in words: what stands in the way, where, and what to try. World coordinates, metres.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host/run/run.hpp"
+#include "host/run/session.hpp"
+
+namespace krait::host {
+
+// What a start in collision lies against.
+std::string why_not_there(const Contact& contact, const krait::Scene& scene, const SearchRequest& request);
+
+// Why a search that has ended has no plan, a line each; empty where it has one.
+std::vector<std::string> why_no_plan(Session& session, const krait::Scene& scene, const SearchRequest& request);
+
+}  // namespace krait::host

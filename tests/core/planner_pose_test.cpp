@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: Apache-2.0
+// Plans that end with a heading: the last metres, which are judged in double here.
+#include <cmath>
+#include <numbers>
+
+#include "planner_fixture.hpp"
+
+namespace krait::test {
+namespace {
+
+constexpr int kSeeds = 10;
+constexpr Vec2 kPoint{9.5F, 4};
+
+ChainParameters chain(int trailers) {
+  ChainParameters p;
+  p.trailers = trailers;
+  return p;
+}
+
+ChainParameters reversing() {
+  ChainParameters p = Car::defaults();
+  p.min_speed = -1;
+  return p;
+}
+
+// A robot that says nothing of its turns and speed.
+struct Silent : Unicycle {
+  Silent() : Unicycle(small_unicycle()) {}
+  void turning_radius() const {}
+  void top_speed() const {}
+};
+static_assert(Robot<Silent>);
+
+template <class R>
+std::vector<float> standing(const R& robot, Vec2 at) {
+  std::vector<float> state(static_cast<std::size_t>(robot.state_size()), 0.0F);
+  state[0] = at.x;
+  state[1] = at.y;
+  return state;
+}
+
+double between(double a, double b) { return std::abs(std::remainder(a - b, 2 * std::numbers::pi)); }
+
+// The headings of a state's bodies, as the models have them.
+std::vector<double> headings(const std::vector<float>& state, int bodies) {
+  std::vector<double> all = {static_cast<double>(state[2])};
+  for (int k = 1; k < bodies; ++k) all.push_back(static_cast<double>(state[static_cast<std::size_t>(4 + k)]));
+  return all;
+}
+
+// By how much, in metres and radians, the state is off what the goal allows; at most 0 where it is inside.
+double excess(const Goal& goal, const std::vector<float>& state, int bodies) {
+  const Facing& facing = goal.facing();
+  const double apart = std::hypot(static_cast<double>(state[0]) - static_cast<double>(goal.center().x),
+                                  static_cast<double>(state[1]) - static_cast<double>(goal.center().y));
+  const std::vector<double> all = headings(state, bodies);
+  double off = between(all[0], static_cast<double>(facing.heading));
+  if (facing.either_way) off = std::min(off, std::numbers::pi - off);
+  double worst = std::max(apart - static_cast<double>(goal.radius()), off - static_cast<double>(facing.tolerance));
+  for (std::size_t k = 1; k < all.size() && facing.hitches < kInfinity; ++k) {
+    worst = std::max(worst, between(all[k], all[k - 1]) - static_cast<double>(facing.hitches));
+  }
+  return worst;
+}
+
+template <class R>
+class Poses {
+ public:
+  explicit Poses(const R& robot) : bench_(two_rooms(3), robot), start_(standing(robot, {3, 4})) {}
+
+  Bench<R>& bench() { return bench_; }
+  Query query(const Goal& goal, std::uint64_t seed) const { return {start_.data(), goal, seed}; }
+
+  // How far off the plan ends; infinite where there is none.
+  double miss(const Goal& goal, std::uint64_t seed) {
+    EXPECT_TRUE(bench_.init().ok());
+    EXPECT_EQ(bench_.solve(query(goal, seed)), Status::solved) << "seed " << seed;
+    return end_miss(goal);
+  }
+
+  double end_miss(const Goal& goal) const {
+    if (bench_.planner.plan().empty()) return std::numeric_limits<double>::infinity();
+    return excess(goal, Path(bench_.planner.plan()).states.back(), bench_.robot.body_count());
+  }
+
+ private:
+  Bench<R> bench_;
+  std::vector<float> start_;
+};
+
+template <class R>
+void expect_poses(const R& robot, float hitches = kInfinity) {
+  Poses<R> poses(robot);
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    const Facing facing{0.5F * kPi * static_cast<float>(quarter), 0.1F, false, hitches};
+    const Goal goal = Goal::pose(kPoint, 0.1F, facing);
+    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+      EXPECT_LE(poses.miss(goal, seed), 0) << "quarter " << quarter << ", seed " << seed;
+      EXPECT_LE(poses.bench().planner.statistics().plan_end_speed, kRestSpeed);
+    }
+  }
+}
+
+TEST(PlannerPose, EveryModelEndsInThePoseAtRest) {
+  expect_poses(Car(Car::defaults()));
+  expect_poses(Car(reversing()));
+  expect_poses(Truck(chain(1)));
+  expect_poses(Snake(chain(2)));
+  expect_poses(DifferentialDrive(DifferentialDriveParameters()));
+  expect_poses(small_unicycle());
+}
+
+TEST(PlannerPose, HitchesAreAsStraightAsAsked) {
+  ChainParameters narrow = chain(1);
+  narrow.body_width = 0.4F;
+  expect_poses(Truck(narrow), 0.2F);
+}
+
+TEST(PlannerPose, EitherWayTakesTheNearerEnd) {
+  Poses<Car> poses{Car(Car::defaults())};
+  bool there = false;
+  bool opposite = false;
+  for (std::uint64_t seed = 1; seed <= 3 * kSeeds; ++seed) {
+    const Goal goal = Goal::pose(kPoint, 0.1F, Facing{0.5F * kPi, 0.1F, true, kInfinity});
+    EXPECT_LE(poses.miss(goal, seed), 0);
+    const double heading = static_cast<double>(Path(poses.bench().planner.plan()).states.back()[2]);
+    (between(heading, std::numbers::pi / 2) < 1 ? there : opposite) = true;
+  }
+  EXPECT_TRUE(there && opposite);
+}
+
+TEST(PlannerPose, AUsersRobotWithoutTurningCircleIsSteeredThere) {
+  Poses<Silent> poses{Silent()};
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    EXPECT_LE(poses.miss(Goal::pose(kPoint, 0.1F, 0.5F * kPi, 0.1F), seed), 0);
+  }
+}
+
+TEST(PlannerPose, ARobotThatCannotTurnKeepsItsHeading) {
+  Poses<Slider> poses{Slider(0.5F, 1)};
+  poses.bench().limits.iterations = 2000;
+  ASSERT_TRUE(poses.bench().init().ok());
+  EXPECT_EQ(poses.bench().solve(poses.query(Goal::pose(kPoint, 0.1F, 0, 0.1F), 1)), Status::solved);
+  EXPECT_EQ(poses.bench().solve(poses.query(Goal::pose(kPoint, 0.1F, 1, 0.1F), 1)), Status::budget_used);
+}
+
+TEST(PlannerPose, CallsMayCutAShotAnywhere) {
+  Poses<Car> poses{Car(Car::defaults())};
+  const Goal goal = Goal::pose(kPoint, 0.1F, kPi, 0.1F);
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    ASSERT_LE(poses.miss(goal, seed), 0);
+    const Statistics whole = poses.bench().planner.statistics();
+    ASSERT_TRUE(poses.bench().init().ok());
+    Status status = poses.bench().planner.start(poses.query(goal, seed));
+    while (status == Status::searching) status = poses.bench().planner.advance(1);
+    EXPECT_EQ(poses.bench().planner.statistics().hash, whole.hash);
+    EXPECT_EQ(poses.bench().planner.statistics().iterations, whole.iterations);
+  }
+}
+
+TEST(PlannerPose, NoCallMakesMoreStepsThanItsExpansionsMay) {
+  Poses<Car> poses{Car(Car::defaults())};
+  poses.bench().parameters.max_steps = 7;
+  ASSERT_TRUE(poses.bench().init().ok());
+  Status status = poses.bench().planner.start(poses.query(Goal::pose(kPoint, 0.1F, kPi, 0.1F), 1));
+  while (status == Status::searching) {
+    const std::uint64_t before = poses.bench().planner.statistics().vertices;
+    status = poses.bench().planner.advance(1);
+    ASSERT_LE(poses.bench().planner.statistics().vertices - before, 7);
+  }
+  EXPECT_EQ(status, Status::solved);
+}
+
+TEST(PlannerPose, ImprovedPlansEndInThePoseToo) {
+  Poses<Unicycle> poses{small_unicycle()};
+  poses.bench().limits.way_legs = 500;
+  const Goal goal = Goal::pose(kPoint, 0.1F, kPi, 0.1F);
+  std::uint64_t improvements = 0;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    ASSERT_LE(poses.miss(goal, seed), 0);
+    ASSERT_EQ(poses.bench().planner.improve(3000), Status::solved);
+    EXPECT_LE(poses.end_miss(goal), 0) << "seed " << seed;
+    improvements += poses.bench().planner.statistics().improvements;
+  }
+  EXPECT_GT(improvements, 0U);
+}
+
+// A tree so small that it has no room for the legs of a whole shot must not write beyond its pools.
+TEST(PlannerPose, ASmallTreeHoldsNoMoreThanItHasRoomFor) {
+  for (const std::uint32_t vertices : {2U, 8U, 40U, 100U}) {
+    Poses<Car> poses{Car(Car::defaults())};
+    poses.bench().limits.vertices = vertices;
+    poses.bench().limits.iterations = 2000;
+    ASSERT_TRUE(poses.bench().init().ok());
+    (void)poses.bench().solve(poses.query(Goal::pose(kPoint, 0.1F, kPi, 0.1F), 1));
+    const MotionTree& tree = poses.bench().planner.tree();
+    EXPECT_LE(tree.most_expansions(), poses.bench().limits.kept_expansions());
+  }
+}
+
+TEST(PlannerPose, AStartThatIsThePoseIsThePlan) {
+  Poses<Car> poses{Car(Car::defaults())};
+  EXPECT_LE(poses.miss(Goal::pose({3, 4}, 0.1F, 0, 0.1F), 1), 0);
+  EXPECT_EQ(poses.bench().planner.statistics().plan_steps, 0U);
+  EXPECT_LE(poses.miss(Goal::pose({3, 4}, 0.1F, 1, 0.1F), 1), 0);
+  EXPECT_GT(poses.bench().planner.statistics().plan_steps, 0U);
+}
+
+template <class P>
+class RivalsPose : public ::testing::Test {};
+using Rivals = ::testing::Types<Prior, Rrt>;
+TYPED_TEST_SUITE(RivalsPose, Rivals, PlannerNames);
+
+TYPED_TEST(RivalsPose, RefuseOtherHeadings) {
+  Bench<Unicycle, TypeParam> bench(two_rooms(3), small_unicycle());
+  const std::vector<float> start = standing(bench.robot, {3, 4});
+  const Goal goal = Goal::pose(kPoint, 1, 0.5F * kPi, 0.5F);
+  ASSERT_TRUE(bench.init().ok());
+  ASSERT_EQ(bench.solve({start.data(), goal, 1}), Status::solved);
+  EXPECT_LE(excess(goal, Path(bench.planner.plan()).states.back(), 1), 0);
+}
+
+Status answer(const Goal& goal) {
+  Poses<Car> poses{Car(Car::defaults())};
+  EXPECT_TRUE(poses.bench().init().ok());
+  const Status status = poses.bench().planner.start(poses.query(goal, 1));
+  if (status == Status::bad_argument) {
+    EXPECT_EQ(poses.bench().planner.failure().element, static_cast<std::uint32_t>(Argument::goal));
+  }
+  return status;
+}
+
+TEST(PlannerPose, NumbersOutOfTheirRangesAreRefused) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(answer(Goal::pose(kPoint, 0.1F, 1, kPi)), Status::searching);
+  EXPECT_EQ(answer(Goal::pose(kPoint, 0.1F, Facing{1, 0.1F, false, 0.01F})), Status::searching);
+  EXPECT_EQ(answer(Goal::pose(kPoint, 0, 1, 0.1F)), Status::bad_argument);
+  for (const float heading : {nan, kInfinity, -2 * kMaxAngle}) {
+    EXPECT_EQ(answer(Goal::pose(kPoint, 0.1F, heading, 0.1F)), Status::bad_argument);
+  }
+  for (const float tolerance : {0.0F, -0.1F, 3.15F, nan}) {
+    EXPECT_EQ(answer(Goal::pose(kPoint, 0.1F, 1, tolerance)), Status::bad_argument);
+  }
+  for (const float hitches : {0.0F, -1.0F, nan}) {
+    EXPECT_EQ(answer(Goal::pose(kPoint, 0.1F, Facing{1, 0.1F, false, hitches})), Status::bad_argument);
+  }
+}
+
+}  // namespace
+}  // namespace krait::test

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// A firmware's words are read as the workstation reads them, or refused with the reason.
+#include "firmware/request.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "firmware/decimal.hpp"
+
+namespace krait::firmware {
+namespace {
+
+const char* parse_words(const std::vector<const char*>& words, Request& request) {
+  return parse(static_cast<int>(words.size()), words.data(), "car", false, request);
+}
+
+std::string complaint(const std::vector<const char*>& words) {
+  Request request;
+  const char* const text = parse_words(words, request);
+  return text == nullptr ? "" : text;
+}
+
+TEST(Decimal, IsTheNumberOfTheCLibrary) {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 20000; ++i) {
+    char text[40];
+    const double number = std::uniform_real_distribution<double>(-3000, 3000)(random);
+    const int places = std::uniform_int_distribution<int>(0, 11)(random);
+    std::snprintf(text, sizeof text, "%.*f", places, number);
+    const char* at = text;
+    double read = 0;
+    ASSERT_TRUE(take_decimal(at, read)) << text;
+    EXPECT_EQ(*at, '\0') << text;
+    EXPECT_EQ(read, std::strtod(text, nullptr)) << text;
+  }
+}
+
+TEST(Decimal, ShortFormsAreNumbers) {
+  for (const auto& [text, number] : {std::pair{".5", 0.5}, {"-.25", -0.25}, {"7.", 7.0}, {"007", 7.0}}) {
+    const char* at = text;
+    double read = 0;
+    EXPECT_TRUE(take_decimal(at, read)) << text;
+    EXPECT_EQ(read, number) << text;
+  }
+}
+
+TEST(Decimal, WhatIsNoNumberIsRefused) {
+  for (const char* text : {"", "-", ".", "x", "--1", "1234567890123456", "nan", "inf"}) {
+    double read = 0;
+    EXPECT_FALSE(take_decimal(text, read));
+  }
+}
+
+TEST(FirmwareRequest, ReadsStartGoalAndHeading) {
+  Request request;
+  ASSERT_EQ(parse_words({"--start", "2,-3.5,1.25", "--goal", "28.1,13,.5", "--heading", "-1", "--heading-tolerance",
+                         "0.2", "--seed", "7"},
+                        request),
+            nullptr);
+  EXPECT_TRUE(request.has_start && request.has_goal && request.has_heading);
+  EXPECT_EQ(request.start.x, 2.0);
+  EXPECT_EQ(request.start.y, -3.5);
+  EXPECT_EQ(request.start.third, 1.25);
+  EXPECT_EQ(request.goal.x, 28.1);
+  EXPECT_EQ(request.goal.third, 0.5);
+  EXPECT_EQ(request.heading, -1.0);
+  EXPECT_EQ(request.heading_tolerance, 0.2);
+  EXPECT_EQ(request.seed, 7U);
+}
+
+TEST(FirmwareRequest, AsksForTheScenesOwnWithoutThem) {
+  Request request;
+  ASSERT_EQ(parse_words({}, request), nullptr);
+  EXPECT_FALSE(request.has_start || request.has_goal || request.has_heading);
+}
+
+TEST(FirmwareRequest, RefusesWithTheOptionsName) {
+  for (const char* text : {"2,3", "2,3,", "2,3,4,5", "2;3;4", "a,b,c", "2,3,0x1", ""}) {
+    EXPECT_EQ(complaint({"--start", text}).rfind("--start: give X,Y,HEADING", 0), 0U) << text;
+    EXPECT_EQ(complaint({"--goal", text}).rfind("--goal: give X,Y,RADIUS", 0), 0U) << text;
+  }
+  EXPECT_EQ(complaint({"--heading", "north"}).rfind("--heading: give radians", 0), 0U);
+  EXPECT_EQ(complaint({"--heading", "1"}), "--heading: give --goal X,Y,RADIUS with it");
+  EXPECT_EQ(complaint({"--start"}), "an option lacks its value");
+  EXPECT_EQ(complaint({"--speed", "1"}).rfind("unknown option", 0), 0U);
+}
+
+}  // namespace
+}  // namespace krait::firmware
