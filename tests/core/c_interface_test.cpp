@@ -376,6 +376,9 @@ TEST(CInterface, DiscsAndQueriesAreTheCpps) {
 
 TEST(CInterface, PosesAreTheCpps) {
   Given given;
+  given.limits = kLimits;
+  given.needed = krait_bytes_required(&given.scene, &given.robot, &given.limits);
+  given.block.resize(given.needed / 8 + 2);
   ASSERT_EQ(given.init(given.needed).status, KRAIT_SOLVED);
   const float start[] = {2, 6, 0};
   const auto ask = [&](krait_goal goal) {
