@@ -3,6 +3,7 @@
 // place.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -371,6 +372,43 @@ TEST(CInterface, DiscsAndQueriesAreTheCpps) {
   EXPECT_EQ(krait_advance(given.planner, 1), KRAIT_TIME_USED);
   float state[KRAIT_MAX_STATE], control[KRAIT_CONTROL];
   EXPECT_FALSE(krait_next(given.planner, state, control));
+}
+
+TEST(CInterface, PosesAreTheCpps) {
+  Given given;
+  given.limits = kLimits;
+  given.needed = krait_bytes_required(&given.scene, &given.robot, &given.limits);
+  given.block.resize(given.needed / 8 + 2);
+  ASSERT_EQ(given.init(given.needed).status, KRAIT_SOLVED);
+  const float start[] = {2, 6, 0};
+  const auto ask = [&](krait_goal goal) {
+    const krait_query query = {start, goal, 1};
+    krait_status status = krait_start(given.planner, &query);
+    while (status == KRAIT_SEARCHING) status = krait_advance(given.planner, 10);
+    return status;
+  };
+  const auto last_heading = [&] {
+    float state[KRAIT_MAX_STATE], control[KRAIT_CONTROL];
+    while (krait_next(given.planner, state, control)) continue;
+    return static_cast<double>(state[2]);
+  };
+  krait_goal pose = krait_pose_goal(10.5F, 6.5F, 0.2F, 2, 0.1F);
+  EXPECT_EQ(ask(pose), KRAIT_SOLVED);
+  EXPECT_NEAR(std::remainder(last_heading() - 2, 6.283185307), 0, 0.1);
+  pose.either_way = true;
+  pose.hitch_tolerance = 0.3F;
+  EXPECT_EQ(ask(pose), KRAIT_SOLVED);
+  EXPECT_NEAR(std::remainder(last_heading() - 2, 3.141592654), 0, 0.1);
+  EXPECT_EQ(ask(krait_pose_goal(2, 6, 0.2F, 0, 0.1F)), KRAIT_SOLVED);
+  pose.heading_tolerance = 0;
+  EXPECT_EQ(ask(pose), KRAIT_BAD_ARGUMENT) << "the two fields below must be zero";
+  EXPECT_EQ(ask(krait_pose_goal(2, 6, 0.2F, 0, -1)), KRAIT_BAD_ARGUMENT);
+  krait_goal named = krait_named_goal(0);
+  named.heading_tolerance = 0.1F;
+  EXPECT_EQ(ask(named), KRAIT_BAD_ARGUMENT) << "a heading is for the disc only";
+  krait_goal turned = krait_disc_goal(2, 6, 0.5F);
+  turned.heading = 3;
+  EXPECT_EQ(ask(turned), KRAIT_SOLVED) << "without a tolerance the heading is free";
 }
 
 TEST(CInterface, SaysWhyThereIsNoPlan) {

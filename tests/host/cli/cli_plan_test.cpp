@@ -377,6 +377,50 @@ TEST_F(CliPlan, EndsAtRestUnlessAskedOtherwise) {
   EXPECT_GT(end_speed({"--robot", "car", "--planner", "prior"}), 0.1);
 }
 
+TEST_F(CliPlan, EndsWithTheHeadingAskedFor) {
+  const std::vector<std::string> pose = {"--robot", "car", "--goal", "8,5,0.2", "--heading", "2.5"};
+  const ordered_json found = plan(pose);
+  const double heading = found.at("states").back()[2].get<double>();
+  EXPECT_LE(std::abs(std::remainder(heading - 2.5, 2 * 3.14159265358979)), 0.1);
+  EXPECT_EQ(found.at("goal").at("name"), "pose");
+  EXPECT_EQ(found.at("goal").at("heading"), 2.5);
+  EXPECT_EQ(found.at("goal").at("heading_tolerance"), 0.1);
+  EXPECT_EQ(found.at("goal").at("either_way"), false);
+  EXPECT_FALSE(found.at("goal").contains("hitch_tolerance"));
+  const std::vector<std::string> verify = {"verify", "room.json", "plan.json", "--robot", "car", "--goal", "8,5,0.2"};
+  const auto with = [](std::vector<std::string> all, const std::vector<std::string>& more) {
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  EXPECT_THAT(krait(verify).output, HasSubstr("to the heading 2.5 to 0.1 rad, the plan's own"));
+  EXPECT_EQ(krait(with(verify, {"--heading", "2.5"})).code, 0);
+  const Outcome other = krait(with(verify, {"--heading", "-2.5"}));
+  EXPECT_EQ(other.code, 1);
+  EXPECT_THAT(other.output, HasSubstr("goal: the plan was not made for the heading and the tolerances asked for"));
+  ordered_json forged = found;
+  forged["goal"]["heading"] = -2.5;
+  write("plan.json", forged.dump());
+  const Outcome missed = krait(with(verify, {"--heading", "-2.5"}));
+  EXPECT_EQ(missed.code, 1);
+  EXPECT_THAT(missed.output, testing::StartsWith("goal: the heading of the driven end is 1."));
+  EXPECT_EQ(krait(verify).code, 1) << "the plan's own heading is held to as well";
+}
+
+TEST_F(CliPlan, AHeadingThatCannotBeUsedIsRefused) {
+  const auto error = [this](std::vector<std::string> options) {
+    options.insert(options.begin(), {"plan", "room.krait", "--robot", "car"});
+    const Outcome outcome = krait(options);
+    EXPECT_EQ(outcome.code, 2);
+    return outcome.errors;
+  };
+  EXPECT_THAT(error({"--heading", "90", "--goal", "8,5,0.2"}), HasSubstr("were degrees meant? 90 degrees are 1.5708"));
+  EXPECT_THAT(error({"--heading", "1"}), HasSubstr("--heading: give the goal as --goal X,Y,RADIUS with it"));
+  EXPECT_THAT(error({"--either-way", "--goal", "8,5,0.2"}), HasSubstr("--either-way: give --heading RADIANS with it"));
+  EXPECT_THAT(error({"--hitch-tolerance", "0.1"}), HasSubstr("--hitch-tolerance: give --heading RADIANS with it"));
+  EXPECT_THAT(error({"--heading", "1", "--goal", "8,5,0.2", "--heading-tolerance", "4"}), HasSubstr("radians from"));
+  EXPECT_THAT(error({"--heading", "1", "--goal", "8,5,0.2", "--heading-tolerance", "0"}), HasSubstr("radians from"));
+}
+
 TEST_F(CliPlan, VerifyBeginsWhereThePlanDoesUnlessAskedOtherwise) {
   plan({"--robot", "truck:2", "--start", "north"});
   const Outcome own = krait({"verify", "room.json", "plan.json", "--robot", "truck:2"});

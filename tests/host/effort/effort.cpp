@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <map>
+#include <numbers>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -30,13 +31,19 @@ constexpr const char* kAbout =
 struct Kind {
   double scale;
   const char* robot;
-  const char* planner;  // or "paper": adaptive with the paper's parameters
+  const char* planner;  // or "paper": adaptive with the paper's parameters; "pose": to the goal's middle within 0.1 m
+                        // and 0.1 rad, to four headings in turn; "straight": and the hitches within 0.2 rad
 };
 
-constexpr Kind kKinds[] = {{1, "snake:15", "adaptive"}, {1, "snake:5", "adaptive"},     {1, "truck:2", "adaptive"},
-                           {1, "car", "adaptive"},      {1, "unicycle", "adaptive"},    {1, "diff_drive", "adaptive"},
-                           {2, "snake:15", "adaptive"}, {0.75, "snake:15", "adaptive"}, {1, "snake:5", "paper"},
-                           {1, "unicycle", "prior"}};
+constexpr Kind kKinds[] = {{1, "snake:15", "adaptive"}, {1, "snake:5", "adaptive"},
+                           {1, "truck:2", "adaptive"},  {1, "car", "adaptive"},
+                           {1, "unicycle", "adaptive"}, {1, "diff_drive", "adaptive"},
+                           {2, "snake:15", "adaptive"}, {0.75, "snake:15", "adaptive"},
+                           {1, "snake:5", "paper"},     {1, "unicycle", "prior"},
+                           {1, "car", "pose"},          {1, "diff_drive", "pose"},
+                           {1, "truck:1", "pose"},      {1, "truck:2", "pose"},
+                           {1, "snake:5", "pose"},      {1, "snake:15", "pose"},
+                           {1, "truck:1", "straight"},  {1, "truck:2", "straight"}};
 
 struct Cost {
   std::uint64_t solved = 0;
@@ -50,11 +57,25 @@ std::uint64_t quantile(std::vector<std::uint64_t> values, std::size_t tenths) {
   return values[(values.size() - 1) * tenths / 10];
 }
 
-Cost measure(const SceneBytes& bytes, const Kind& kind) {
+// The pose in the middle of the scene's goal that the seed's turn is.
+void ask_pose(const Workspace& workspace, const Kind& kind, SearchRequest& request) {
+  Point middle{};
+  const Ring& goal = workspace.goals.front().polygon;
+  for (const Point& corner : goal) {
+    const auto share = 1.0 / static_cast<double>(goal.size());
+    middle = {middle.x + share * corner.x, middle.y + share * corner.y};
+  }
+  request.goal = GoalDisc{middle, 0.1};
+  request.facing = GoalFacing{static_cast<double>(request.seed % 4) * std::numbers::pi / 2, 0.1, false, {}};
+  if (std::string(kind.planner) == "straight") request.facing->hitches = 0.2;
+}
+
+Cost measure(const Workspace& workspace, const SceneBytes& bytes, const Kind& kind) {
   SearchRequest request;
   request.robot = parse_robot(kind.robot);
   const bool paper = std::string(kind.planner) == "paper";
-  request.planner = paper ? "adaptive" : kind.planner;
+  const bool pose = std::string(kind.planner) == "pose" || std::string(kind.planner) == "straight";
+  request.planner = paper || pose ? "adaptive" : kind.planner;
   if (paper) request.parameters = Parameters::paper();
   request.iterations = kIterations;
   request.memory = kMemory;
@@ -62,6 +83,7 @@ Cost measure(const SceneBytes& bytes, const Kind& kind) {
   Cost cost;
   std::vector<std::uint64_t> vertices, placements;
   for (request.seed = 1; request.seed <= kSeeds; ++request.seed) {
+    if (pose) ask_pose(workspace, kind, request);
     const SearchResult result = run_search("scene", bytes, request, block, {});
     cost.solved += result.plan.status == "solved" ? 1 : 0;
     vertices.push_back(result.plan.statistics.at("vertices").get<std::uint64_t>());
@@ -76,14 +98,16 @@ Cost measure(const SceneBytes& bytes, const Kind& kind) {
 
 void measure_scene(const std::string& scene, Costs& costs) {
   std::map<double, SceneBytes> compiled;
+  std::map<double, Workspace> workspaces;
   for (const Kind& kind : kKinds) {
     if (!compiled.contains(kind.scale)) {
-      const CompiledScene result = compile(make_scene(scene, kind.scale).workspace, {});
+      workspaces[kind.scale] = make_scene(scene, kind.scale).workspace;
+      const CompiledScene result = compile(workspaces[kind.scale], {});
       compiled[kind.scale] = SceneBytes::copy(result.bytes.data(), result.bytes.size());
     }
     std::ostringstream name;
     name << scene << ' ' << kind.scale << ' ' << kind.robot << ' ' << kind.planner;
-    costs[name.str()] = measure(compiled[kind.scale], kind);
+    costs[name.str()] = measure(workspaces[kind.scale], compiled[kind.scale], kind);
   }
 }
 

@@ -50,6 +50,37 @@ TEST_F(PlanTest, ReadsBackWhatWasWritten) {
   EXPECT_EQ(copy.origin.x, 1234.5);
 }
 
+TEST_F(PlanTest, AHeadingOfTheGoalReadsBack) {
+  PlanFile plan = example();
+  EXPECT_FALSE(to_json(plan)["goal"].contains("heading"));
+  plan.goal_facing = GoalFacing{-1.25, 0.1, true, {}};
+  EXPECT_FALSE(to_json(plan)["goal"].contains("hitch_tolerance"));
+  plan.goal_facing->hitches = 0.2;
+  const PlanFile copy = read_back(plan);
+  EXPECT_EQ(to_json(copy), to_json(plan));
+  ASSERT_TRUE(copy.goal_facing);
+  EXPECT_EQ(copy.goal_facing->heading, -1.25);
+  EXPECT_EQ(copy.goal_facing->tolerance, 0.1);
+  EXPECT_TRUE(copy.goal_facing->either_way);
+  EXPECT_EQ(copy.goal_facing->hitches, 0.2);
+  EXPECT_FALSE(read_back(example()).goal_facing);
+}
+
+TEST_F(PlanTest, AWrongHeadingIsNamed) {
+  PlanFile plan = example();
+  plan.goal_facing = GoalFacing{1, 0.1, false, 0.2};
+  const auto error = [&](const char* key, const Json& value) {
+    Json json = to_json(plan);
+    json["goal"][key] = value;
+    return read_error(json);
+  };
+  EXPECT_THAT(error("heading", "north"), HasSubstr("goal.heading"));
+  EXPECT_THAT(error("heading", 1e9), HasSubstr("goal.heading"));
+  EXPECT_THAT(error("heading_tolerance", -1), HasSubstr("goal.heading_tolerance"));
+  EXPECT_THAT(error("either_way", 1), HasSubstr("goal.either_way: must be true or false"));
+  EXPECT_THAT(error("hitch_tolerance", nullptr), HasSubstr("goal.hitch_tolerance"));
+}
+
 TEST_F(PlanTest, ItsTextsHaveNoControlCharacters) {
   const std::string expected = ": must be a text without control characters, is \"a\\u009bb\"";
   for (const char* key : {"status", "scene", "planner"}) {

@@ -907,6 +907,66 @@ TEST(Cells, AMapWhoseSizeLiesIsAnInputError) {
   EXPECT_THROW(c.verdict(), InputError);
 }
 
+// Asks for the heading that the plan ends with, but for `off` radians.
+Case with_heading(Case c, double off, std::optional<double> hitches = {}) {
+  c.asked.facing = GoalFacing{static_cast<double>(c.plan.states.back()[2]) + off, 0.1, false, hitches};
+  c.plan.goal_facing = c.asked.facing;
+  return c;
+}
+
+TEST_P(EveryModel, TheHeadingAtTheEndIsJudged) {
+  const Case c = arc(GetParam().model, GetParam().links);
+  expect_holds(with_heading(c, 0.09).verdict());
+  EXPECT_NEAR(with_heading(c, 0.09).verdict().heading_error, 0.09, 1e-4);
+  expect_complaint(with_heading(c, 0.11), "goal: the heading of the driven end is 0.11 rad from the one asked for");
+  expect_complaint(with_heading(c, -0.11), "goal: the heading of the driven end is 0.11 rad from the one asked for");
+  expect_holds(with_heading(c, 4 * std::numbers::pi).verdict());
+  EXPECT_TRUE(std::isnan(c.verdict().heading_error));
+}
+
+TEST_P(EveryModel, EitherWayTheOppositeHeadingWillDo) {
+  Case c = with_heading(arc(GetParam().model, GetParam().links), std::numbers::pi - 0.05);
+  expect_complaint(c, "goal: the heading of the driven end is 3.092 rad");
+  c.asked.facing->either_way = c.plan.goal_facing->either_way = true;
+  expect_holds(c.verdict());
+  EXPECT_NEAR(c.verdict().heading_error, 0.05, 1e-4);
+}
+
+TEST(Heading, TheHitchesAreJudged) {
+  const Case c = arc("truck", 2);
+  const std::vector<float>& end = c.plan.states.back();
+  const double first = std::abs(static_cast<double>(end[2] - end[5]));
+  const double second = std::abs(static_cast<double>(end[5] - end[6]));
+  ASSERT_GT(first, 0.05);
+  ASSERT_GT(second, 0.05);
+  expect_holds(with_heading(c, 0, std::max(first, second) + 1e-3).verdict());
+  expect_complaint(with_heading(c, 0, first - 1e-3), "goal: the hitch before body 1 of the driven end is bent by");
+  if (second > first) {
+    expect_complaint(with_heading(c, 0, second - 1e-3), "goal: the hitch before body 2 of the driven end is bent by");
+  }
+}
+
+// The stored state may say what it wants: the controls are driven.
+TEST(Heading, IsThatOfTheControls) {
+  Case c = with_heading(arc("unicycle"), 0.104);
+  c.plan.states.back()[2] += 0.0045F;
+  expect_complaint(c, "goal: the heading of the driven end is 0.104 rad");
+}
+
+TEST(Heading, APlanMadeForAnotherIsRefused) {
+  const char* const sentence = "goal: the plan was not made for the heading and the tolerances asked for";
+  const Case good = with_heading(arc("car"), 0);
+  for (const auto& change : std::vector<std::function<void(PlanFile&)>>{
+           [](PlanFile& plan) { plan.goal_facing.reset(); }, [](PlanFile& plan) { plan.goal_facing->heading += 0.01; },
+           [](PlanFile& plan) { plan.goal_facing->tolerance += 0.01; },
+           [](PlanFile& plan) { plan.goal_facing->either_way = true; },
+           [](PlanFile& plan) { plan.goal_facing->hitches = 0.1; }}) {
+    Case c = good;
+    change(c.plan);
+    expect_complaint(c, sentence);
+  }
+}
+
 // Sped up to 2 m/s, then braked for so many steps, 0.5 m/s each.
 Case braked(std::size_t steps) {
   const auto steer = [&](std::size_t step, const Row&) -> Row {
