@@ -16,8 +16,13 @@ float turn_between(Vec2 from, Vec2 to, int turn) {
   return positive > 2.0F * kPi - kNoTurn ? 0.0F : positive;
 }
 
+// `from` and so much of what lies left of `along`.
+Vec2 moved_left(Vec2 from, float by, Vec2 along) {
+  return {from.x - product(by, along.y), from.y + product(by, along.x)};
+}
+
 Vec2 circle_center(const Pose& pose, float radius, int turn) {
-  return pose.position + static_cast<float>(turn) * radius * left_of(direction(pose.heading));
+  return moved_left(pose.position, static_cast<float>(turn) * radius, direction(pose.heading));
 }
 
 // Two turns and the straight line that touches both circles.
@@ -30,7 +35,7 @@ bool turn_straight_turn(int first, int second, const Pose& from, const Pose& to,
   const bool same_circle = squared < 1e-8F * radius * radius;
   const float side = static_cast<float>(first) * sideways;
   const Vec2 along =
-      same_circle ? direction(from.heading) : (1.0F / squared) * (straight * apart + side * left_of(apart));
+      same_circle ? direction(from.heading) : (1.0F / squared) * moved_left(straight * apart, side, apart);
   line.add(first, radius * turn_between(direction(from.heading), along, first));
   line.add(0, straight);
   line.add(second, radius * turn_between(along, direction(to.heading), second));
@@ -46,7 +51,7 @@ bool three_turns(int first, const Pose& from, const Pose& to, float radius, Curv
   const float apart = 2.0F * radius;
   if (squared > apart * apart || squared < 1e-8F * radius * radius) return false;
   const float sideways = static_cast<float>(first) * std::sqrt((apart * apart - squared) / squared);
-  const Vec2 middle = begin + half + sideways * left_of(half);
+  const Vec2 middle = moved_left(begin + half, sideways, half);
   const auto side = static_cast<float>(first);
   const Vec2 into = side * left_of(middle - begin);  // directions where the circles touch
   const Vec2 out = side * left_of(end - middle);

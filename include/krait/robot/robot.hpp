@@ -57,41 +57,36 @@ struct Steering {
 //   travel(s, u, dt, next, travel)  bounds the motion of every body while u is held for dt from s to next, what proves
 //                                that nothing is jumped over between two states, whatever it gives: false when it is
 //                                not proven that the limits, which s and next keep, hold all the way
-// It may also have
+// It may also have the following, each of which a function below calls or replaces:
 //   speed(s)                     m/s, at least 0: how fast it moves in s, 0 at rest. A plan then ends at rest, or as
-//   slow
-//                                as Parameters::end_speed asks: steer with a target whose speed is 0 must decrease it
-//                                at every step until it is 0. Without it a plan ends in any state of the goal
+//                                slow as Parameters::end_speed asks: steer with a target whose speed is 0 must
+//                                decrease it at every step until it is 0. Without it a plan ends at any speed
 //   stopping_way(s)              metres along body 0's x axis, negative backwards: how far from the position it comes
-//   to
-//                                rest, roughly, when it brakes in s. Used to know where it pays to brake for the goal;
-//                                without it, 0
+//                                to rest, roughly, when it brakes in s. Used to know where it pays to brake for the
+//                                goal; without it, 0
 //   turning_radius()             metres, at least 0: of the sharpest turn that it drives for long, forwards. Used to
-//   find
-//                                the way to a pose; without it, the length of body 0
+//                                find the way to a pose; without it, the length of body 0
 //   top_speed()                  m/s, above 0: of the position, straight ahead at a target's speed of 1. Used to come
-//   to
-//                                rest at a pose; without it, a length of body 0 a second
+//                                to rest at a pose; without it, a length of body 0 a second
 //   fastest_rate(dt)             1/s, at least 0: Runge-Kutta steps of h seconds with h fastest_rate(dt) <= kStepRate
-//                                (rk4.hpp) are accurate to its bounds, whatever state and control the limits allow in a
-//                                time step of dt. Without it, every time step is taken for short enough
+//                                (rk4.hpp) are accurate to its bounds, whatever state and control the limits allow in
+//                                a time step of dt. Without it, every time step counts as short enough
 //   track(s, reference, dt, u)   changes u, the control of the state `reference` that s is very near to, to the one
-//   that
-//                                brings s back to the motion of the reference within some time steps of dt, inside the
-//                                limits as steer's. Without it, u stays, and a plan's error grows with its length
+//                                that brings s back to the motion of the reference within some time steps of dt,
+//                                inside the limits as steer's. Without it, u stays, and a plan's error grows with its
+//                                length
 //   keeps_reserve(s)             s is so far within the limits that a plan, which is driven a little beside the tree,
-//   keeps
-//                                them; without it, within_limits is all that the tree keeps
+//                                keeps them; without it, within_limits is all that the tree keeps
 //   steer(s, poses, target, steering, u)
-//                                the same control to the bit, given the frames of s as well; used instead
-//   leading_size()               how many of the first components, the position among them, depend on no others; place
-//                                and derivative then also take states of so many, and place writes body 0 only
+//                                returns the same control to the bit and knows the frames of s; called instead
+//   leading_size()               how many of the first components, the position among them, depend on no others;
+//                                place and derivative then also accept states of so many, and place writes body 0 only
 //   Lead, integrate_lead(s, poses, u, dt, lead, d), integrate_rest(s, poses, dt, lead, d)
-//                                given the frames of s, write to d, as many floats as s has, what a Runge-Kutta step of
-//                                dt under u adds to s: that by derivative but for rounding, at less cost; used instead
-//                                of derivative throughout. First the leading components, which body 0 is checked by,
-//                                then the rest by what the first left in lead, a plain struct. The first also takes
-//                                states of leading_size()
+//                                know the frames of s and write to d, as many floats as s has, what a Runge-Kutta step
+//                                of dt under u adds to s: that by derivative but for rounding, at less cost; called
+//                                instead of derivative throughout. First the leading components, which body 0 is
+//                                checked by, then the rest by what the first left in lead, a plain struct. The first
+//                                also accepts states of leading_size()
 //   sketch(s, poses, u, dt)      moves s, as far as steer looks at it, and the frames by dt under u, roughly; false
 //                                where that leaves the limits. Used to look ahead, instead of derivative
 template <class R>

@@ -45,6 +45,17 @@ class GroupedSearch : public Search<Derived, R, Groups> {
     return most;
   }
 
+  // The least cost h of the regions that a search has reached since it last began anew, metres; infinite where it has
+  // not started. O(R).
+  float cost_to_go() const {
+    float least = kInfinity;
+    for (Index region = 0; region < this->scene_->triangle_count(); ++region) {
+      const float cost = this->regions_.cost(region);
+      if (this->guide_.reached(region) > 0 && cost < least) least = cost;
+    }
+    return least;
+  }
+
  protected:
   // Makes sure that the tree has room for an expansion. False, and the search has ended, when it has not.
   bool room_for_expansion() {

@@ -9,6 +9,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 
@@ -61,6 +62,10 @@ int wait_for(pid_t child) {
 }
 
 void require_success(int status, const std::string& compiler, const std::string& map) {
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) {
+    std::fputs("krait: stopped by you while the map was compiled: nothing is written\n", stderr);
+    throw Exit{kHonestNo};
+  }
   if (WIFSIGNALED(status)) {
     throw InputError(map + ": krait-compile was ended by signal " + std::to_string(WTERMSIG(status)) + " (" +
                      ::strsignal(WTERMSIG(status)) + "); has this machine enough memory for the map?");

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/cli/options.hpp"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <numbers>
@@ -113,7 +112,8 @@ void QueryOptions::add(CLI::App& command) {
   command_ = &command;
   command
       .add_option("--robot", robot,
-                  "snake:N, truck:N (N trailers, 0 to 25), car, unicycle, diff_drive, or a ROBOT.json")
+                  "snake:N, truck:N (N trailers, 0 to 25), car, unicycle, diff_drive, a shipped machine by its name\n"
+                  "(krait robots lists them), or a ROBOT.json")
       ->capture_default_str();
   command.add_option("--start", start,
                      "a start of the scene by NAME, or X,Y,HEADING in metres and radians (default: its first)");
@@ -137,10 +137,7 @@ void QueryOptions::add(CLI::App& command) {
                      "metres a second, 0 or more: how fast the plan may end, inf for any speed (default: 0, at rest)");
 }
 
-bool QueryOptions::robot_is_file() const {
-  const std::vector<std::string> models = robot_models();
-  return std::find(models.begin(), models.end(), robot.substr(0, robot.find(':'))) == models.end();
-}
+bool QueryOptions::robot_is_file() const { return is_robot_file(robot); }
 
 void QueryOptions::read_facing(SearchRequest& request) const {
   if (!heading) {

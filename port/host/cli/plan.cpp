@@ -8,10 +8,11 @@
 #include "host/cli/asked.hpp"
 #include "host/cli/commands.hpp"
 #include "host/cli/compiler_process.hpp"
+#include "host/cli/interrupt.hpp"
 #include "host/cli/options.hpp"
-#include "host/cli/terminal.hpp"
 #include "host/input/file.hpp"
 #include "host/input/outputs.hpp"
+#include "host/input/progress.hpp"
 #include "host/picture/picture.hpp"
 #include "host/run/query.hpp"
 #include "host/run/shortest_way.hpp"
@@ -101,9 +102,8 @@ std::string csv_of(const PlanFile& plan) {
 
 // Against the map itself; a compiled scene has its pieces only.
 Verdict verdict_on(const SearchResult& result, const Ground& ground, const SearchRequest& request,
-                   const PlanOptions& options) {
-  ProgressLine line;
-  line.show("verifying");
+                   const PlanOptions& options, Progress& progress) {
+  progress.show("verifying", std::to_string(result.plan.controls.size()) + " steps");
   if (ground.map) return verify(*ground.map, result.plan, asked_of(*ground.map, request));
   return verify(import_workspace(options.scene, {}), result.plan, result.asked);
 }
@@ -111,9 +111,10 @@ Verdict verdict_on(const SearchResult& result, const Ground& ground, const Searc
 // A plan that does not hold is no plan: its arrays are emptied and the status says why. Returns the exit code, and
 // writes the verdict on a plan.
 int judge(SearchResult& result, const Ground& ground, const SearchRequest& request, const PlanOptions& options,
-          Verdict& verdict) {
+          Verdict& verdict, Progress& progress) {
   if (result.plan.status != "solved") return result.plan.status == "internal" ? kOwnBug : kHonestNo;
-  verdict = verdict_on(result, ground, request, options);
+  verdict = verdict_on(result, ground, request, options, progress);
+  progress.end();
   if (verdict.holds) return kDone;
   result.plan.status = "verification_failed";
   result.plan.states.clear();
@@ -125,15 +126,15 @@ int judge(SearchResult& result, const Ground& ground, const SearchRequest& reque
   return kOwnBug;
 }
 
-void draw(const SearchRequest& request, const SceneBytes& bytes, const SearchResult& result,
-          const PlanOptions& options) {
+void draw(const SearchRequest& request, const SceneBytes& bytes, const SearchResult& result, const PlanOptions& options,
+          Progress& progress) {
   if (options.svg.empty() && options.png.empty() && options.html.empty()) return;
-  ProgressLine line;
-  line.show("drawing");
+  progress.show("drawing");
   const Picture picture = watch_search(options.scene, bytes, request, result.plan);
   if (!options.svg.empty()) write_file(options.svg, draw_svg(picture));
   if (!options.png.empty()) write_file(options.png, draw_png(picture));
   if (!options.html.empty()) write_file(options.html, draw_html(picture));
+  progress.end();
 }
 
 // Metres: the width of the largest disc around the middle of body 0 that lies in it.
@@ -181,6 +182,10 @@ void print_summary(const SearchResult& result) {
               plan.robot.model.c_str(), plan.robot.bodies.size(), plan.scene.c_str(),
               static_cast<unsigned long long>(plan.seed), s.at("time_s").get<double>(),
               s.at("iterations").get<unsigned long long>(), s.at("vertices").get<unsigned long long>());
+  if (result.stopped) {
+    std::printf("stopped by you after %llu iterations%s\n", s.at("iterations").get<unsigned long long>(),
+                plan.states.empty() ? "" : ": this is the best plan so far");
+  }
   for (const std::string& reason : result.why) std::printf("  %s\n", reason.c_str());
   if (plan.states.empty()) return;
   std::printf("plan: %zu steps, %.1f s, %.1f m, hash %s, verified\n", plan.controls.size(),
@@ -188,16 +193,32 @@ void print_summary(const SearchResult& result) {
               s.at("hash").get<std::string>().c_str());
 }
 
-SearchResult search(const PlanOptions& options, const SearchRequest& request, const SceneBytes& bytes) {
-  ProgressLine line;
-  return run_search(
-      options.scene, bytes, request, [&](std::uint64_t iterations, std::uint64_t vertices, double seconds) {
-        if (seconds < 1) return;
-        char text[120];
-        std::snprintf(text, sizeof text, "planning: %.0f s, %llu iterations, %llu vertices", seconds,
-                      static_cast<unsigned long long>(iterations), static_cast<unsigned long long>(vertices));
-        line.show(text);
-      });
+// "1200 iterations, 4 m to go", and of a plan that is improved how good it is.
+std::string detail_of(const SearchNews& news) {
+  char text[160];
+  if (news.best.length > 0) {
+    std::snprintf(text, sizeof text, "best plan %.1f s, %.1f m, improved %llu times", news.best.duration,
+                  news.best.length, static_cast<unsigned long long>(news.improvements));
+  } else if (std::isfinite(news.cost_to_go)) {
+    std::snprintf(text, sizeof text, "%llu iterations, cost still to go %.3g m",
+                  static_cast<unsigned long long>(news.iterations), news.cost_to_go);
+  } else {
+    std::snprintf(text, sizeof text, "%llu iterations, %llu vertices", static_cast<unsigned long long>(news.iterations),
+                  static_cast<unsigned long long>(news.vertices));
+  }
+  return text;
+}
+
+SearchResult search(const PlanOptions& options, const SearchRequest& request, const SceneBytes& bytes,
+                    const Interrupt& interrupt, Progress& progress) {
+  SearchWatch watch;
+  watch.tell = [&](const SearchNews& news) {
+    progress.show(news.best.length > 0 ? "improving" : "planning", detail_of(news));
+  };
+  watch.stop = [&] { return interrupt.asked(); };
+  SearchResult result = run_search(options.scene, bytes, request, watch);
+  progress.end();
+  return result;
 }
 
 std::vector<Output> outputs_of(const PlanOptions& options) {
@@ -221,14 +242,16 @@ SceneBytes compiled(const PlanOptions& options) {
   return SceneBytes::copy(scene.data(), scene.size());
 }
 
-Ground read_ground(const PlanOptions& options) {
+Ground read_ground(const PlanOptions& options, Progress& progress) {
   const std::string content = read_file(options.scene, UINT32_MAX);
   if (is_scene_file(content)) {
     if (options.map_options.empty()) return {SceneBytes::copy(content.data(), content.size()), std::nullopt};
     throw InputError(options.map_options.front() + " is for maps, but " + options.scene +
                      " is compiled already: use it with krait compile, or plan in the map itself");
   }
+  progress.show("reading the map");
   Workspace map = import_workspace(options.scene, {parse_unknown(options.unknown)});
+  progress.end();                                 // the compiler has its own
   check_outputs(outputs_of(options), map.files);  // also those that the map names
   return {compiled(options), std::move(map)};
 }
@@ -236,13 +259,15 @@ Ground read_ground(const PlanOptions& options) {
 void plan(const PlanOptions& options) {
   const SearchRequest request = request_of(options);
   check_outputs(outputs_of(options), inputs_of(options));  // before work that may take long
-  const Ground ground = read_ground(options);
-  SearchResult result = search(options, request, ground.scene);
+  const Interrupt interrupt;
+  Progress progress("krait");
+  const Ground ground = read_ground(options, progress);
+  SearchResult result = search(options, request, ground.scene, interrupt, progress);
   Verdict verdict;
-  const int code = judge(result, ground, request, options, verdict);
+  const int code = judge(result, ground, request, options, verdict, progress);
   if (!options.json.empty()) write_file(options.json, to_json(result.plan).dump() + "\n");
   if (!options.csv.empty()) write_file(options.csv, csv_of(result.plan));
-  draw(request, ground.scene, result, options);
+  draw(request, ground.scene, result, options, progress);
   print_summary(result);
   if (request.improve > 0 && !result.plan.states.empty()) print_improvement(result);
   if (code == kDone) print_quality(result, request, ground.scene, verdict);
@@ -261,7 +286,9 @@ std::string defaults_table() {
     }
     text += "\n";
   }
-  return text + "Ends: solved (exit 0); no_route, budget_used, tree_full, time_used (exit 1); bad input (exit 2).";
+  return text +
+         "Ends: solved (exit 0); no_route, budget_used, tree_full, time_used, also by Ctrl-C (exit 1); bad input (exit "
+         "2).";
 }
 
 template <class Number>

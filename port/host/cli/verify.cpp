@@ -10,6 +10,7 @@
 #include "host/cli/asked.hpp"
 #include "host/cli/commands.hpp"
 #include "host/cli/options.hpp"
+#include "host/input/progress.hpp"
 
 namespace krait::host {
 namespace {
@@ -82,11 +83,16 @@ void judge(const VerifyOptions& options) {
   SearchRequest request;
   options.query.read(request);
   request.parameters.dt = static_cast<float>(options.dt);
+  Progress progress("krait");
+  progress.show("reading the map");
   const Workspace workspace = import_workspace(options.input, {parse_unknown(options.unknown)});
+  progress.end();
   for (const std::string& warning : workspace.warnings) std::fprintf(stderr, "krait: warning: %s\n", warning.c_str());
   const PlanFile plan = read_plan(options.plan);
   const Asked asked = asked_of(workspace, request, plan);
+  progress.show("verifying", std::to_string(plan.controls.size()) + " steps");
   const Verdict verdict = verify(workspace, plan, asked);
+  progress.end();
   print_verdict(verdict, options.all);
   if (verdict.holds) print_own(options, asked);
   throw Exit{verdict.holds ? kDone : kHonestNo};

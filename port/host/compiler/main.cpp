@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // krait-compile: turns a map or drawing into a scene file. `krait compile` runs it.
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <sstream>
@@ -14,6 +11,7 @@
 #include "host/input/file.hpp"
 #include "host/input/json.hpp"
 #include "host/input/outputs.hpp"
+#include "host/input/progress.hpp"
 #include "host/workspace/heading.hpp"
 
 namespace {
@@ -63,26 +61,6 @@ void add_goal(Workspace& workspace, const std::string& text) {
   workspace.goals.push_back(std::move(goal));
 }
 
-// One line on standard error, rewritten, once a second has gone by; nothing unless that is a terminal.
-class Progress {
- public:
-  void operator()(const std::string& step) {
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-    if (!terminal_ || seconds < 1) return;
-    std::fprintf(stderr, "\r\033[Kkrait-compile: %s (%.0f s)", step.c_str(), seconds);
-    shown_ = true;
-  }
-  void end() {
-    if (shown_) std::fputs("\r\033[K", stderr);
-    shown_ = false;
-  }
-
- private:
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-  bool terminal_ = isatty(STDERR_FILENO) != 0;
-  bool shown_ = false;
-};
-
 struct Arguments {
   std::string input, output, start, goal;
   Unknown unknown = Unknown::map;
@@ -92,11 +70,13 @@ struct Arguments {
 void run(const Arguments& arguments, Progress& progress) {
   const Output output{"-o", arguments.output};
   check_outputs({output}, {arguments.input});
+  progress.show("reading the map");
   Workspace workspace = import_workspace(arguments.input, {arguments.unknown});
   check_outputs({output}, workspace.files);
   if (!arguments.start.empty()) set_start(workspace, arguments.start);
   if (!arguments.goal.empty()) add_goal(workspace, arguments.goal);
-  const CompiledScene scene = compile(workspace, {arguments.tolerance, std::ref(progress)});
+  const CompiledScene scene =
+      compile(workspace, {arguments.tolerance, [&](const std::string& step) { progress.show(step); }});
   write_file(arguments.output, std::string(scene.bytes.begin(), scene.bytes.end()));
   progress.end();
   const auto warn = [](const std::string& text) { std::fprintf(stderr, "krait-compile: warning: %s\n", text.c_str()); };
@@ -136,7 +116,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "krait-compile: %s (see --help)\n", safe_to_print(error.what()).c_str());
     return 2;
   }
-  Progress progress;
+  Progress progress("krait-compile");
   try {
     run(arguments, progress);
     return 0;

@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <linux/magic.h>
+#include <signal.h>
 #include <sys/stat.h>
 #include <sys/vfs.h>
 #include <unistd.h>
@@ -74,6 +75,23 @@ struct Temporary {
   }
 };
 
+// While it lives, Ctrl-C and its like wait: no temporary is left behind.
+class Undisturbed {
+ public:
+  Undisturbed() {
+    sigset_t ending;
+    ::sigemptyset(&ending);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) ::sigaddset(&ending, signal);
+    ::pthread_sigmask(SIG_BLOCK, &ending, &before_);
+  }
+  Undisturbed(const Undisturbed&) = delete;
+  Undisturbed& operator=(const Undisturbed&) = delete;
+  ~Undisturbed() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
+ private:
+  sigset_t before_{};
+};
+
 // O_NONBLOCK: opening a terminal does not wait for its other end.
 void write_device(const std::string& path, const std::string& content) {
   const Descriptor file(::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
@@ -83,6 +101,7 @@ void write_device(const std::string& path, const std::string& content) {
 
 void replace_file(const std::string& path, const std::string& target, const std::string& content) {
   static unsigned serial = 0;
+  const Undisturbed undisturbed;
   const std::string name = target + ".part" + std::to_string(::getpid()) + "-" + std::to_string(serial++);
   Descriptor file(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
   if (file.number() < 0) fail(path, "written", errno);

@@ -15,7 +15,8 @@ std::string read_file(const std::string& path, std::uint64_t most);
 // a socket, a block device. Writes and opens nothing.
 void check_writable(const std::string& path);
 
-// Writes a file whole or not at all: to a temporary beside it, then by rename; a symbolic link is followed. A character
+// Writes a file whole or not at all: to a temporary beside it, then by rename, while SIGINT, SIGTERM and SIGHUP wait; a
+// symbolic link is followed. A character
 // device (/dev/null, a terminal) and a pipe that the shell has opened (/dev/stdout before a |, >(…)) are written to
 // directly. Opening never waits. Throws InputError.
 void write_file(const std::string& path, const std::string& content);

@@ -1,49 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 // The still pictures: one painting for Cairo, on an SVG or an image surface.
-#include <cairo-svg.h>
-#include <cairo.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
-#include <numbers>
-#include <pugixml.hpp>
-#include <sstream>
 
 #include "host/picture/colors.hpp"
 #include "host/picture/figure.hpp"
+#include "host/picture/pen.hpp"
 #include "host/picture/picture.hpp"
 #include "host/picture/poses.hpp"
-
-#ifdef __SANITIZE_ADDRESS__
-// Fontconfig never frees what it keeps for the life of the process: some kilobyte, however much is drawn.
-extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfig\n"; }
-extern "C" const char* __lsan_default_options() { return "print_suppressions=0"; }
-#endif
+#include "host/picture/sheet.hpp"
 
 namespace krait::host {
 
 namespace {
 
-struct Destroy {
-  void operator()(cairo_t* context) const { cairo_destroy(context); }
-  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
-};
-using Surface = std::unique_ptr<cairo_surface_t, Destroy>;
-using Context = std::unique_ptr<cairo_t, Destroy>;
-
-constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kBarWidth = 250;  // points: the colour bar
 constexpr double kBarHeight = 11;
 constexpr double kLongestScaleBar = 150;
 
-enum class Align { left, center, right };
-
 // A pen on one sheet.
-class Painter {
+class Painter : private Pen {
  public:
-  Painter(cairo_t* context, const Picture& picture) : cr_(context), picture_(picture), figure_(layout(picture)) {}
+  Painter(cairo_t* context, const Picture& picture) : Pen(context), picture_(picture), figure_(layout(picture)) {}
 
   void paint() {
     source(kPaper);
@@ -69,63 +48,13 @@ class Painter {
   }
 
  private:
-  // ---- strokes and fills
-  void source(Color color, double alpha = 1) {
-    cairo_set_source_rgba(cr_, color.red / 255.0, color.green / 255.0, color.blue / 255.0, alpha);
-  }
-  void fill(Color color, double alpha = 1) {
-    source(color, alpha);
-    cairo_fill(cr_);
-  }
-  void stroke(Color color, double width, double alpha = 1) {
-    source(color, alpha);
-    cairo_set_line_width(cr_, width);
-    cairo_stroke(cr_);
-  }
-  void fill_and_stroke(Color inside, Color line, double width) {
-    source(inside);
-    cairo_fill_preserve(cr_);
-    stroke(line, width);
-  }
-  void move_to(Point sheet) { cairo_move_to(cr_, sheet.x, sheet.y); }
-  void line_to(Point sheet) { cairo_line_to(cr_, sheet.x, sheet.y); }
+  // ---- in the map
   void ring(const Ring& corners) {
     cairo_new_sub_path(cr_);
     for (const Point& corner : corners) line_to(figure_.at(corner));
     cairo_close_path(cr_);
   }
-  void disc(Point center, double radius) {
-    cairo_new_sub_path(cr_);
-    cairo_arc(cr_, center.x, center.y, radius, 0, kTurn);
-  }
   void map_rectangle() { cairo_rectangle(cr_, figure_.left, figure_.top, figure_.map_width, figure_.map_height); }
-
-  // ---- text
-  void font(double size, bool bold = false) {
-    cairo_select_font_face(cr_, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
-                           bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
-    cairo_set_font_size(cr_, size);
-  }
-  double text_width(const std::string& text) {
-    cairo_text_extents_t extents;
-    cairo_text_extents(cr_, text.c_str(), &extents);
-    return extents.x_advance;
-  }
-  void write(const std::string& text, Point at, Align align, Color color) {
-    const double shift = align == Align::left ? 0 : text_width(text) * (align == Align::center ? 0.5 : 1.0);
-    cairo_move_to(cr_, at.x - shift, at.y);
-    source(color);
-    cairo_show_text(cr_, text.c_str());
-  }
-  // The longest beginning of the text that fits, with an ellipsis if it is not the whole.
-  std::string fitted(std::string text, double width) {
-    if (text_width(text) <= width) return text;
-    while (!text.empty() && text_width(text + "…") > width) {
-      while ((static_cast<unsigned char>(text.back()) & 0xC0) == 0x80) text.pop_back();
-      text.pop_back();
-    }
-    return text + "…";
-  }
   // A word beside a mark, kept inside the map, legible on any colour.
   void label(const std::string& text, Point mark) {
     font(12.5, true);
@@ -391,61 +320,23 @@ class Painter {
 
   static constexpr double kContentMargin = 28;
 
-  cairo_t* cr_;
   const Picture& picture_;
   Figure figure_;
 };
-
-cairo_status_t append(void* text, const unsigned char* bytes, unsigned int count) {
-  static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(bytes), count);
-  return CAIRO_STATUS_SUCCESS;
-}
-
-void expect(cairo_status_t status) {
-  if (status != CAIRO_STATUS_SUCCESS)
-    throw InputError(std::string("picture: Cairo: ") + cairo_status_to_string(status));
-}
-
-// Cairo numbers its groups by a counter of the process and gives a drawing no name for screen readers.
-std::string with_name(const std::string& svg, const std::string& name) {
-  pugi::xml_document document;
-  document.load_buffer(svg.data(), svg.size());
-  pugi::xml_node root = document.child("svg");
-  root.append_attribute("role") = "img";
-  root.prepend_child("title").text() = name.c_str();
-  root.child("g").attribute("id") = "figure";
-  std::ostringstream out;
-  document.save(out, "", pugi::format_raw);
-  return out.str();
-}
 
 }  // namespace
 
 std::string draw_svg(const Picture& picture) {
   check(picture);
   const Figure figure = layout(picture);
-  std::string svg;
-  const Surface surface(cairo_svg_surface_create_for_stream(append, &svg, figure.width, figure.height));
-  const Context context(cairo_create(surface.get()));
-  Painter(context.get(), picture).paint();
-  expect(cairo_status(context.get()));
-  cairo_surface_finish(surface.get());
-  expect(cairo_surface_status(surface.get()));
-  return with_name(svg, printable(picture.title));
+  return svg_sheet(figure.width, figure.height, printable(picture.title),
+                   [&](cairo_t* context) { Painter(context, picture).paint(); });
 }
 
 std::string draw_png(const Picture& picture) {
   check(picture);
   const Figure figure = layout(picture);
-  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, kPixelsPerPoint * static_cast<int>(figure.width),
-                                                   kPixelsPerPoint * static_cast<int>(figure.height)));
-  const Context context(cairo_create(surface.get()));
-  cairo_scale(context.get(), kPixelsPerPoint, kPixelsPerPoint);
-  Painter(context.get(), picture).paint();
-  expect(cairo_status(context.get()));
-  std::string png;
-  expect(cairo_surface_write_to_png_stream(surface.get(), append, &png));
-  return png;
+  return png_sheet(figure.width, figure.height, [&](cairo_t* context) { Painter(context, picture).paint(); });
 }
 
 }  // namespace krait::host

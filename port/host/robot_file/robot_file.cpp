@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "host/input/file.hpp"
+#include "host/robot_file/shipped.hpp"
 
 namespace krait::host {
 namespace {
@@ -81,6 +82,12 @@ std::string known_models() {
   return names;
 }
 
+const Parameter* find_parameter(const Model& model, const std::string& name) {
+  const auto found = std::find_if(model.parameters.begin(), model.parameters.end(),
+                                  [&](const Parameter& parameter) { return parameter.name == name; });
+  return found == model.parameters.end() ? nullptr : &*found;
+}
+
 double cross(const Point& a, const Point& b, const Point& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
@@ -111,17 +118,6 @@ Ring read_body(const Field& field) {
   return ring;
 }
 
-std::vector<Ring> default_bodies(const RobotSpec& robot) {
-  const double half_length = robot.parameters.at("body_length") / 2;
-  const double half_width = robot.parameters.at("body_width") / 2;
-  const double middle = robot.model == "car" ? robot.parameters.at("wheelbase") / 2 : 0;
-  const Ring box = {{middle - half_length, -half_width},
-                    {middle + half_length, -half_width},
-                    {middle + half_length, half_width},
-                    {middle - half_length, half_width}};
-  return std::vector<Ring>(static_cast<std::size_t>(robot.links) + 1, box);
-}
-
 RobotSpec default_robot(const Model& model, int links) {
   RobotSpec robot;
   robot.model = model.name;
@@ -144,9 +140,8 @@ double read_parameter(const Field& field, const Parameter& parameter) {
 void read_parameters(const Field& field, const Model& model, std::map<std::string, double>& values) {
   if (!field.value().is_object()) field.fail("must be an object of numbers by name");
   for (const auto& item : field.value().items()) {
-    const auto known = std::find_if(model.parameters.begin(), model.parameters.end(),
-                                    [&](const Parameter& p) { return p.name == item.key(); });
-    if (known == model.parameters.end()) {
+    const Parameter* known = find_parameter(model, item.key());
+    if (known == nullptr) {
       std::string names;
       for (const Parameter& p : model.parameters) names += (names.empty() ? "" : ", ") + std::string(p.name);
       field.fail("unknown parameter \"" + cleaned_name(item.key()) + "\"; a " + model.name + " has " + names);
@@ -165,7 +160,54 @@ int parse_links(const std::string& text, const Model& model, const std::string& 
                    std::to_string(model.most_links));
 }
 
+const ShippedRobot* find_shipped(const std::string& name) {
+  const auto found = std::find_if(shipped_robots().begin(), shipped_robots().end(),
+                                  [&](const ShippedRobot& robot) { return robot.name == name; });
+  return found == shipped_robots().end() ? nullptr : &*found;
+}
+
+std::string known_shipped() {
+  std::string names;
+  for (const ShippedRobot& robot : shipped_robots()) names += (names.empty() ? "" : ", ") + robot.name;
+  return names;
+}
+
+RobotSpec read_document(const std::string& text, const std::string& file) {
+  const Json document = parse_json(text, file);
+  return read_robot(Field(document, file));
+}
+
+// What is for the reader only.
+void read_remarks(const Field& field, const Model& model, RobotSpec& robot) {
+  if (field.has("about")) robot.about = field.at("about").printed();
+  if (!field.has("sources")) return;
+  const Field sources = field.at("sources");
+  if (!sources.value().is_object()) sources.fail("must be an object of texts by the names of parameters, or bodies");
+  for (const auto& item : sources.value().items()) {
+    const bool known = item.key() == "bodies" || find_parameter(model, item.key()) != nullptr;
+    if (!known) sources.fail("\"" + cleaned_name(item.key()) + "\" is no parameter of a " + model.name);
+    robot.sources[item.key()] = sources.at(item.key().c_str()).printed();
+  }
+}
+
 }  // namespace
+
+std::vector<Ring> default_bodies(const RobotSpec& robot) {
+  const double half_length = robot.parameters.at("body_length") / 2;
+  const double half_width = robot.parameters.at("body_width") / 2;
+  const double middle = robot.model == "car" ? robot.parameters.at("wheelbase") / 2 : 0;
+  const Ring box = {{middle - half_length, -half_width},
+                    {middle + half_length, -half_width},
+                    {middle + half_length, half_width},
+                    {middle - half_length, half_width}};
+  return std::vector<Ring>(static_cast<std::size_t>(robot.links) + 1, box);
+}
+
+std::string unit_of(const std::string& model, const std::string& parameter) {
+  const Model* known = find_model(model);
+  const Parameter* found = known == nullptr ? nullptr : find_parameter(*known, parameter);
+  return found == nullptr ? "" : found->unit;
+}
 
 std::vector<std::string> robot_models() {
   std::vector<std::string> names;
@@ -182,7 +224,7 @@ std::vector<std::pair<std::string, double>> default_parameters(const std::string
 }
 
 RobotSpec read_robot(const Field& field) {
-  field.keys({"model", "links", "parameters", "bodies"});
+  field.keys({"about", "model", "links", "parameters", "bodies", "sources"});
   const Field name = field.at("model");
   const Model* model = find_model(name.text());
   if (model == nullptr) name.fail("unknown model \"" + cleaned_name(name.text()) + "\"; known are " + known_models());
@@ -191,6 +233,7 @@ RobotSpec read_robot(const Field& field) {
       needs_links || field.has("links") ? static_cast<int>(field.at("links").integer(0, model->most_links)) : 0;
   RobotSpec robot = default_robot(*model, links);
   if (field.has("parameters")) read_parameters(field.at("parameters"), *model, robot.parameters);
+  read_remarks(field, *model, robot);
   robot.bodies = default_bodies(robot);
   if (field.has("bodies")) {
     const Field bodies = field.at("bodies");
@@ -210,14 +253,18 @@ RobotSpec parse_robot(const std::string& text) {
     if (model->most_links == 0) return default_robot(*model, 0);
     throw InputError("robot " + text + ": say how many trailers it has, as in " + text + ":2");
   }
+  if (const ShippedRobot* shipped = find_shipped(text)) return read_document(shipped->text, text);
   std::error_code ignored;
   if (!text.ends_with(".json") && !std::filesystem::exists(text, ignored)) {
     throw InputError("unknown robot \"" + text +
-                     "\"; known are snake:N and truck:N (N trailers), car, unicycle, "
-                     "diff_drive, or the path of a ROBOT.json");
+                     "\"; known are snake:N and truck:N (N trailers), car, unicycle, diff_drive, the shipped " +
+                     known_shipped() + ", or the path of a ROBOT.json");
   }
-  const Json document = parse_json(read_file(text, kMaxFileBytes), text);
-  return read_robot(Field(document, text));
+  return read_document(read_file(text, kMaxFileBytes), text);
+}
+
+bool is_robot_file(const std::string& text) {
+  return find_model(text.substr(0, text.find(':'))) == nullptr && find_shipped(text) == nullptr;
 }
 
 Json to_json(const RobotSpec& robot) {

@@ -13,23 +13,28 @@
 namespace krait::host {
 
 struct RobotSpec {
-  std::string model;                         // "snake", "truck", "car", "unicycle", "diff_drive"
-  int links = 0;                             // trailers; 0 for the models without
-  std::map<std::string, double> parameters;  // every number that dynamics and limits use; complete after parsing
-  std::vector<Ring> bodies;                  // bodies[k] in body k's frame, counter-clockwise, convex, 3-8 vertices
+  std::string model;                           // "snake", "truck", "car", "unicycle", "diff_drive"
+  int links = 0;                               // trailers; 0 for the models without
+  std::map<std::string, double> parameters;    // every number that dynamics and limits use; complete after parsing
+  std::vector<Ring> bodies;                    // bodies[k] in body k's frame, counter-clockwise, convex, 3-8 vertices
+  std::string about;                           // a line about the machine, from its ROBOT.json; may be empty
+  std::map<std::string, std::string> sources;  // where a parameter's number comes from, or that of "bodies"
 };
 
 inline constexpr int kMaxLinks = 25;
 
-// "snake:15", "truck:2", "car", "unicycle", "diff_drive", or the path of a ROBOT.json (the form of the plan's
-// `robot` object; missing parameters take the model's defaults; bodies follow from the parameters if left out).
-// Throws InputError naming the field that is wrong.
+// "snake:15", "truck:2", "car", "unicycle", "diff_drive", the name of a shipped robot, or the path of a ROBOT.json (the
+// form of the plan's `robot` object; missing parameters take the model's defaults; bodies follow from the parameters if
+// left out; `about` and `sources` are for the reader). Throws InputError naming the field that is wrong.
 RobotSpec parse_robot(const std::string& text);
+
+// Whether parse_robot takes the text for the path of a file.
+bool is_robot_file(const std::string& text);
 
 // The robot of a ROBOT.json or of a plan. Throws as parse_robot.
 RobotSpec read_robot(const Field& field);
 
-// The form that read_robot reads, bodies included.
+// The form that read_robot reads, bodies included, without what is for the reader only.
 Json to_json(const RobotSpec& robot);
 
 // The names of the models, in the order of the documentation.
@@ -37,5 +42,12 @@ std::vector<std::string> robot_models();
 
 // The names and defaults of a model's parameters, in the order of the documentation. Throws InputError if unknown.
 std::vector<std::pair<std::string, double>> default_parameters(const std::string& model);
+
+// The unit of a model's parameter, "metres a second"; empty for a number without unit.
+std::string unit_of(const std::string& model, const std::string& parameter);
+
+// The boxes that the bodies are where a ROBOT.json has none: of body_length and body_width; a car's is centred on the
+// middle of the wheelbase, every other on its axle.
+std::vector<Ring> default_bodies(const RobotSpec& robot);
 
 }  // namespace krait::host

@@ -48,6 +48,10 @@ class PlannerSession : public Session {
     if constexpr (requires { planner_.effort(); }) return planner_.effort();
     return {};
   }
+  float cost_to_go() const override {
+    if constexpr (requires { planner_.cost_to_go(); }) return planner_.cost_to_go();
+    return kInfinity;
+  }
   Status advance_watched(const Watch& watch) override {
     return planner_.advance(1, [&](const float* from, const float* to) {
       const int n = robot_.state_size();

@@ -36,12 +36,7 @@ DifferentialDriveParameters differential_drive_parameters(const RobotSpec& spec)
 }
 
 RobotExtent extent_of(const RobotSpec& spec, const Parameters& parameters) {
-  const auto measure = [&](auto robot) { return extent(with_bodies(std::move(robot), spec), parameters); };
-  if (spec.model == "unicycle") return measure(Unicycle(unicycle_parameters(spec)));
-  if (spec.model == "diff_drive") return measure(DifferentialDrive(differential_drive_parameters(spec)));
-  if (spec.model == "car") return measure(Car(chain_parameters(spec)));
-  if (spec.model == "truck") return measure(Truck(chain_parameters(spec)));
-  return measure(Snake(chain_parameters(spec)));
+  return with_core_robot(spec, [&](const auto& robot) { return extent(robot, parameters); });
 }
 
 }  // namespace krait::host

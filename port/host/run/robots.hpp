@@ -28,6 +28,16 @@ R with_bodies(R robot, const RobotSpec& spec) {
   return robot;
 }
 
+// What `use` returns for the core's robot of the specification.
+template <class Use>
+auto with_core_robot(const RobotSpec& spec, const Use& use) {
+  if (spec.model == "unicycle") return use(with_bodies(Unicycle(unicycle_parameters(spec)), spec));
+  if (spec.model == "diff_drive") return use(with_bodies(DifferentialDrive(differential_drive_parameters(spec)), spec));
+  if (spec.model == "car") return use(with_bodies(Car(chain_parameters(spec)), spec));
+  if (spec.model == "truck") return use(with_bodies(Truck(chain_parameters(spec)), spec));
+  return use(with_bodies(Snake(chain_parameters(spec)), spec));
+}
+
 // What work_bound needs to know of a robot.
 RobotExtent extent_of(const RobotSpec& spec, const Parameters& parameters);
 

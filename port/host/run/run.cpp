@@ -19,28 +19,59 @@ constexpr std::uint64_t kSlice = 64;  // expansions between looks at the clock
 
 double since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
-void search_to_end(Session& session, const SearchRequest& request, Clock::time_point begin, const Progress& progress) {
-  double shown = 0;
-  while (session.advance(kSlice) == Status::searching) {
-    const double seconds = since(begin);
-    if (request.time_limit && seconds > *request.time_limit) session.stop_for_time();
-    if (seconds - shown > 0.2 && progress) {
-      shown = seconds;
-      const Statistics statistics = session.statistics();
-      progress(statistics.iterations, statistics.vertices, seconds);
+// What happens beside a search: its user is told how far it is, and may stop it.
+class Company {
+ public:
+  Company(Session& session, const SearchRequest& request, const SearchWatch& watch, Clock::time_point begin)
+      : session_(session), request_(request), watch_(watch), begin_(begin) {}
+
+  // Whether the search is to end here, for want of time or by its user's wish.
+  bool ends() {
+    stopped_ = stopped_ || (watch_.stop && watch_.stop());
+    const double seconds = since(begin_);
+    if (watch_.tell && seconds - told_ > kBetweenNews) {
+      told_ = seconds;
+      tell();
     }
+    return stopped_ || (request_.time_limit && seconds > *request_.time_limit);
+  }
+  bool stopped() const { return stopped_; }
+
+ private:
+  static constexpr double kBetweenNews = 0.2;  // seconds
+
+  void tell() {
+    const Statistics s = session_.statistics();
+    watch_.tell({s.iterations,
+                 s.vertices,
+                 static_cast<double>(session_.cost_to_go()),
+                 s.improvements,
+                 {static_cast<double>(s.plan_length), static_cast<double>(s.plan_duration)}});
+  }
+
+  Session& session_;
+  const SearchRequest& request_;
+  const SearchWatch& watch_;
+  Clock::time_point begin_;
+  double told_ = 0;
+  bool stopped_ = false;
+};
+
+void search_to_end(Session& session, Company& company) {
+  while (session.advance(kSlice) == Status::searching) {
+    if (company.ends()) session.stop_for_time();
   }
 }
 
 // By collision checks, so that the result does not depend on the machine; without a time limit. An iteration that
 // checks nothing counts as a quarter of a check, so that it ends.
-void improve(Session& session, const SearchRequest& request, Clock::time_point begin) {
+void improve(Session& session, const SearchRequest& request, Company& company) {
   const std::uint64_t first = session.statistics().collision_checks;
   const double checks = request.improve * static_cast<double>(first);
   double idle = 0;
   const auto done = [&] { return static_cast<double>(session.statistics().collision_checks - first) + idle; };
   for (; done() < checks && session.improve(1) == Status::solved; idle += 0.25) {
-    if (request.time_limit && since(begin) > *request.time_limit) return;
+    if (company.ends()) return;
   }
 }
 
@@ -123,22 +154,24 @@ krait::Scene open_scene(const std::string& path, const SceneBytes& bytes) {
 }
 
 SearchResult run_search(const std::string& scene_path, const SceneBytes& bytes, const SearchRequest& request,
-                        const Progress& progress) {
+                        const SearchWatch& watch) {
   Block block = block_of(request);
-  return run_search(scene_path, bytes, request, block, progress);
+  return run_search(scene_path, bytes, request, block, watch);
 }
 
 SearchResult run_search(const std::string& scene_path, const SceneBytes& bytes, const SearchRequest& request,
-                        Block& block, const Progress& progress) {
+                        Block& block, const SearchWatch& watch) {
   const Clock::time_point begin = Clock::now();
   const krait::Scene scene = open_scene(scene_path, bytes);
   const std::unique_ptr<Session> session = start_session(scene, request, block);
-  search_to_end(*session, request, begin, progress);
+  Company company(*session, request, watch, begin);
+  search_to_end(*session, company);
   const Statistics found = session->statistics();
   const PlanMeasure first{static_cast<double>(found.plan_length), static_cast<double>(found.plan_duration)};
-  improve(*session, request, begin);
+  improve(*session, request, company);
   SearchResult result{session->query().form, session->query().asked, since(begin)};
   result.first = first;
+  result.stopped = company.stopped();
   result.plan.status = name(session->status());
   session->copy_plan(result.plan);
   result.plan.statistics = statistics_json(session->statistics(), result.seconds);

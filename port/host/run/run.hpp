@@ -76,11 +76,23 @@ krait::Scene open_scene(const std::string& path, const SceneBytes& bytes);
 // "magic", "triangle_vertices", …
 std::string section_name(std::uint8_t section);
 
-using Progress = std::function<void(std::uint64_t iterations, std::uint64_t vertices, double seconds)>;
-
 struct PlanMeasure {
   double length = 0;    // metres
   double duration = 0;  // seconds
+};
+
+// How far a search is.
+struct SearchNews {
+  std::uint64_t iterations = 0;
+  std::uint64_t vertices = 0;
+  double cost_to_go = 0;           // metres, from the nearest region reached; infinite where the planner knows none
+  std::uint64_t improvements = 0;  // better plans than the first
+  PlanMeasure best;                // zeros before the first plan
+};
+
+struct SearchWatch {
+  std::function<void(const SearchNews&)> tell;  // called some five times a second; may be empty
+  std::function<bool()> stop;                   // asked often; true ends the search as a time limit does; may be empty
 };
 
 struct SearchResult {
@@ -89,12 +101,13 @@ struct SearchResult {
   double seconds;                  // from opening the scene to the plan
   std::vector<std::string> why{};  // there is no plan, a line each
   PlanMeasure first{};             // of the first plan; zeros where there is none
+  bool stopped = false;            // by SearchWatch::stop
 };
 
 // Opens, plans, and takes the plan out. Every end of a search (Status) that is an honest answer comes back in
-// plan.status; arguments that cannot be used throw InputError. `progress` is called a few times a second.
+// plan.status; arguments that cannot be used throw InputError.
 SearchResult run_search(const std::string& scene_path, const SceneBytes& bytes, const SearchRequest& request,
-                        const Progress& progress);
+                        const SearchWatch& watch);
 
 // The same search again, watched: the workspace, its regions, the costs as they changed, the tree as it grew.
 Picture watch_search(const std::string& scene_path, const SceneBytes& bytes, const SearchRequest& request,

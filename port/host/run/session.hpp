@@ -31,7 +31,8 @@ class Session {
   virtual Statistics statistics() const = 0;
   virtual const Regions& regions() const = 0;
   virtual Bottleneck bottleneck() = 0;
-  virtual Effort effort() const = 0;  // none of a planner without groups
+  virtual Effort effort() const = 0;     // none of a planner without groups
+  virtual float cost_to_go() const = 0;  // infinite of a planner without groups
   // The states and controls of the plan, if there is one.
   virtual void copy_plan(PlanFile& file) const = 0;
   virtual const ResolvedQuery& query() const = 0;
@@ -47,6 +48,6 @@ std::unique_ptr<Session> start_session(const krait::Scene& scene, const SearchRe
 
 // run_search in a block that is already there, of at least request.memory bytes.
 SearchResult run_search(const std::string& scene_path, const SceneBytes& bytes, const SearchRequest& request,
-                        Block& block, const Progress& progress);
+                        Block& block, const SearchWatch& watch);
 
 }  // namespace krait::host

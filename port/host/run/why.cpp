@@ -80,7 +80,7 @@ double turning_radius(const RobotSpec& robot) {
 std::vector<std::string> what_to_try(Status status, const Statistics& statistics, const SearchRequest& request) {
   std::vector<std::string> lines;
   if (status == Status::budget_used) lines.push_back("try more --iterations");
-  if (status == Status::time_used) lines.push_back("try a longer --time-limit");
+  if (status == Status::time_used && request.time_limit) lines.push_back("try a longer --time-limit");
   if (status == Status::tree_full || statistics.recycled > 0) lines.push_back("try more --memory");
   if (statistics.plans_refused > 0) {
     lines.push_back(std::to_string(statistics.plans_refused) +

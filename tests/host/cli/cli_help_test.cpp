@@ -24,7 +24,8 @@ class CliHelp : public CliTest {
 };
 
 TEST_F(CliHelp, NamesEveryCommandAndExitCode) {
-  expect_all(help({}), {"compile", "info", "plan", "verify", "scene", "0 done", "1 an honest no", "2 bad input", "3"});
+  expect_all(help({}), {"compile", "info", "plan", "verify", "scene", "robot ", "robots", "0 done", "1 an honest no",
+                        "2 bad input", "3"});
 }
 
 TEST_F(CliHelp, ShowsAFirstPlanThatWorks) {
@@ -67,6 +68,8 @@ TEST_F(CliHelp, ListsTheDefaultsOfEveryRobot) {
 TEST_F(CliHelp, TeachesInfoVerifyAndScene) {
   expect_all(help({"info"}), {"SCENE", ".krait", "--robot"});
   expect_all(help({"verify"}), {"INPUT", "PLAN", "--robot", "--start", "--goal", "--unknown"});
+  expect_all(help({"robot"}), {"ROBOT", "--svg", "--png", "ROBOT.json"});
+  expect_all(help({"robots"}), {"shipped robots"});
   expect_all(help({"scene"}), {"openings", "gates", "rooms", "comb", "corridors", "--scale", "-o"});
 }
 

@@ -2,10 +2,17 @@
 #include "host/cli/program.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
+#include <csignal>
+#include <cstdlib>
 #include <sstream>
+#include <thread>
 
 namespace krait::host {
 namespace {
@@ -26,12 +33,12 @@ void redirect(const std::string& path, int descriptor) {
 }
 
 [[noreturn]] void become(const std::string& program, std::vector<std::string> arguments,
-                         const std::filesystem::path& directory) {
+                         const std::filesystem::path& directory, const std::string& errors = {}) {
   std::vector<char*> argv = {const_cast<char*>(program.c_str())};
   for (std::string& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);
   redirect(log_path(directory, ".out"), STDOUT_FILENO);
-  redirect(log_path(directory, ".err"), STDERR_FILENO);
+  redirect(errors.empty() ? log_path(directory, ".err") : errors, STDERR_FILENO);
   if (::chdir(directory.c_str()) == 0) ::execv(program.c_str(), argv.data());
   ::_exit(127);
 }
@@ -41,6 +48,13 @@ std::string take_log(const std::filesystem::path& directory, const char* stream)
   const std::string text = read_text(path);
   std::filesystem::remove(path);
   return text;
+}
+
+// Waits for the end: its exit code, or minus the number of the signal.
+int code_of(pid_t child) {
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
 }
 
 std::string joined(const std::vector<std::string>& arguments) {
@@ -61,10 +75,46 @@ Outcome run_program(const std::string& program, const std::vector<std::string>& 
                     const std::filesystem::path& directory) {
   const pid_t child = ::fork();
   if (child == 0) become(program, arguments, directory);
-  int status = 0;
-  ::waitpid(child, &status, 0);
-  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  const int code = code_of(child);
   return {code, take_log(directory, ".out"), take_log(directory, ".err")};
+}
+
+Outcome run_and_interrupt(const std::string& program, const std::vector<std::string>& arguments,
+                          const std::filesystem::path& directory, std::chrono::milliseconds after) {
+  const pid_t child = ::fork();
+  if (child == 0) become(program, arguments, directory);
+  std::this_thread::sleep_for(after);
+  ::kill(child, SIGINT);
+  const int code = code_of(child);
+  return {code, take_log(directory, ".out"), take_log(directory, ".err")};
+}
+
+Outcome run_on_terminal(const std::string& program, const std::vector<std::string>& arguments,
+                        const std::filesystem::path& directory) {
+  const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+  EXPECT_TRUE(terminal >= 0 && ::grantpt(terminal) == 0 && ::unlockpt(terminal) == 0);
+  const std::string other_end = ::ptsname(terminal);
+  const pid_t child = ::fork();
+  if (child == 0) become(program, arguments, directory, other_end);
+  std::string shown;
+  std::array<char, 4096> block{};
+  const int keeps_open = ::open(other_end.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
+  std::atomic<bool> ended = false;
+  std::thread reader([&] {
+    while (!ended) {
+      pollfd waiting{terminal, POLLIN, 0};
+      if (::poll(&waiting, 1, 20) <= 0) continue;
+      const ssize_t count = ::read(terminal, block.data(), block.size());
+      if (count > 0) shown.append(block.data(), static_cast<std::size_t>(count));
+    }
+  });
+  const int code = code_of(child);
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  ended = true;
+  reader.join();
+  ::close(keeps_open);
+  ::close(terminal);
+  return {code, take_log(directory, ".out"), shown};
 }
 
 CliTest::CliTest() {

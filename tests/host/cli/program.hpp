@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include <chrono>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -23,6 +24,14 @@ struct Outcome {
 // Runs a program in `directory` with that as its working directory.
 Outcome run_program(const std::string& program, const std::vector<std::string>& arguments,
                     const std::filesystem::path& directory);
+
+// The same; sends SIGINT once the program has run for so long.
+Outcome run_and_interrupt(const std::string& program, const std::vector<std::string>& arguments,
+                          const std::filesystem::path& directory, std::chrono::milliseconds after);
+
+// The same with standard error on a terminal of the test's own; `errors` is what it showed.
+Outcome run_on_terminal(const std::string& program, const std::vector<std::string>& arguments,
+                        const std::filesystem::path& directory);
 
 std::string read_text(const std::filesystem::path& path);
 

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "host/run/robot_facts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "host/run/robots.hpp"
+#include "krait/robot/shape.hpp"
+
+namespace krait::host {
+namespace {
+
+constexpr double kTurnReserve = 1.1;  // how much wider than the tightest steady turn krait steers a truck (chain.cpp)
+
+double parameter(const RobotSpec& robot, const char* name) { return robot.parameters.at(name); }
+
+bool has_steering(const RobotSpec& robot) { return robot.parameters.count("max_steering") > 0; }
+
+// A body's corner, placed by a heading and the position of the body's origin.
+Point placed(const Point& corner, const Point& origin, double heading) {
+  const double c = std::cos(heading);
+  const double s = std::sin(heading);
+  return {origin.x + c * corner.x - s * corner.y, origin.y + s * corner.x + c * corner.y};
+}
+
+double distance_to_edge(const Point& p, const Point& a, const Point& b) {
+  const Point along{b.x - a.x, b.y - a.y};
+  const double square = along.x * along.x + along.y * along.y;
+  const double share = std::clamp(((p.x - a.x) * along.x + (p.y - a.y) * along.y) / square, 0.0, 1.0);
+  return std::hypot(a.x + share * along.x - p.x, a.y + share * along.y - p.y);
+}
+
+// Of a convex ring, counter-clockwise.
+bool inside(const Point& p, const Ring& ring) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point& a = ring[i];
+    const Point& b = ring[(i + 1) % ring.size()];
+    if ((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x) < 0) return false;
+  }
+  return true;
+}
+
+void measure_sweep(SteadyTurn& turn, const RobotSpec& robot, std::size_t count) {
+  const Point center{0, turn.radius};
+  const std::vector<Ring> bodies = bodies_in(turn, robot);
+  turn.inner = std::numeric_limits<double>::infinity();
+  turn.outer = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Ring& ring = bodies[k];
+    if (inside(center, ring)) turn.inner = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      turn.outer = std::max(turn.outer, std::hypot(ring[i].x - center.x, ring[i].y - center.y));
+      turn.inner = std::min(turn.inner, distance_to_edge(center, ring[i], ring[(i + 1) % ring.size()]));
+    }
+  }
+}
+
+// The sine of the first hitch angle in a steady turn at this steering angle: hitch length times turn rate over the
+// speed s that pulls the trailers, v of a snake, v cos(psi) of a truck. It may be above 1.
+double first_sine(const RobotSpec& robot, double steering) {
+  const double ratio = parameter(robot, "hitch_length") / parameter(robot, "wheelbase");
+  return ratio * (robot.model == "snake" ? std::sin(steering) : std::tan(steering));
+}
+
+double steering_of(const RobotSpec& robot, double sine) {
+  const double ratio = parameter(robot, "wheelbase") / parameter(robot, "hitch_length");
+  return robot.model == "snake" ? std::asin(ratio * sine) : std::atan(ratio * sine);
+}
+
+// The largest first_sine of a steady turn. With q the first sine, the sine of hitch angle i is q over the root of
+// 1 - (i - 1) q^2, since each body is pulled by what the cosine of the hitch angle leaves; the last one is the largest.
+double largest_first_sine(const RobotSpec& robot) {
+  const double sine = std::sin(parameter(robot, "max_hitch_angle"));
+  return sine / std::sqrt(1 + (robot.links - 1) * sine * sine);
+}
+
+std::vector<double> steady_hitch_angles(double sine, int links) {
+  std::vector<double> angles;
+  double left = 1;
+  for (int i = 0; i < links; ++i) {
+    angles.push_back(std::asin(std::min(1.0, sine / left)));
+    left *= std::cos(angles.back());
+  }
+  return angles;
+}
+
+void turn_facts(const RobotSpec& robot, RobotFacts& facts) {
+  if (!has_steering(robot)) {
+    measure_sweep(facts.tightest, robot, 1);
+    facts.tightest.swept_width = 2 * facts.tightest.outer;
+    facts.lock_outer = facts.tightest.outer;
+    return;
+  }
+  double steering = parameter(robot, "max_steering");
+  facts.lock_radius = parameter(robot, "wheelbase") / std::tan(steering);
+  SteadyTurn& turn = facts.tightest;
+  if (robot.links > 0) {
+    const double most = largest_first_sine(robot);
+    facts.folds_at_lock = first_sine(robot, steering) > most;
+    if (facts.folds_at_lock) steering = steering_of(robot, most / kTurnReserve);
+    turn.hitch_angles = steady_hitch_angles(first_sine(robot, steering), robot.links);
+  }
+  turn.radius = parameter(robot, "wheelbase") / std::tan(steering);
+  SteadyTurn lock{facts.lock_radius, turn.hitch_angles};
+  measure_sweep(lock, robot, 1);
+  facts.lock_outer = lock.outer;
+  measure_sweep(turn, robot, robot.bodies.size());
+  turn.swept_width = turn.outer - turn.inner;
+}
+
+void stop_facts(const RobotSpec& robot, RobotFacts& facts) {
+  double acceleration = 0;
+  if (robot.model == "diff_drive") {
+    facts.top_speed = parameter(robot, "wheel_radius") * parameter(robot, "max_wheel_speed");
+    acceleration = parameter(robot, "wheel_radius") * parameter(robot, "max_wheel_acceleration");
+  } else {
+    facts.top_speed = parameter(robot, "max_speed");
+    facts.stops_at_once = robot.model == "unicycle";
+    if (!facts.stops_at_once) acceleration = parameter(robot, "max_acceleration");
+  }
+  if (facts.stops_at_once) return;
+  facts.stopping_time = facts.top_speed / acceleration;
+  facts.stopping_distance = 0.5 * facts.top_speed * facts.stopping_time;
+}
+
+void axle_facts(const RobotSpec& robot, RobotFacts& facts) {
+  if (!has_steering(robot)) return;
+  const auto by_x = [](const Point& a, const Point& b) { return a.x < b.x; };
+  const auto [back, front] = std::minmax_element(robot.bodies[0].begin(), robot.bodies[0].end(), by_x);
+  const double axle = parameter(robot, "wheelbase");
+  facts.front_axle_out = std::max({0.0, axle - front->x, back->x - axle});
+}
+
+}  // namespace
+
+std::vector<Ring> bodies_in(const SteadyTurn& turn, const RobotSpec& robot) {
+  std::vector<Ring> bodies;
+  Point origin;
+  double heading = 0;
+  for (std::size_t k = 0; k < robot.bodies.size(); ++k) {
+    if (k > 0) {
+      heading -= turn.hitch_angles[k - 1];
+      origin = placed({-parameter(robot, "hitch_length"), 0}, origin, heading);
+    }
+    Ring ring;
+    for (const Point& corner : robot.bodies[k]) ring.push_back(placed(corner, origin, heading));
+    bodies.push_back(std::move(ring));
+  }
+  return bodies;
+}
+
+RobotFacts facts_of(const std::string& name, const RobotSpec& robot, const Parameters& parameters) {
+  RobotFacts facts;
+  with_core_robot(robot, [&](const auto& core) {
+    if (const Argument bad = first_bad_of_robot(core); bad != Argument::none) {
+      throw InputError("robot " + name + ": " + krait::name(bad) +
+                       (bad == Argument::robot_polygon
+                            ? " cannot be used: bodies must lie within 100 m of their axles, no side below 0.1 mm"
+                            : " cannot be used"));
+    }
+    const RobotExtent extent_at_step = extent(core, parameters);
+    facts.tree_parts = extent_at_step.tree_parts;
+    facts.plan_parts = extent_at_step.plan_parts;
+    facts.fastest_rate = static_cast<double>(fastest_rate(core, parameters.dt));
+    facts.longest_time_step = static_cast<double>(
+        can_integrate(core, parameters.dt) ? parameters.dt : krait::longest_time_step(core, parameters.dt));
+    return 0;
+  });
+  turn_facts(robot, facts);
+  stop_facts(robot, facts);
+  axle_facts(robot, facts);
+  return facts;
+}
+
+}  // namespace krait::host

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is shown while krait works for long, and what Ctrl-C leaves.
+#include "host/cli/program.hpp"
+
+namespace krait::host {
+namespace {
+
+using namespace std::chrono_literals;
+using testing::ContainsRegex;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr const char* kKrait = KRAIT_BIN_DIR "/krait";
+
+class CliProgress : public CliTest {
+ protected:
+  // A search that finds nothing, however long: the car cannot turn to the door.
+  std::vector<std::string> endless(std::initializer_list<std::string> more = {}) const {
+    write("stiff.json", R"({"model": "car", "parameters": {"max_steering": 0.01}})");
+    std::vector<std::string> arguments = {"plan",     "room.krait", "--robot",      "stiff.json",
+                                          "--start",  "3,8,-0.5",   "--goal",       "east",
+                                          "--memory", "1M",         "--iterations", "1000000000000"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
+  Outcome interrupted(const std::vector<std::string>& arguments) const {
+    return run_and_interrupt(kKrait, arguments, directory(), 1500ms);
+  }
+};
+
+TEST_F(CliProgress, CtrlCEndsASearchAsATimeLimitDoes) {
+  const Outcome outcome = interrupted(endless({"-o", "plan.json", "--csv", "plan.csv"}));
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_EQ(outcome.errors, "");
+  EXPECT_THAT(outcome.output, testing::StartsWith("time_used: car"));
+  EXPECT_THAT(outcome.output, ContainsRegex("\nstopped by you after [1-9][0-9]+ iterations\n"));
+  EXPECT_THAT(outcome.output, Not(HasSubstr("--time-limit")));
+  EXPECT_EQ(json("plan.json").at("status"), "time_used");
+  EXPECT_EQ(json("plan.json").at("states").size(), 0U);
+}
+
+TEST_F(CliProgress, CtrlCLeavesTheBestPlanSoFar) {
+  const Outcome outcome =
+      interrupted({"plan", "room.krait", "--robot", "car", "--improve", "1000000", "-o", "plan.json"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.errors, "");
+  EXPECT_THAT(outcome.output,
+              ContainsRegex("\nstopped by you after [1-9][0-9]* iterations: this is the best plan so far\n"));
+  EXPECT_THAT(outcome.output, HasSubstr(", verified\n"));
+  expect_done({"verify", "room.json", "plan.json", "--robot", "car"});
+}
+
+TEST_F(CliProgress, NothingIsLeftBesideTheOutputs) {
+  const auto before = files();
+  interrupted(endless());
+  auto after = files();
+  after.erase(path("stiff.json"));
+  EXPECT_EQ(after, before);
+}
+
+// As nohup and shells without job control start what runs in the background.
+TEST_F(CliProgress, WhereCtrlCIsIgnoredItStaysSo) {
+  std::string command = "trap '' INT; exec " + std::string(kKrait);
+  for (const std::string& argument : endless({"--time-limit", "2.5"})) command += " " + argument;
+  const Outcome outcome = run_and_interrupt("/bin/sh", {"-c", command}, directory(), 1500ms);
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.output, Not(HasSubstr("stopped by you")));
+}
+
+TEST_F(CliProgress, CtrlCInTheCompilerIsNoFault) {
+  std::filesystem::copy_file(kKrait, path("krait"));
+  write("krait-compile", "#!/bin/sh\nkill -INT $$\n");
+  std::filesystem::permissions(path("krait-compile"), std::filesystem::perms::owner_all);
+  const Outcome outcome =
+      run_program(path("krait"), {"plan", "room.json", "--robot", "car", "-o", "plan.json"}, directory());
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_EQ(outcome.errors, "krait: stopped by you while the map was compiled: nothing is written\n");
+  EXPECT_FALSE(std::filesystem::exists(path("plan.json")));
+}
+
+TEST_F(CliProgress, ATerminalShowsHowFarItIsAndIsLeftClean) {
+  const Outcome outcome = run_on_terminal(kKrait, endless({"--time-limit", "2.5"}), directory());
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.errors, ContainsRegex("krait: planning: [12] s, [0-9]+ iterations, cost still to go [0-9.]+ m"));
+  EXPECT_THAT(outcome.errors, testing::EndsWith("\r\033[K"));
+}
+
+TEST_F(CliProgress, ATerminalShowsTheBestPlanSoFar) {
+  const Outcome outcome = run_on_terminal(
+      kKrait, {"plan", "room.krait", "--robot", "car", "--improve", "1000000", "--time-limit", "2.5"}, directory());
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.errors,
+              ContainsRegex("krait: improving: [0-9]+ s, best plan [0-9.]+ s, [0-9.]+ m, improved [0-9]+ times"));
+}
+
+TEST_F(CliProgress, AQuickCommandShowsNothing) {
+  EXPECT_EQ(run_on_terminal(kKrait, {"plan", "room.json", "--robot", "car"}, directory()).errors, "");
+  EXPECT_EQ(run_program(kKrait, endless({"--time-limit", "2.5"}), directory()).errors, "");
+}
+
+TEST_F(CliProgress, WithoutATerminalALongStepHasOneLine) {
+  const Outcome outcome = run_program(kKrait, endless({"--time-limit", "7"}), directory());
+  EXPECT_THAT(outcome.errors,
+              testing::MatchesRegex("krait: planning lasts, [0-9]+ iterations, cost still to go [0-9.]+ m\n"));
+}
+
+}  // namespace
+}  // namespace krait::host
