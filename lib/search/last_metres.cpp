@@ -5,7 +5,7 @@ namespace krait {
 namespace {
 
 constexpr float kLeastRadius = 0.4F;                 // in lengths of body 0: of a robot that turns on the spot
-constexpr float kRadii[] = {1.05F, 1.5F, 3.0F};     // of the lines' arcs, in turning radii
+constexpr float kRadii[] = {1.05F, 1.5F, 3.0F};      // of the lines' arcs, in turning radii
 constexpr float kCaptureRadii = 4.0F;                // how near the goal must be, in turning radii, and
 constexpr float kCaptureLengths = 3.5F;              // as many lengths of body 0 more
 constexpr float kLeads[] = {0.7F, 1.3F};             // straight ends of lines, in lengths of body 0, and
