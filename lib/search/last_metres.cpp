@@ -75,7 +75,7 @@ void LastMetres::consider(const Pose& from, Shot shot) {
   if (shot.length > most) return;
   const bool full = shot_count_ == kMostShots;
   if (full && shot.length >= shots_[kMostShots - 1].length) return;
-  if (!free(line)) return;
+  if (!looks_free(line)) return;
   std::uint32_t at = full ? kMostShots - 1 : shot_count_++;
   for (; at > 0 && shots_[at - 1].length > shot.length; --at) shots_[at] = shots_[at - 1];
   shots_[at] = shot;
@@ -95,10 +95,12 @@ bool LastMetres::draw(const Pose& from, const Shot& shot, CurvedLine& line) cons
   return true;
 }
 
-bool LastMetres::free(const CurvedLine& line) const {
+bool LastMetres::looks_free(const CurvedLine& line) const {
   const float step = kSightStep * robot_.length;
-  for (float arc = line.length(); arc > 0.0F; arc = arc - step) {
+  float arc = line.length();
+  while (arc > 0.0F) {
     if (sight_.slack(line.at(arc).position) < 0.0F) return false;
+    arc = arc - step;
   }
   return true;
 }

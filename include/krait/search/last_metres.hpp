@@ -61,7 +61,7 @@ class LastMetres {
 
   bool draw(const Pose& from, const Shot& shot, CurvedLine& line) const;
   void consider(const Pose& from, Shot shot);
-  bool free(const CurvedLine& line) const;
+  bool looks_free(const CurvedLine& line) const;
 
   const Scene* scene_ = nullptr;
   Goal goal_ = Goal::named(0);
