@@ -92,9 +92,9 @@ class Painter : private Pen {
     map_rectangle();
     fill(kFree);
     std::array<std::vector<const Triangle*>, kLevels + 1> by_level;
-    const double top = picture_.frames.empty() ? 0 : top_cost(picture_.frames.back().costs);
+    const double top = picture_.frames.empty() ? 0 : top_cost(picture_.frames.front().costs);
     for (std::size_t i = 0; i < picture_.triangles.size(); ++i) {
-      const auto level = picture_.frames.empty() ? std::uint8_t{0} : cost_level(picture_.frames.back().costs[i], top);
+      const auto level = picture_.frames.empty() ? std::uint8_t{0} : cost_level(picture_.frames.front().costs[i], top);
       by_level[level].push_back(&picture_.triangles[i]);
     }
     cairo_set_line_join(cr_, CAIRO_LINE_JOIN_ROUND);
@@ -170,6 +170,7 @@ class Painter : private Pen {
   // bit, so that its images do not overlap, and at most some 60 times.
   void bodies() {
     const std::vector<std::vector<float>>& states = picture_.plan.states;
+    if (states.empty() && !picture_.start.empty()) robot(picture_.start, kRobotStart, kInk, 1.1);
     if (states.empty()) return;
     std::vector<double> gone = {0};
     for (std::size_t i = 1; i < states.size(); ++i) {
@@ -227,7 +228,7 @@ class Painter : private Pen {
   // ---- the legend: first row colour bar and scale bar, second row the key
   void color_bar() {
     if (picture_.frames.empty()) return;
-    const std::vector<float>& costs = picture_.frames.back().costs;
+    const std::vector<float>& costs = picture_.frames.front().costs;
     const double top = top_cost(costs);
     const double x = content_left();
     const double y = bottom() + 18;
@@ -304,6 +305,10 @@ class Painter : private Pen {
       cairo_line_to(cr_, x + 18, y);
       stroke(kInk, 0.55, 0.6);
       entry("motion tree", 18);
+    }
+    if (picture_.plan.states.empty() && !picture_.start.empty()) {
+      box(kRobotStart, kInk, 1.1);
+      entry("robot at the start", 16);
     }
     if (picture_.plan.states.empty()) return;
     cairo_move_to(cr_, x, y);

@@ -74,8 +74,17 @@ void check_search(const Picture& picture) {
   }
 }
 
-void check_plan(const PlanFile& plan) {
-  if (plan.states.empty()) return;
+void check_state(const std::vector<float>& state, std::size_t size, const std::string& where) {
+  if (state.size() != size) {
+    fail(where + " has " + std::to_string(state.size()) + " values where the robot has " + std::to_string(size));
+  }
+  if (!std::all_of(state.begin(), state.end(), [](float value) { return std::isfinite(value); })) {
+    fail(where + " has a value that is not finite");
+  }
+}
+
+void check_plan(const PlanFile& plan, const std::vector<float>& start) {
+  if (plan.states.empty() && start.empty()) return;
   if (plan.robot.links < 0) fail("robot.links is negative");
   const std::size_t size = state_size(plan.robot);
   const auto bodies = static_cast<std::size_t>(plan.robot.links) + 1;
@@ -84,16 +93,10 @@ void check_plan(const PlanFile& plan) {
          std::to_string(bodies));
   }
   for (std::size_t k = 0; k < bodies; ++k) check_ring(plan.robot.bodies[k], element("robot.bodies", k));
+  if (!start.empty()) check_state(start, size, "start");
   if (!std::isfinite(plan.dt) || plan.dt <= 0) fail("plan.dt is not positive");
   for (std::size_t i = 0; i < plan.states.size(); ++i) {
-    const std::vector<float>& state = plan.states[i];
-    if (state.size() != size) {
-      fail(element("plan.states", i) + " has " + std::to_string(state.size()) + " values where the robot has " +
-           std::to_string(size));
-    }
-    if (!std::all_of(state.begin(), state.end(), [](float value) { return std::isfinite(value); })) {
-      fail(element("plan.states", i) + " has a value that is not finite");
-    }
+    check_state(plan.states[i], size, element("plan.states", i));
   }
 }
 
@@ -125,7 +128,7 @@ void check(const Picture& picture) {
   check_bounds(picture);
   check_scene(picture);
   check_search(picture);
-  check_plan(picture.plan);
+  check_plan(picture.plan, picture.start);
 }
 
 std::string printable(const std::string& text) {

@@ -101,14 +101,12 @@ std::vector<const CostFrame*> chosen_frames(const Picture& picture) {
 json frames(const Picture& picture) {
   Array levels;
   json iterations = json::array();
-  json tops = json::array();
+  const double top = picture.frames.empty() ? 0 : top_cost(picture.frames.front().costs);
   for (const CostFrame* frame : chosen_frames(picture)) {
-    const double top = top_cost(frame->costs);
     for (const float cost : frame->costs) levels.u8(cost_level(cost, top));
     iterations.push_back(frame->iteration);
-    tops.push_back(std::round(top * 1000) / 1000);
   }
-  return {{"iterations", iterations}, {"tops", tops}, {"levels", levels.text()}};
+  return {{"iterations", iterations}, {"top", std::round(top * 1000) / 1000}, {"levels", levels.text()}};
 }
 
 json tree(const Picture& picture) {
@@ -140,6 +138,19 @@ json motion(const PlanFile& plan) {
     }
   }
   return {{"times", times.text()}, {"states", states.text()}, {"points", points.text()}, {"headings", headings.text()}};
+}
+
+// Where the bodies stand before a search that found no plan; empty where there is one.
+json start(const Picture& picture) {
+  Array points;
+  Array headings;
+  if (picture.plan.states.empty() && !picture.start.empty()) {
+    for (const Pose& pose : body_poses(picture.plan.robot, picture.start)) {
+      points.point(pose.x, pose.y);
+      headings.heading(pose.heading);
+    }
+  }
+  return {{"points", points.text()}, {"headings", headings.text()}};
 }
 
 std::string ramp() {
@@ -217,6 +228,7 @@ std::string draw_html(const Picture& picture) {
                      {"bodies", rings(plan.robot.bodies)},
                      {"names", names(plan)},
                      {"motion", motion(plan)},
+                     {"start", start(picture)},
                      {"ramp", ramp()}};
   return filled(page::index_html, {{"title", escaped(title)},
                                    {"facts", escaped(line)},

@@ -35,9 +35,11 @@ struct Picture {
   Point min, max;                     // the bounds; each side more than 0 and at most 1e5 m
   std::vector<Ring> obstacle_pieces;  // convex
   std::vector<Triangle> triangles;
-  std::vector<CostFrame> frames;  // ascending by iteration, the first before the search; may be empty
+  std::vector<CostFrame> frames;  // ascending by iteration; the first, before the search, has the colours' scale; may
+                                  // be empty
   std::vector<TreeVertex> tree;   // ascending by iteration; may be thinned or empty
-  PlanFile plan;                  // its states may be empty; robot.bodies are needed if they are not
+  std::vector<float> start;       // the state that the search began with, drawn where there is no plan; may be empty
+  PlanFile plan;                  // its states may be empty; robot.bodies are needed if they or `start` are not
 };
 
 // Each throws InputError, naming the part, for a picture that breaks what is said above (a cost that is NaN, a

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Repeats a search with an eye on it. The core is deterministic, so what is seen is what happened.
+#include <algorithm>
 #include <map>
 
 #include "host/run/run.hpp"
@@ -45,21 +46,39 @@ class TreeRecorder {
     add(to, vertex_of_.at(from), static_cast<std::uint32_t>(iteration));
   }
 
-  // Every `stride`-th vertex, hung on its nearest ancestor that stays; the root is vertex 0.
+  // Whole branches, with all their bends, since a chord could lead through an obstacle: the ways from the root to every
+  // n-th vertex, n the first power of two with which they are few enough; the root alone where there is none.
   std::vector<TreeVertex> thinned() const {
-    const std::uint32_t stride = static_cast<std::uint32_t>(vertices_.size()) / kTreeVertices + 1;
-    std::vector<TreeVertex> shown;
+    for (std::size_t stride = 1; stride <= vertices_.size(); stride *= 2) {
+      const std::vector<bool> stays = ways_to_every(stride);
+      if (std::count(stays.begin(), stays.end(), true) <= kTreeVertices) return only(stays);
+    }
+    return {vertices_.front()};
+  }
+
+ private:
+  std::vector<bool> ways_to_every(std::size_t stride) const {
+    std::vector<bool> stays(vertices_.size(), false);
+    stays[0] = true;
     for (std::size_t v = 0; v < vertices_.size(); v += stride) {
-      std::uint32_t ancestor = vertices_[v].parent;
-      while (ancestor % stride != 0) ancestor = vertices_[ancestor].parent;
-      TreeVertex vertex = vertices_[v];
-      vertex.parent = ancestor / stride;
-      shown.push_back(vertex);
+      for (std::size_t at = v; !stays[at]; at = vertices_[at].parent) stays[at] = true;
+    }
+    return stays;
+  }
+
+  // The vertices that stay; so do their parents.
+  std::vector<TreeVertex> only(const std::vector<bool>& stays) const {
+    std::vector<TreeVertex> shown;
+    std::vector<std::uint32_t> place(vertices_.size(), 0);
+    for (std::size_t v = 0; v < vertices_.size(); ++v) {
+      if (!stays[v]) continue;
+      place[v] = static_cast<std::uint32_t>(shown.size());
+      shown.push_back(vertices_[v]);
+      shown.back().parent = place[vertices_[v].parent];
     }
     return shown;
   }
 
- private:
   void add(const std::vector<float>& state, std::uint32_t parent, std::uint32_t iteration) {
     vertex_of_[state] = static_cast<std::uint32_t>(vertices_.size());
     vertices_.push_back({state[0], state[1], parent, iteration});
@@ -93,6 +112,7 @@ Picture watch_search(const std::string& scene_path, const SceneBytes& bytes, con
   picture.plan = plan;
   draw_scene(scene, picture);
   const std::unique_ptr<Session> session = start_session(scene, request, block);
+  picture.start = session->query().start;
   watch(*session, plan.statistics.at("iterations").get<std::uint64_t>(), picture);
   return picture;
 }

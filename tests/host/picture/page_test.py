@@ -146,6 +146,7 @@ class Page(unittest.TestCase):
     # ---- tests
     def test_shows_scene(self):
         self.open("solved")
+        self.click("layer-raised")
         self.assertEqual(self.browser.title, "synthetic S")
         self.assertColor(self.pixel(25, 17), OBSTACLE)
         self.assertColor(self.pixel(43, 42.5), GOAL)
@@ -267,6 +268,8 @@ class Page(unittest.TestCase):
         narrow = self.pixel(10.7, 16.4)
         first = self.fingerprint()
         self.scrub(self.state("iterations") / 2)
+        self.assertEqual(self.state("frame"), 0)  # raised costs are off at first
+        self.click("layer-raised")
         vertices = self.state("vertices")
         self.assertGreater(vertices, 100)
         self.assertGreater(self.state("frame"), 5)
@@ -291,6 +294,10 @@ class Page(unittest.TestCase):
         self.open("solved")
         self.scrub(30)
         shown = self.fingerprint()
+        self.click("layer-raised")
+        self.assertNotEqual(self.fingerprint(), shown)
+        self.click("layer-raised")
+        self.assertEqual(self.fingerprint(), shown)
         for layer in ("triangles", "tree", "path", "bodies"):
             self.click("layer-" + layer)
             self.assertFalse(self.state("layers")[layer])

@@ -133,7 +133,14 @@ TEST(Png, NearTheGoalIsRedFarIsBlueCutOffIsGrey) {
   picture.tree.clear();
   const Color near = color_at(picture, {42.7, 44.4});
   EXPECT_GT(near.red, 2 * near.blue);
-  const Color far = color_at(picture, {0.7, 0.4});
+  std::size_t farthest = 0;
+  const std::vector<float>& costs = picture.frames.front().costs;
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    if (std::isfinite(costs[i]) && costs[i] > costs[farthest]) farthest = i;
+  }
+  const Point* corners = picture.triangles[farthest].corners;
+  const Color far = color_at(
+      picture, {(corners[0].x + corners[1].x + corners[2].x) / 3, (corners[0].y + corners[1].y + corners[2].y) / 3});
   EXPECT_GT(far.blue, 2 * far.red);
   EXPECT_THAT(color_at(picture, {48.7, 2.4}), IsColor(kCutOff));
 }
@@ -145,12 +152,25 @@ TEST(Png, FreeSpaceWithoutCostsIsPlain) {
   EXPECT_THAT(color_at(picture, {2.7, 28.4}), IsColor(kFree));
 }
 
-TEST(Png, ColorsAreOfTheLastFrame) {
+// Raised costs would hide where the goal is.
+TEST(Png, ColorsAreOfTheBeginOfTheSearch) {
   Picture picture = bare_picture(10, 10);
   picture.triangles = {{{{0, 0}, {10, 0}, {0, 10}}}, {{{10, 0}, {10, 10}, {0, 10}}}};
-  picture.frames = {{0, {0, 10}}, {5, {10, 0}}};
-  EXPECT_THAT(color_at(picture, {2, 2}), IsColor(level_color(kLevels - 1)));
-  EXPECT_THAT(color_at(picture, {8, 8}), IsColor(level_color(0)));
+  picture.frames = {{0, {0, 10}}, {5, {20, 0}}};
+  EXPECT_THAT(color_at(picture, {2, 2}), IsColor(level_color(0)));
+  EXPECT_THAT(color_at(picture, {8, 8}), IsColor(level_color(kLevels - 1)));
+}
+
+TEST(Png, WithoutAPlanTheRobotStandsAtItsStart) {
+  Picture picture = bare_picture(20, 20);
+  picture.plan.robot.model = "truck";
+  picture.plan.robot.links = 1;
+  picture.plan.robot.parameters["hitch_length"] = 0.8;
+  picture.plan.robot.bodies = {{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, {{-3, -3}, {3, -3}, {3, 3}, {-3, 3}}};
+  picture.plan.dt = 0.1;
+  EXPECT_THAT(color_at(picture, {8, 12}), IsColor(kFree));
+  picture.start = {10, 10, 0, 0, 0, 0};
+  EXPECT_THAT(color_at(picture, {8, 12}), IsColor(kRobotStart));
 }
 
 TEST(Png, RobotStandsWhereItEnds) {
@@ -285,6 +305,17 @@ INSTANTIATE_TEST_SUITE_P(
                     Bad{"tree_disordered", [](Picture& p) { p.tree[1].iteration = 99999; }, "ascending"},
                     Bad{"tree_parent", [](Picture& p) { p.tree[7].parent = 8; }, "tree[7]"},
                     Bad{"tree_nan", [](Picture& p) { p.tree[7].x = static_cast<float>(kNan); }, "tree[7]"},
+                    Bad{"start_short",
+                        [](Picture& p) {
+                          p.start = {1, 2};
+                        },
+                        "start has 2 values"},
+                    Bad{"start_nan",
+                        [](Picture& p) {
+                          p.start = p.plan.states[0];
+                          p.start[1] = static_cast<float>(kNan);
+                        },
+                        "start"},
                     Bad{"state_short", [](Picture& p) { p.plan.states[4].pop_back(); }, "plan.states[4]"},
                     Bad{"state_infinite", [](Picture& p) { p.plan.states[4][1] = kInfinity; }, "plan.states[4]"},
                     Bad{"bodies_missing", [](Picture& p) { p.plan.robot.bodies.pop_back(); }, "robot.bodies"},
@@ -332,13 +363,13 @@ TEST(Page, CostsReadBackToHalfALevel) {
   const nlohmann::json frames = data_of(draw_html(picture))["frames"];
   const std::vector<std::uint8_t> levels = bytes_of(frames["levels"]);
   ASSERT_EQ(levels.size(), picture.frames.size() * picture.triangles.size());
-  const double top = frames["tops"].back();
+  const double top = frames["top"];
   for (std::size_t i = 0; i < picture.triangles.size(); ++i) {
-    const float cost = picture.frames.back().costs[i];
-    const std::uint8_t level = levels[levels.size() - picture.triangles.size() + i];
+    const float cost = picture.frames.front().costs[i];
+    const std::uint8_t level = levels[i];
     if (std::isinf(cost)) {
       EXPECT_EQ(level, kInfiniteLevel);
-    } else {
+    } else if (static_cast<double>(cost) <= top) {
       EXPECT_NEAR(level * top / (kLevels - 1), static_cast<double>(cost), 0.51 * top / (kLevels - 1));
     }
   }

@@ -26,7 +26,7 @@
   const bodySize = Math.max(0, ...bodies.flat().map(Math.abs));  // metres, from a body's axle to its farthest side
   const triangles = metres(raw.triangles);
   const triangleCount = triangles.length / 6;
-  const frames = {iterations: raw.frames.iterations, tops: raw.frames.tops, levels: decode(raw.frames.levels, Uint8Array)};
+  const frames = {iterations: raw.frames.iterations, top: raw.frames.top, levels: decode(raw.frames.levels, Uint8Array)};
   const tree = {
     points: metres(raw.tree.points),
     parents: decode(raw.tree.parents, Uint32Array),
@@ -37,6 +37,10 @@
     states: decode(raw.motion.states, Float32Array),
     points: metres(raw.motion.points),
     headings: Float64Array.from(decode(raw.motion.headings, Int16Array), (units) => units * Math.PI / 32768),
+  };
+  const start = {
+    points: metres(raw.start.points),
+    headings: Float64Array.from(decode(raw.start.headings, Int16Array), (units) => units * Math.PI / 32768),
   };
   const samples = motion.times.length;
   const stateSize = samples ? motion.states.length / samples : 0;
@@ -52,7 +56,7 @@
   };
   const searchSeconds = 12;  // how long the whole search plays at speed 1
   const position = {motion: 0, search: 0};
-  const layers = {triangles: true, tree: true, path: true, bodies: true};
+  const layers = {triangles: true, raised: false, tree: true, path: true, bodies: true};
   const view = {x: 0, y: 0, scale: 1};  // the middle in metres, pixels a metre
   let mode = samples || !ends.search ? 'motion' : 'search';
   let playing = false;
@@ -80,6 +84,8 @@
   const currentFrame = () => frames.iterations.length === 0 ? -1 :
       mode === 'motion' ? frames.iterations.length - 1 :
       Math.max(0, countUpTo(frames.iterations, position.search) - 1);
+  // Costs are shown as they were before the search; as failures have raised them only where that is asked for.
+  const shownFrame = () => layers.raised ? currentFrame() : Math.min(0, currentFrame());
   const currentVertices = () => mode === 'motion' ? tree.parents.length : countUpTo(tree.iterations, position.search);
   const searchEnded = () => mode === 'motion' || position.search >= ends.search;
 
@@ -175,7 +181,8 @@
   const still = document.createElement('canvas').getContext('2d');
   let stillKey = '';
   const drawStill = (frame, vertices) => {
-    const key = [canvas.width, canvas.height, view.x, view.y, view.scale, frame, vertices, layers.triangles, layers.tree,
+    const key = [canvas.width, canvas.height, view.x, view.y, view.scale, frame, vertices, layers.triangles, layers.raised,
+      layers.tree,
       colors.panel].join();
     if (key === stillKey) return;
     stillKey = key;
@@ -188,7 +195,7 @@
     still.fillStyle = colors.free;
     still.fill();
     still.clip();
-    if (layers.triangles) {
+    if (layers.triangles || layers.raised) {
       if (frame >= 0) drawTriangles(still, frame);
       drawMesh(still);
       still.fillStyle = colors.veil;
@@ -244,8 +251,9 @@
     strokePath(4.5, colors.casing);
     strokePath(3, colors.robot);
   };
-  const drawRobot = () => {
-    const poses = posesAt(position.motion);
+  const startPoses = () => Array.from(start.headings,
+      (heading, k) => ({x: start.points[2 * k], y: start.points[2 * k + 1], heading}));
+  const drawRobot = (poses) => {
     const outline = Math.min(1.4, 0.2 * bodySize * view.scale);
     for (let k = poses.length - 1; k >= 0; --k) {
       const c = Math.cos(poses[k].heading);
@@ -296,14 +304,15 @@
   };
 
   const draw = () => {
-    drawStill(currentFrame(), currentVertices());
+    drawStill(shownFrame(), currentVertices());
     context.setTransform(1, 0, 0, 1, 0, 0);
     context.fillStyle = colors.panel;
     context.fillRect(0, 0, canvas.width, canvas.height);
     context.drawImage(still.canvas, 0, 0);
     toScene(context);
     if (samples && layers.path && searchEnded()) drawPath();
-    if (samples && layers.bodies && mode === 'motion') drawRobot();
+    if (samples && layers.bodies && mode === 'motion') drawRobot(posesAt(position.motion));
+    if (!samples && layers.bodies) drawRobot(startPoses());
     drawStart();
     drawGoalLabel();
     ++drawn;
@@ -352,7 +361,7 @@
       ['iteration', `${Math.floor(position.search)}`],
       ['tree vertices', `${currentVertices()} of ${tree.parents.length}`],
     ];
-    const frame = currentFrame();
+    const frame = shownFrame();
     if (frame >= 0) rows.push(['costs as of', `${frames.iterations[frame]}`]);
     return rows;
   };
@@ -369,10 +378,10 @@
     byId('scale').firstElementChild.textContent = `${Number(length.toPrecision(3))} m`;
   };
   const showCosts = () => {
-    const frame = currentFrame();
+    const frame = shownFrame();
     byId('costs').hidden = frame < 0;
     if (frame < 0) return;
-    byId('top').textContent = `${number(frames.tops[frame], 0)} m`;
+    byId('top').textContent = `${number(frames.top, 0)} m`;
     const levels = frames.levels.subarray(frame * triangleCount, (frame + 1) * triangleCount);
     byId('cut-off').hidden = !levels.includes(infinite);
   };
@@ -568,7 +577,7 @@
     get iteration() { return position.search; },
     get iterations() { return ends.search; },
     get vertices() { return currentVertices(); },
-    get frame() { return currentFrame(); },
+    get frame() { return shownFrame(); },
     get view() { return {...view}; },
     get drawn() { return drawn; },
     get layers() { return {...layers}; },
