@@ -259,9 +259,9 @@ Ground read_ground(const PlanOptions& options, Progress& progress) {
 void plan(const PlanOptions& options) {
   const SearchRequest request = request_of(options);
   check_outputs(outputs_of(options), inputs_of(options));  // before work that may take long
-  const Interrupt interrupt;
   Progress progress("krait");
   const Ground ground = read_ground(options, progress);
+  const Interrupt interrupt;  // before the search there is nothing to keep
   SearchResult result = search(options, request, ground.scene, interrupt, progress);
   Verdict verdict;
   const int code = judge(result, ground, request, options, verdict, progress);

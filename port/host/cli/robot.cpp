@@ -2,7 +2,6 @@
 // krait robot: a robot in numbers and as a picture. krait robots: the shipped ones.
 #include <algorithm>
 #include <cmath>
-#include <cstdarg>
 #include <cstdio>
 #include <memory>
 
@@ -24,12 +23,10 @@ struct RobotOptions {
   std::string png;
 };
 
-[[gnu::format(printf, 1, 2)]] std::string text_of(const char* format, ...) {
+template <class... Values>
+std::string text_of(const char* format, Values... values) {
   char text[400];
-  va_list values;
-  va_start(values, format);
-  std::vsnprintf(text, sizeof text, format, values);
-  va_end(values);
+  (void)std::snprintf(text, sizeof text, format, values...);
   return text;
 }
 

@@ -34,7 +34,7 @@ struct Size {
 
 std::string metres(double value) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.4g m", value);
+  (void)std::snprintf(text, sizeof text, "%.4g m", value);
   return text;
 }
 
