@@ -251,7 +251,9 @@ class Painter : private Pen {
 
   void cost_ticks(double x, double y, double top) {
     const double step = round_length(top / 3);
-    for (double cost = 0; cost <= top; cost += step) {
+    const int ticks = static_cast<int>(top / step);
+    for (int i = 0; i <= ticks; ++i) {
+      const double cost = i * step;
       const double at = x + kBarWidth * cost / top;
       cairo_move_to(cr_, at, y);
       cairo_line_to(cr_, at, y + 4);
