@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* krait in C: the adaptive planner and its five robots behind plain structs. Nothing allocates; all memory is the
    caller's. The program needs no special compiler flags and no C++ run-time library: link krait::c (-lkrait_c -lkrait).
-   Metres, radians, seconds. What a function gives or refuses is that of the C++ member of the same name. */
+   Metres, radians, seconds. What a function returns or refuses is that of the C++ member of the same name. */
 #ifndef KRAIT_KRAIT_H
 #define KRAIT_KRAIT_H
 
@@ -186,7 +186,7 @@ krait_parameters krait_default_parameters(void);
 
 /* What a search does when its memory is full. */
 enum {
-  KRAIT_RECYCLE, /* gives up what helps least, and goes on */
+  KRAIT_RECYCLE, /* drops what helps least, and goes on */
   KRAIT_STOP     /* ends as KRAIT_TREE_FULL */
 };
 
@@ -279,7 +279,7 @@ typedef struct krait_bottleneck {
   bool at_goal; /* the place is the roomiest of the goal itself */
 } krait_bottleneck;
 
-/* Of a search that ended without a plan; all zero elsewhere. After KRAIT_NO_ROUTE it is too narrow. Takes as long as
+/* Of a search that ended without a plan; all zero elsewhere. After KRAIT_NO_ROUTE it is too narrow. It lasts as long as
    krait_start. */
 krait_bottleneck krait_bottleneck_of(krait_planner* planner);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numbers that steer a search. Defaults first; `paper()` gives the paper's own.
+// The numbers that steer a search. Defaults first; `paper()` returns the paper's own.
 #pragma once
 
 #include <cstdint>
@@ -92,7 +92,7 @@ inline constexpr float kTreeSlack = 2e-3F;
 
 // What a search does when the memory for vertices or expansions is full.
 enum class WhenFull : std::uint8_t {
-  recycle,  // gives up the vertices of the group that helps least, never the start, and goes on
+  recycle,  // drops the vertices of the group that helps least, never the start, and goes on
   stop      // ends as tree_full
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every answer that the core gives, one enum; the names are the ones in JSON.
+// Every answer of the core, one enum; the names are the ones in JSON.
 #pragma once
 
 #include <cstdint>

@@ -41,8 +41,8 @@ bool positive(float x) { return x > 0.0F && finite(x); }
 // Rarely wanted, so not inlined.
 [[gnu::noinline]] SinCos any_sin_cos(float angle) { return sin_cos(angle); }
 
-// Of trailers by the pull on the first; hitch(k) gives the hitch angle before trailer k. A trailer turns at the pull on
-// it times the angle's sine, and pulls on by as much of it as the cosine leaves.
+// Of trailers by the pull on the first; hitch(k) returns the hitch angle before trailer k. A trailer turns at the
+// pull on it times the angle's sine, and pulls on by as much of it as the cosine leaves.
 template <class Hitch>
 void trailer_rates(float pull, int trailers, const Hitch& hitch, float* ds) {
   for (int k = 0; k < trailers; ++k) {
@@ -71,7 +71,7 @@ void integrate_by_bodies(const float* headings, int trailers, const Pose* poses,
     const float heading = headings[k];
     const float first = ahead.pull[0] * known.sin;
     ahead.pull[0] = ahead.pull[0] * known.cos;
-    // Gives the trailer's rate, and makes it what is ahead of the next.
+    // Returns the trailer's rate, and makes it what is ahead of the next.
     const auto stage = [&](int i, float rate) __attribute__((always_inline)) {
       const float own = (heading + until(i, dt) * rate) - heading;
       const float change = ahead.turn[i] - own;
@@ -280,7 +280,7 @@ void Chain::place(StateView s, Pose* poses) const {
   }
 }
 
-// The rates of the car; gives the pull on the first trailer, its speed by the hitch's length.
+// The rates of the car; returns the pull on the first trailer, its speed by the hitch's length.
 float Chain::car_rates(const float* s, const float* u, SinCos heading, SinCos steering, float* ds) const {
   const float v = s[3];
   const float axle_speed = v * steering.cos;

@@ -9,6 +9,7 @@
 #include <ctime>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "draw.hpp"
@@ -110,11 +111,24 @@ void plan_and_judge(const std::string& label, const Scene& scene, const Field& f
   report(line, verdict);
 }
 
+// Nothing where obstacles cover all of the scene.
+std::optional<host::CompiledScene> compile(const DrawnScene& drawn, std::uint64_t seed) {
+  try {
+    return host::compile(drawn.workspace, {});
+  } catch (const host::InputError& error) {
+    if (std::string(error.what()).rfind("no free space", 0) != 0) throw;
+    std::printf("--from %llu: the map is refused: %s\n", static_cast<unsigned long long>(seed), error.what());
+    return std::nullopt;
+  }
+}
+
 // A query by its number, or all of them.
 void plan_in_scene(std::uint64_t seed, int only, std::uint64_t wanted, Tally& tally) {
   const DrawnScene drawn = draw_scene(seed);
   const double begin = processor_time();
-  const host::CompiledScene compiled = host::compile(drawn.workspace, {});
+  const std::optional<host::CompiledScene> made = compile(drawn, seed);
+  if (!made) return;
+  const host::CompiledScene& compiled = *made;
   std::vector<std::uint64_t> bytes((compiled.bytes.size() + 7) / 8);
   std::memcpy(bytes.data(), compiled.bytes.data(), compiled.bytes.size());
   Scene scene;

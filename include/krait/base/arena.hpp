@@ -25,7 +25,7 @@ inline constexpr std::size_t kPoolCount = static_cast<std::size_t>(Pool::count);
 
 const char* name(Pool pool);
 
-// Cuts a block into arrays. Without a block it only counts, so that the same code that takes the pools also
+// Cuts a block into arrays. Without a block it only counts, so that the same code that allocates the pools also
 // tells how many bytes they need: the two cannot disagree.
 class Arena {
  public:
@@ -43,7 +43,7 @@ class Arena {
     return static_cast<T*>(take_bytes(pool, count * sizeof(T)));
   }
 
-  // Bytes that all takes so far need, whether or not they fitted.
+  // Bytes that all arrays so far need, whether or not they fitted.
   std::uint64_t needed() const { return needed_; }
   std::uint64_t needed(Pool pool) const { return by_pool_[static_cast<std::size_t>(pool)]; }
   bool fits() const { return needed_ <= bytes_; }

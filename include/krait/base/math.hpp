@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Float arithmetic that gives the same bits on every target: only IEEE-754 + - * / sqrt, comparisons and
+// Float arithmetic that has the same bits on every target: only IEEE-754 + - * / sqrt, comparisons and
 // conversions whose range is checked. No libm trigonometry, no fused operations, no double.
 #pragma once
 

@@ -244,7 +244,7 @@ class MotionCheck {
 
   StateView view(const float* state) const { return {state, robot_->state_size()}; }
 
-  // Bounds the step by what all bodies have in common where that will do, else body by body; gives whether the limits
+  // Bounds the step by what all bodies have in common where that will do, else body by body; returns whether the limits
   // hold.
   bool bound(const Step& step) {
     bounded_ = false;

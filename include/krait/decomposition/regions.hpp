@@ -21,7 +21,7 @@ struct CostRaise {
 
 class Regions {
  public:
-  // Takes its tables: 9 bytes a triangle (13 from 65,536 on) and 4 a portal. The scene must outlive this.
+  // Allocates its tables: 9 bytes a triangle (13 from 65,536 on) and 4 a portal. The scene must outlive this.
   void take(Arena& arena, const Scene& scene);
   void take(Arena&, const Scene&&) = delete;
 
@@ -42,7 +42,7 @@ class Regions {
   void update();
 
   // The same, bit for bit, where edges were only raised since the last update or repair: finds the paths anew of those
-  // regions only whose path went over a raised edge. Gives how many. O(R + n log n) for n of them.
+  // regions only whose path went over a raised edge. Returns how many. O(R + n log n) for n of them.
   Index repair();
 
   // The region of a triangle.
@@ -66,7 +66,7 @@ class Regions {
   void raise_edges(Index region, const CostRaise& raise);
 
   // A point drawn uniformly: in the triangle; in the whole goal polygon's triangles for G; a disc's sources
-  // give a point of the disc.
+  // return a point of the disc.
   Vec2 random_point(Index region, Random& random) const;
 
   // A point drawn uniformly in the goal.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The motion tree T = (V, E) (section 4.2), kept small. An expansion is a run of steps toward one target, and is fully
-// told by where it branches off, its target and its number of steps: whoever needs the states drives it again. Only the
-// states that the search may grow from are kept as such.
+// The motion tree T = (V, E) (section 4.2), kept small. An expansion is a run of steps toward one target. It is
+// determined by where it branches off, its target and its number of steps: whoever needs the states drives it again.
+// Only the states that the search may grow from are kept as such.
 #pragma once
 
 #include "krait/base/arena.hpp"
@@ -30,8 +30,8 @@ class MotionTree {
   // Room for `vertices` states of `state_size` floats, and `expansions`, at most kMostExpansions.
   void take(Arena& arena, std::uint32_t vertices, std::uint32_t expansions, int state_size);
 
-  // As new. Targets are points of `bounds`, stored to 1/65535 of them. Of the expansions `spare` are kept back for what
-  // ends a way: expansions_full() does not count on them.
+  // Resets the tree. Targets are points of `bounds`, stored to 1/65535 of them. Of the expansions `spare` are kept back
+  // for what ends a way: expansions_full() does not count on them.
   void clear(const Box& bounds, std::uint32_t spare);
   // No vertex, no expansion.
   void empty();
@@ -66,7 +66,7 @@ class MotionTree {
 
   // Turns the path that ends at `last` around: from then on next(root's expansion) is the expansion after it, and so
   // on, and steps() is how many of its steps the path takes. Ends all other use of the tree, until the path is turned
-  // back. Gives the first expansion.
+  // back. Returns the first expansion.
   Index turn_path(Branch last);
   // Turns the path that begins with `first` back: the tree is again as before turn_path but for steps() of the path's
   // expansions, which nothing but a path asks for.

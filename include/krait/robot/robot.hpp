@@ -55,7 +55,7 @@ struct Steering {
 //   body(k)                      convex polygon of 3 to 8 vertices, counter-clockwise, in body k's frame, metres
 //   place(s, poses)              writes the frame of every body; body 0's origin is the position
 //   travel(s, u, dt, next, travel)  bounds the motion of every body while u is held for dt from s to next, what proves
-//                                that nothing is jumped over between two states, whatever it gives: false when it is
+//                                that nothing is jumped over between two states, whatever it writes: false when it is
 //                                not proven that the limits, which s and next keep, hold all the way
 // It may also have the following, each of which a function below calls or replaces:
 //   speed(s)                     m/s, at least 0: how fast it moves in s, 0 at rest. A plan then ends at rest, or as

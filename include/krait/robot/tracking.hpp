@@ -21,9 +21,9 @@ inline Deviation deviation(StateView s, StateView reference) {
   return {dot(along, apart), cross(along, apart), s[2] - reference[2]};
 }
 
-inline constexpr float kHeadingShare = 0.2F;  // of a heading's error that a time step takes away, where nothing steers
+inline constexpr float kHeadingShare = 0.2F;  // of a heading's error that a time step removes, where nothing steers
 
-// What takes deviations back: speed by a tenth of what lags a time step, heading toward the reference's line, so that
+// What removes deviations: speed by a tenth of what lags a time step, heading toward the reference's line, so that
 // what is left of it shrinks within `distance` metres.
 struct Correction {
   float speed;    // metres a second, to be added

@@ -18,8 +18,8 @@ class GroupedSearch : public Search<Derived, R, Groups> {
   using Base = Search<Derived, R, Groups>;
 
  public:
-  // Puts the state into its region's group, if the group's sample takes it and there is room. False when the search has
-  // to stop for want of memory.
+  // Puts the state into its region's group, if the group's sample has a place for it and there is room. False when the
+  // search has to stop for want of memory.
   bool keep(Index region, Branch branch, const float* state) {
     const Groups::Place place = this->guide_.place(region, this->random_);
     if (!place.kept) return true;

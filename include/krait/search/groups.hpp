@@ -34,10 +34,10 @@ class Groups {
   };
   Place place(Index region, Random& random);
 
-  // Makes a vertex a member; the first one gives its group a weight. O(1), or O(kBlock) when the weight falls.
+  // Makes a vertex a member; with the first one its group has a weight. O(1), or O(kBlock) when the weight falls.
   void insert(const Regions& regions, Index region, Index vertex);
 
-  // Takes the newest member but the root out of the group and returns it, or kNone. The count of selections stays.
+  // Removes the newest member but the root from the group and returns it, or kNone. The count of selections stays.
   Index remove(Index region);
 
   // Weighs every group anew after h changed. O(R).
@@ -47,7 +47,7 @@ class Groups {
   // selection. kNone when no group with members has a finite cost. O(R / kBlock + kBlock).
   Index select(const Regions& regions);
 
-  // Takes a selection of the region's group back: it does not lower its weight. O(kBlock).
+  // Reverts a selection of the region's group: it does not lower its weight. O(kBlock).
   void unselect(const Regions& regions, Index region);
 
   // The region whose group has the smallest weight of those with members besides the root, the largest number among

@@ -31,9 +31,9 @@ struct Query {
   std::uint64_t seed = 1;
 };
 
-// `Guide` is what a planner keeps by vertex to choose where to grow from; take(arena, scene, vertices) takes its pools.
+// `Guide` is what a planner keeps by vertex to choose where to grow from: take(arena, scene, vertices) allocates it.
 // `Derived` is the planner, which has
-//   reset_guide()                  the guide as new
+//   reset_guide()                  resets the guide
 //   restart_unit()                 as Restarts::begin has it
 //   doomed_steps()                 Parameters::doomed_steps or 0
 //   open_steps()                   Parameters::open_steps or 0
@@ -77,8 +77,8 @@ class Search {
     return limits;
   }
 
-  // Takes the block, aligned to Arena::kAlignment, which like robot and scene must outlive the planner and stay where
-  // it is; copies parameters and limits. Gives solved, or why not: bad_arithmetic, bad_argument (a scene that was not
+  // Uses the block, aligned to Arena::kAlignment, which like robot and scene must outlive the planner and stay where
+  // it is; copies parameters and limits. Returns solved, or why not: bad_arithmetic, bad_argument (a scene that was not
   // opened, too), bad_robot, arena_too_small. May be called again.
   [[nodiscard]] Failure init(void* block, std::uint64_t bytes, const Scene& scene, const R& robot,
                              const Parameters& parameters, const Limits& limits) {
@@ -100,7 +100,7 @@ class Search {
   Failure init(void*, std::uint64_t, const Scene&&, const R&, const Parameters&, const Limits&) = delete;
   Failure init(void*, std::uint64_t, const Scene&, const R&&, const Parameters&, const Limits&) = delete;
 
-  // Begins a search, ending any other. Gives searching; or solved, when a plan may end with the start; or no_route,
+  // Begins a search, ending any other. Returns searching; or solved, when a plan may end with the start; or no_route,
   // goal_in_obstacle, start_outside, start_in_collision, bad_argument; bad_scene, when the scene is found to be another
   // than at init (Scene::fingerprint); after an init that failed, what that one gave. Work: a Dijkstra, 2730 distances.
   [[nodiscard]] Status start(const Query& query) {
@@ -115,7 +115,7 @@ class Search {
   // to the goal that braking may end there, it brakes, and from every fourth state near a pose it drives the shortest
   // few of at most 216 lines to it (last_metres.hpp); such steps count as steps of the expansion for the work of a
   // call, and it goes on where they lead to nothing. A way that has reached the goal is driven once more before it is
-  // given out as a plan: up to max_steps steps of it count as one of `iterations` here, but not in Statistics and
+  // returned as a plan: up to max_steps steps of it count as one of `iterations` here, but not in Statistics and
   // Limits. The result does not depend on how a search is cut into calls.
   [[nodiscard]] Status advance(std::uint64_t iterations) {
     return advance(iterations, [](const float*, const float*) {});
@@ -144,10 +144,10 @@ class Search {
   // At most `iterations` more of looking for a plan of fewer steps; plan() and Statistics::plan_steps, plan_length,
   // plan_duration and hash are then those of the best so far, which was driven and proven as the first one was. Work of
   // one, which must end in the goal as the first did, so that few are found for a pose: at most max_steps steps, and 16
-  // legs' steps that are not proven, or O(way_legs); the first call after start
-  // begins with one Dijkstra. The result does not depend on how the iterations are cut into calls. Plans and their
-  // cursors from before the call end with it. Gives status(), and nothing happens, where that is not solved or the plan
-  // has no steps; bad_argument where Limits::way_legs is 0.
+  // legs' steps that are not proven, or O(way_legs); the first call after start begins with one Dijkstra. The result
+  // does not depend on how the iterations are cut into calls. Plans and their cursors from before the call end with it.
+  // Returns status() and does nothing where that is not solved or the plan has no steps; bad_argument where
+  // Limits::way_legs is 0.
   [[nodiscard]] Status improve(std::uint64_t iterations) {
     if (status() != Status::solved || path_ == kNone) return status();
     if (limits_.way_legs == 0) return Status::bad_argument;
@@ -329,7 +329,7 @@ class Search {
   Derived& derived() { return static_cast<Derived&>(*this); }
   const Derived& derived() const { return static_cast<const Derived&>(*this); }
 
-  // The arguments that do not change between queries. Gives solved, or what is wrong.
+  // The arguments that do not change between queries. Returns solved, or what is wrong.
   Failure check_setup(const R& robot, const Scene& scene, const Parameters& parameters, const Limits& limits) {
     robot_ = &robot;
     scene_ = &scene;
@@ -396,7 +396,7 @@ class Search {
             parameters_.dt};
   }
 
-  // The edge costs as new, and the shortest paths. False when no region belongs to the goal.
+  // Resets the edge costs and finds the shortest paths. False when no region belongs to the goal.
   bool find_paths() {
     ++statistics_.dijkstra_runs;
     return regions_.reset(ending_.goal(), least_portal_width(), kLeastCost * robot_length_);
