@@ -46,8 +46,8 @@ krait_goal disc(std::uint32_t index, float x, float y, float radius) {
 // Fields that contradict each other become a goal that is refused.
 krait::Goal goal_of(const krait_goal& from) {
   const bool turned = from.heading_tolerance != 0.0F || from.hitch_tolerance != 0.0F || from.either_way;
-  const krait::Facing facing{from.heading, from.heading_tolerance, from.either_way,
-                             from.hitch_tolerance == 0.0F ? krait::kInfinity : from.hitch_tolerance};
+  krait::Facing facing{from.heading, from.heading_tolerance, from.either_way};
+  if (from.hitch_tolerance != 0.0F) facing.hitches = from.hitch_tolerance;
   if (from.index != KRAIT_NONE) return krait::Goal::named(turned ? krait::kNone : from.index);
   const krait::Vec2 center{from.x, from.y};
   return turned ? krait::Goal::pose(center, from.radius, facing) : krait::Goal::disc(center, from.radius);
