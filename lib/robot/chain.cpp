@@ -17,6 +17,7 @@ constexpr float kFoldBound = 1.2F;                     // truck, radians: the hi
 
 constexpr float kHitchReserve = 2e-3F;            // radians: the tree's hitch angles stay so far below their limit
 constexpr float kHitchError = 3e-4F;              // radians: what RK4 may be off by in a step
+constexpr float kRounding = 4e-8F;                // of a float, and of the sines that are found of it
 constexpr float kNormError = 5.0F * kHitchError;  // of as many angles as there may be trailers, in the Euclidean norm
 
 // Largest |x| on the way from x at `rate` for dt.
@@ -35,6 +36,14 @@ float least_cosine(float x) {
 
 // Of a state, or of its leading part.
 int bodies_of(const StateView& s) { return static_cast<int>(s.size()) + 1 - Chain::kCarState; }
+
+// e^x to a hundredth for x from -4 to 4.
+float exponential(float x) {
+  const float part = x / 32.0F;
+  float power = 1.0F + part + 0.5F * part * part;
+  for (int squaring = 0; squaring < 5; ++squaring) power = power * power;
+  return power;
+}
 
 bool positive(float x) { return x > 0.0F && finite(x); }
 
@@ -231,6 +240,41 @@ void Chain::track(StateView s, StateView reference, float dt, ControlRef u) cons
   const Correction change = correction(deviation(s, reference), speed, distance, dt);
   const float bend = p.wheelbase * 4.0F * change.heading / tracking_distance(speed, distance, dt);
   approach(s, speed + u[0] * dt + change.speed, reference[4] + u[1] * dt + (speed < 0.0F ? -bend : bend), dt, u);
+}
+
+// To first order, with the rates of the step's middle speed. With phi the hitch angle before trailer k and p the pull
+// on it, its heading's error e changes at p cos phi (ahead - e) + sin phi dp, where `ahead` is the error of the heading
+// before it, and dp that of the pull, the speed times the cosines of the hitch angles ahead. What a step rounds is
+// added on the side where the error is.
+float Chain::carry_errors(StateView s, const Pose* poses, ControlView u, float dt, float* errors) const {
+  const float d = parameters_.hitch_length;
+  const float speed = (s[3] + 0.5F * u[0] * dt) / d;
+  const float worst = (absolute(s[3]) + absolute(u[0]) * dt) / d;
+  float share = 1.0F;  // of the speed, that pulls
+  float share_error = 0.0F;
+  float ahead = kRounding * (1.0F + absolute(s[2]));
+  float shifted = 0.0F;  // metres, of the hitch
+  float off = 0.0F;
+  for (int k = 0; k < parameters_.trailers; ++k) {
+    const SinCos hitch = known_hitch(poses, k);
+    float& error = errors[kCarState + k];
+    const float before = error;
+    const float fading = speed * share * hitch.cos;
+    const float growth = exponential(-fading * dt);
+    const float time = absolute(fading * dt) < 1e-3F ? dt : (1.0F - growth) / fading;
+    const float rounded = kRounding * (1.0F + absolute(s[kCarState + k])) * absolute(share) * worst * dt;
+    error = before * growth + (fading * ahead + speed * hitch.sin * share_error) * time;
+    error = error < 0.0F ? error - rounded : error + rounded;
+    const float middle = 0.5F * (before + error);
+    share_error = hitch.cos * share_error - share * hitch.sin * (ahead - middle);
+    share = share * hitch.cos;
+    ahead = middle;
+    const Body& body = bodies_[1 + k];
+    shifted = shifted + d * absolute(error);
+    const float corner = shifted + farthest(body.vertices, body.count) * absolute(error);
+    off = corner > off ? corner : off;
+  }
+  return off;
 }
 
 bool Chain::within_limits(StateView s) const {

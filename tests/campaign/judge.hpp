@@ -48,8 +48,7 @@ inline constexpr double kLimitShare = 1e-4;     // of a limit: rounding that is 
 inline constexpr double kPositionError = 5e-4;  // m, of a stored state, and
 inline constexpr double kPositionShare = 5e-6;  // of the way of body 0's ends more, and by what a heading
 inline constexpr double kHeadingShare = 6e-8;   // as a float is off by, of itself, times that way
-inline constexpr double kAngleError = 5e-3;     // rad, of a stored state: as `krait verify` has it. Trailers that are
-                                                // pushed backwards multiply what a float rounds
+inline constexpr double kAngleError = 2e-3;     // rad, of a stored state: twice what a plan's proof allows
 
 Verdict judge(const Robot& robot, const Field& field, const Region& goal, const PlanRecord& plan);
 

@@ -255,6 +255,163 @@ TEST(PlanDriveOfHitches, HasRoomBetweenTheTreeAndTheLimit) {
   EXPECT_LE(nearest, 2.5e-3F);
 }
 
+// Drives a chain to and fro, waving, and carries the errors of its states along.
+template <class R>
+class PushedChain {
+ public:
+  PushedChain(const ChainParameters& parameters, std::uint32_t seed)
+      : robot_(parameters), random_(seed), start_(static_cast<std::size_t>(robot_.state_size())), errors_(start_) {
+    plan_.begin(robot_, kStep, start_.data());
+    truth_ = doubles(start_);
+  }
+
+  void drive(int steps, bool back) {
+    for (int i = 0; i < steps && !(back && folded()); ++i) {
+      if (i % 10 == 0) aim(back);
+      step();
+      ASSERT_LE(error(), carried() + 2.5e-7) << "step " << i;  // a float is off by so much by itself
+      ASSERT_LE(shift(), wide(off_) + 1e-6) << "step " << i;
+    }
+  }
+
+  // Of the trailers' headings, radians: how far they are off, and by what was carried.
+  double error() const {
+    double most = 0;
+    for (std::size_t i = 5; i < start_.size(); ++i)
+      most = std::max(most, std::fabs(truth_[i] - wide(plan_.state()[i])));
+    return most;
+  }
+  double carried() const {
+    double most = 0;
+    for (std::size_t i = 5; i < start_.size(); ++i) most = std::max(most, std::fabs(wide(errors_[i])));
+    return most;
+  }
+
+ private:
+  bool folded() const {
+    for (std::size_t i = 5; i < start_.size(); ++i) {
+      if (std::fabs(plan_.state()[i == 5 ? 2 : i - 1] - plan_.state()[i]) > 1.2F) return true;
+    }
+    return false;
+  }
+
+  // How far trailers are off, relative to the car, metres.
+  double shift() const {
+    const std::vector<Frame> exact = frames(robot_, truth_);
+    const std::vector<Frame> own = frames(robot_, Numbers(plan_.state(), plan_.state() + robot_.state_size()));
+    double most = 0;
+    for (std::size_t k = 1; k < own.size(); ++k) {
+      const double x = (exact[k].x - exact[0].x) - (own[k].x - own[0].x);
+      const double y = (exact[k].y - exact[0].y) - (own[k].y - own[0].y);
+      most = std::max(most, std::hypot(x, y));
+    }
+    return most;
+  }
+
+  void aim(bool back) {
+    const float heading = plan_.state()[2] + uniform_float(random_, -0.3F, 0.3F);
+    const SinCos to = sin_cos(back ? heading + kPi : heading);
+    plan_.aim({{plan_.state()[0] + 5 * to.cos, plan_.state()[1] + 5 * to.sin}, back ? -1.0F : 1.0F, kStep});
+  }
+
+  void step() {
+    std::vector<Pose> poses(static_cast<std::size_t>(robot_.body_count()));
+    const StateView state(plan_.state(), robot_.state_size());
+    robot_.place(state, poses.data());
+    plan_.step(poses.data());
+    off_ = carry_errors(robot_, state, poses.data(), ControlView(plan_.control(), 2), kStep, errors_.data());
+    const Numbers control(plan_.control(), plan_.control() + 2);
+    for (int part = 0; part < 32; ++part) truth_ = rk4(robot_, truth_, control, wide(kStep) / 32);
+    plan_.go();
+  }
+
+  R robot_;
+  std::mt19937 random_;
+  std::vector<float> start_;
+  std::vector<float> errors_;
+  PlanDrive<R> plan_;
+  Numbers truth_;
+  float off_ = 0;
+};
+
+ChainParameters pushed_chain(int trailers) {
+  ChainParameters p;
+  p.trailers = trailers;
+  p.hitch_length = 0.1F;
+  p.min_speed = -p.max_speed;
+  return p;
+}
+
+// Errors grow with every hitch length that trailers are pushed, and fade where they are pulled: what is carried along
+// is larger, and stays below a hundredth of a milliradian while they are pulled.
+template <class R>
+void expect_carried(int trailers) {
+  double most = 0;
+  for (std::uint32_t seed = 1; seed <= 3; ++seed) {
+    PushedChain<R> chain(pushed_chain(trailers), seed);
+    for (int turn = 0; turn < 8; ++turn) {
+      chain.drive(60, false);
+      EXPECT_LE(chain.carried(), 1e-6 * (4 + trailers));
+      chain.drive(60, true);
+      most = std::max(most, chain.carried());
+    }
+  }
+  EXPECT_GT(most, 5e-5) << "of pushed trailers";
+}
+
+TEST(PlanDriveOfPushedChains, IsOffByLessThanTheErrorsThatAreCarried) {
+  for (const int trailers : {1, 2, 3, 6, 25}) {
+    SCOPED_TRACE(trailers);
+    expect_carried<Truck>(trailers);
+    expect_carried<Snake>(trailers);
+  }
+}
+
+// Ways through a lane in which nobody can turn round, from x back to the goal: a trailer is pushed all the way.
+struct PushedWays {
+  std::uint64_t solved = 0;
+  std::uint64_t refused = 0;
+  double error = 0;  // radians, of the trailer, where a plan's controls are driven in double precision
+};
+
+PushedWays push_back_from(float x) {
+  Room room;
+  room.bounds = {0, 0, 14, 1.2};
+  room.goals = {{0.8, 0.1, 1.4, 1.1}};
+  ChainParameters p = pushed_chain(1);
+  p.hitch_length = 0.4F;
+  PushedWays ways;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Bench<Truck> bench(room, Truck(p));
+    bench.parameters.reverse_share = 0.5F;
+    bench.limits.iterations = 2000;
+    EXPECT_TRUE(bench.init().ok());
+    const float start[] = {x, 0.6F, 0, 0, 0, 0};
+    const Status status = bench.solve({start, Goal::named(0), seed});
+    ways.refused += bench.planner.statistics().plans_refused;
+    if (status != Status::solved) continue;
+    ++ways.solved;
+    const Path path(bench.planner.plan());
+    Numbers truth = doubles(path.states.front());
+    for (std::size_t i = 0; i < path.controls.size(); ++i) {
+      const Numbers control = doubles(path.controls[i]);
+      const double part = wide(bench.parameters.dt) / 32;
+      for (int j = 0; j < 32; ++j) truth = rk4(bench.robot, truth, control, part);
+      ways.error = std::max(ways.error, std::fabs(truth[5] - wide(path.states[i + 1][5])));
+    }
+  }
+  return ways;
+}
+
+TEST(PlanDriveOfPushedChains, IsRefusedWhereErrorsGrewLarge) {
+  const PushedWays near = push_back_from(4);
+  EXPECT_GE(near.solved, 15U) << "after 6 hitch lengths";
+  EXPECT_LE(near.error, 2e-3);
+  const PushedWays far = push_back_from(7);
+  EXPECT_GE(far.refused, 3U) << "after 14 hitch lengths";
+  EXPECT_LE(far.error, 2e-3);
+}
+
 // The work of a call is bounded however long the plan is: what one call does is one expansion, of the tree or the way.
 TEST(PlanDriveCalls, DriveAnExpansionEach) {
   const float start[] = {2, 6, 0};

@@ -199,6 +199,15 @@ TEST(PlannerRest, ARobotOfOnesOwnNeedsOnlySayHowFastItIs) {
   EXPECT_GT(rests.slowest_end(Goal::named(0)), 1.0F);
 }
 
+// It brakes wherever it is in the goal, and often comes to rest beside it: no such way is driven as a plan.
+TEST(PlannerRest, ABrakeThatEndsBesideTheGoalIsNoPlan) {
+  Rests<Sled> rests(Sled(true));
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    rests.end_speed(Goal::disc({10.5F, 3}, 0.05F), seed);
+    EXPECT_EQ(rests.bench().planner.statistics().plans_refused, 0U);
+  }
+}
+
 TEST(PlannerRest, ARobotThatNeverStopsHasNoPlan) {
   Bench<Sled> bench(two_rooms(), Sled(false));
   bench.limits.iterations = 500;

@@ -21,6 +21,8 @@ class PlanProof {
     step_ = ProvenStep<R>(robot, scene, parameters, check);
     meter_ = {};
     turned_ = 0.0F;
+    strayed_ = 0.0F;
+    for (int i = 0; i < robot.state_size(); ++i) errors_[i] = 0.0F;
     drive_.begin(robot, parameters.dt, start);
   }
 
@@ -35,14 +37,16 @@ class PlanProof {
 
   // From now on the check keeps the margin that the way so far asks for. O(bodies).
   void keep() {
-    const float error = kDriveError + kDriftShare * (meter_.length() + turned_ * robot_length(*robot_));
+    allowed_ = kSpare * strayed_ > kDriveError ? kSpare * strayed_ : kDriveError;
+    const float error = allowed_ + kDriftShare * (meter_.length() + turned_ * robot_length(*robot_));
     check_->keep(parameters_->clearance + error, longest_plan_step(*robot_, parameters_->dt));
   }
 
-  // Drives a step. False when it is not proven.
+  // Drives a step. False when it is not proven, or when the states would be too far from where the controls lead.
   bool step() {
     const SinCos heading = check_->poses()[0].heading;
     drive_.step(check_->poses());
+    if (!carry_errors_on()) return false;
     if (!step_.holds(drive_.state(), drive_.control(), drive_.next())) return false;
     meter_.add(drive_.state(), robot_->state_size(), drive_.control(), robot_->control_size(), drive_.next());
     drive_.go();
@@ -60,6 +64,23 @@ class PlanProof {
  private:
   static constexpr float kDriveError = 1e-4F;  // metres: how far the driven states may be off, and
   static constexpr float kDriftShare = 5e-6F;  // by how much of the way of body 0's ends more
+  static constexpr float kMostError = 2e-3F;   // of a component, such as a heading in radians
+  static constexpr float kLarge = 256.0F;      // a component from which on as much larger an error is allowed
+  static constexpr float kSpare = 2.0F;        // of the errors' growth, before the check keeps more
+
+  // Carries the errors on over the step that drive_ found, and has the check keep more where they outgrow what it
+  // keeps. False where one is too large.
+  bool carry_errors_on() {
+    const int size = robot_->state_size();
+    const float* const next = drive_.next();
+    strayed_ = krait::carry_errors(*robot_, StateView(drive_.state(), size), check_->poses(),
+                                   ControlView(drive_.control(), robot_->control_size()), parameters_->dt, errors_);
+    for (int i = 0; i < size; ++i) {
+      if (!(absolute(errors_[i]) <= kMostError * (1.0F + absolute(next[i]) / kLarge))) return false;
+    }
+    if (strayed_ > allowed_) place();
+    return finite(strayed_);
+  }
 
   const R* robot_ = nullptr;
   const Parameters* parameters_ = nullptr;
@@ -67,7 +88,10 @@ class PlanProof {
   ProvenStep<R> step_;
   PlanDrive<R> drive_;
   PlanMeter meter_;
-  float turned_ = 0.0F;  // radians, of body 0 so far, as chords
+  float turned_ = 0.0F;          // radians, of body 0 so far, as chords
+  float strayed_ = 0.0F;         // metres: how far a body may be from where the controls lead, by errors that grew
+  float allowed_ = kDriveError;  // metres: how far the check allows for
+  float errors_[R::kMaxState];   // of the state's components
 };
 
 }  // namespace krait

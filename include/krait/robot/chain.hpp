@@ -60,6 +60,8 @@ class Chain {
   void steer(StateView s, const Target& target, Steering& steering, ControlRef u) const;
   void steer(StateView s, const Pose* poses, const Target& target, Steering& steering, ControlRef u) const;
   void track(StateView s, StateView reference, float dt, ControlRef u) const;
+  // Errors of the trailers' headings: they fade while trailers are pulled and grow while they are pushed.
+  float carry_errors(StateView s, const Pose* poses, ControlView u, float dt, float* errors) const;
   // Of the front wheels.
   float speed(StateView s) const { return absolute(s[3]); }
   float stopping_way(StateView s) const;

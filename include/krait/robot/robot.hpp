@@ -75,6 +75,13 @@ struct Steering {
 //                                that brings s back to the motion of the reference within some time steps of dt,
 //                                inside the limits as steer's. Without it, u stays, and a plan's error grows with its
 //                                length
+//   carry_errors(s, poses, u, dt, errors)
+//                                errors has an estimate of how far each component of s is from where the plan's controls
+//                                led in exact arithmetic, on the side where it is; makes it the same after a time step
+//                                of dt under u, with what the step itself rounds, and returns how far that puts a body
+//                                aside, metres. A plan keeps that away from obstacles, and ends nowhere where an error
+//                                has grown past 2e-3. Without it, errors count as covered by the margin of every plan,
+//                                which is so unless the motion multiplies them, as that of pushed trailers does
 //   keeps_reserve(s)             s is so far within the limits that a plan, which is driven a little beside the tree,
 //                                keeps them; without it, within_limits is all that the tree keeps
 //   steer(s, poses, target, steering, u)
@@ -141,6 +148,17 @@ void steer(const R& robot, StateView s, const Pose* poses, const Target& target,
 template <Robot R>
 void track(const R& robot, StateView s, StateView reference, float dt, ControlRef u) {
   if constexpr (requires { robot.track(s, reference, dt, u); }) robot.track(s, reference, dt, u);
+}
+
+// Carries the errors of a state's components over a time step, and returns the metres that a body may be off then; a
+// robot may say.
+template <Robot R>
+float carry_errors(const R& robot, StateView s, const Pose* poses, ControlView u, float dt, float* errors) {
+  if constexpr (requires {
+                  { robot.carry_errors(s, poses, u, dt, errors) } -> std::same_as<float>;
+                })
+    return robot.carry_errors(s, poses, u, dt, errors);
+  return 0.0F;
 }
 
 // Whether the state is far enough within the limits for the tree; a robot may say.
