@@ -6,10 +6,23 @@
 namespace krait {
 namespace {
 
-constexpr const char* kStatusNames[] = {
-    "searching",          "solved",           "no_route",        "budget_used",    "tree_full",
-    "time_used",          "bad_scene",        "bad_robot",       "bad_argument",   "start_outside",
-    "start_in_collision", "goal_in_obstacle", "arena_too_small", "bad_arithmetic", "internal"};
+constexpr const char* kStatusNames[] = {"ok",
+                                        "ready",
+                                        "searching",
+                                        "solved",
+                                        "no_route",
+                                        "budget_used",
+                                        "tree_full",
+                                        "time_used",
+                                        "bad_scene",
+                                        "bad_robot",
+                                        "bad_argument",
+                                        "start_outside",
+                                        "start_in_collision",
+                                        "goal_in_obstacle",
+                                        "arena_too_small",
+                                        "bad_arithmetic",
+                                        "internal"};
 static_assert(sizeof(kStatusNames) / sizeof(kStatusNames[0]) == static_cast<std::size_t>(Status::internal) + 1);
 
 constexpr const char* kArgumentNames[] = {"none",

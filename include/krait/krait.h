@@ -33,6 +33,8 @@ extern "C" {
 
 typedef uint8_t krait_status;
 enum {
+  KRAIT_OK,        /* of krait_open and krait_init: done */
+  KRAIT_READY,     /* of a planner since krait_init: call krait_start */
   KRAIT_SEARCHING, /* not ended: call krait_advance again */
   KRAIT_SOLVED,
   KRAIT_NO_ROUTE,
@@ -50,7 +52,7 @@ enum {
   KRAIT_INTERNAL
 };
 
-/* What went wrong, where. KRAIT_SOLVED where nothing did. Fields that do not apply are zero. */
+/* What went wrong, where. KRAIT_OK where nothing did. Fields that do not apply are zero. */
 typedef struct krait_failure {
   krait_status status;
   uint8_t section;       /* KRAIT_BAD_SCENE: of the file; 255 is its header */
@@ -72,7 +74,7 @@ typedef union krait_scene {
 } krait_scene;
 
 /* Checks the whole file, then views it. `file` is aligned to 4 and must stay for as long as the scene is used.
-   KRAIT_SOLVED or KRAIT_BAD_SCENE. */
+   KRAIT_OK or KRAIT_BAD_SCENE. */
 KRAIT_NODISCARD krait_failure krait_open(krait_scene* scene, const void* file, size_t file_bytes);
 
 typedef struct krait_scene_facts {

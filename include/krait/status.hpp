@@ -7,6 +7,8 @@
 namespace krait {
 
 enum class Status : std::uint8_t {
+  ok,                  // of open and init: done
+  ready,               // of a planner since init: call start
   searching,           // not ended: call advance again
   solved,              // a plan is ready
   no_route,            // no path of regions leads from the start to the goal for a robot of this width
@@ -81,13 +83,13 @@ const char* name(Argument argument);
 
 // What went wrong, where. Fields that do not apply are zero.
 struct Failure {
-  Status status = Status::solved;
+  Status status = Status::ok;
   std::uint8_t section = 0;        // bad_scene: format::Section, or Scene::kHeaderSection
   std::uint32_t element = 0;       // bad_scene: index in the section; bad_argument, bad_robot: Argument
   std::uint64_t bytes_needed = 0;  // arena_too_small
   float most = 0.0F;               // bad_argument, dt: the longest time step in seconds that the robot allows
 
-  [[nodiscard]] bool ok() const { return status == Status::solved; }
+  [[nodiscard]] bool ok() const { return status == Status::ok; }
 };
 
 }  // namespace krait

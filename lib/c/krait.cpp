@@ -16,6 +16,7 @@ static_assert(KRAIT_MAX_TRAILERS == krait::kMaxTrailers && KRAIT_MAX_STATE == kr
 static_assert(KRAIT_NONE == krait::kNone);
 
 // The C enumeration numbers as the C++ one does; first, last and one between them stand for all.
+static_assert(KRAIT_OK == static_cast<int>(Status::ok));
 static_assert(KRAIT_SOLVED == static_cast<int>(Status::solved));
 static_assert(KRAIT_BAD_SCENE == static_cast<int>(Status::bad_scene));
 static_assert(KRAIT_INTERNAL == static_cast<int>(Status::internal));

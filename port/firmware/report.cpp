@@ -110,6 +110,8 @@ int exit_code(Status status) {
     case Status::tree_full:
     case Status::time_used:
       return kHonestNo;
+    case Status::ok:
+    case Status::ready:
     case Status::searching:
     case Status::internal:
       return kOwnBug;

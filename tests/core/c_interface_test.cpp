@@ -134,7 +134,7 @@ TEST(CInterface, TrailersThatAreNoneAreRefused) {
 TEST(CInterface, TrailersThatAreNoneNeedNoMoreThanACar) {
   const SceneBytes bytes = data_of(two_rooms()).bytes();
   krait_scene scene;
-  ASSERT_EQ(krait_open(&scene, bytes.data(), bytes.size()).status, KRAIT_SOLVED);
+  ASSERT_EQ(krait_open(&scene, bytes.data(), bytes.size()).status, KRAIT_OK);
   const krait_robot none = krait_snake(0);
   for (const int trailers : {std::numeric_limits<int>::min(), -1, 26, std::numeric_limits<int>::max()}) {
     const krait_robot robot = krait_snake(trailers);
@@ -146,7 +146,7 @@ TEST(CInterface, TrailersThatAreNoneNeedNoMoreThanACar) {
 TEST(CInterface, WhatToDoWhenFullIsOneOfTwo) {
   const SceneBytes bytes = data_of(two_rooms()).bytes();
   krait_scene scene;
-  ASSERT_EQ(krait_open(&scene, bytes.data(), bytes.size()).status, KRAIT_SOLVED);
+  ASSERT_EQ(krait_open(&scene, bytes.data(), bytes.size()).status, KRAIT_OK);
   const krait_robot robot = krait_unicycle();
   const krait_parameters parameters = krait_default_parameters();
   std::vector<std::uint64_t> block(50'000);
@@ -156,7 +156,7 @@ TEST(CInterface, WhatToDoWhenFullIsOneOfTwo) {
     const krait_failure failure =
         krait_init(&planner, block.data(), block.size() * 8, &scene, &robot, &parameters, &limits);
     if (when_full <= KRAIT_STOP) {
-      EXPECT_EQ(failure.status, KRAIT_SOLVED) << when_full;
+      EXPECT_EQ(failure.status, KRAIT_OK) << when_full;
     } else {
       EXPECT_EQ(failure.status, KRAIT_BAD_ARGUMENT) << when_full;
       EXPECT_STREQ(krait_argument_name(failure.element), "when_full");
@@ -205,7 +205,7 @@ TEST(CInterface, StartPosesAreTheScenes) {
   room.start_angles = {0.25F, 0.125F, 1.0F};
   const SceneBytes bytes = data_of(room).bytes();
   krait_scene scene;
-  ASSERT_EQ(krait_open(&scene, bytes.data(), bytes.size()).status, KRAIT_SOLVED);
+  ASSERT_EQ(krait_open(&scene, bytes.data(), bytes.size()).status, KRAIT_OK);
   const krait_pose first = krait_start_pose(&scene, 0), second = krait_start_pose(&scene, 1);
   EXPECT_EQ(first.x, 2.0F);
   EXPECT_EQ(first.y, 6.0F);
@@ -220,7 +220,7 @@ TEST(CInterface, StartPosesAreTheScenes) {
 TEST(CInterface, BadScenesAreRefused) {
   SceneBytes bytes = data_of(two_rooms()).bytes();
   krait_scene scene;
-  EXPECT_EQ(krait_open(&scene, bytes.data(), bytes.size()).status, KRAIT_SOLVED);
+  EXPECT_EQ(krait_open(&scene, bytes.data(), bytes.size()).status, KRAIT_OK);
   const krait_failure failure = krait_open(&scene, bytes.data(), bytes.size() - 4);
   EXPECT_EQ(failure.status, KRAIT_BAD_SCENE);
   EXPECT_EQ(failure.section, Scene::kHeaderSection);
@@ -238,7 +238,7 @@ struct Given {
   krait_planner* planner = nullptr;
 
   Given() {
-    EXPECT_EQ(krait_open(&scene, bytes.data(), bytes.size()).status, KRAIT_SOLVED);
+    EXPECT_EQ(krait_open(&scene, bytes.data(), bytes.size()).status, KRAIT_OK);
     needed = krait_bytes_required(&scene, &robot, &limits);
     block.resize(needed / 8 + 2, 0xA5A5A5A5A5A5A5A5ULL);
   }
@@ -255,7 +255,7 @@ TEST(CInterface, TheBlockIsAsLargeAsAsked) {
     EXPECT_EQ(failure.bytes_needed, given.needed);
     EXPECT_EQ(given.planner, nullptr);
   }
-  EXPECT_EQ(given.init(given.needed).status, KRAIT_SOLVED);
+  EXPECT_EQ(given.init(given.needed).status, KRAIT_OK);
   EXPECT_NE(given.planner, nullptr);
   const float start[] = {2, 6, 0};
   const krait_query query = {start, krait_named_goal(0), 1};
@@ -297,7 +297,7 @@ TEST(CInterface, ImprovesAPlanAsTheCppPlannerDoes) {
   given.needed = krait_bytes_required(&given.scene, &given.robot, &given.limits);
   ASSERT_LE(given.needed, 200'000U);
   given.block.assign(given.needed / 8, 0);
-  ASSERT_EQ(given.init(given.needed).status, KRAIT_SOLVED);
+  ASSERT_EQ(given.init(given.needed).status, KRAIT_OK);
   EXPECT_EQ(krait_improve(given.planner, 10), KRAIT_BAD_ARGUMENT);  // before the first start
   const float start[] = {2, 6, 0};
   const krait_query query = {start, krait_named_goal(0), 1};
@@ -330,7 +330,7 @@ TEST(CInterface, ImprovingNeedsRoomInTheLimits) {
   given.limits = krait_limits_for(200'000, &given.scene, &given.robot);
   EXPECT_EQ(given.limits.way_legs, 0U);
   given.block.assign(25'000, 0);
-  ASSERT_EQ(given.init(200'000).status, KRAIT_SOLVED);
+  ASSERT_EQ(given.init(200'000).status, KRAIT_OK);
   const float start[] = {2, 6, 0};
   const krait_query query = {start, krait_named_goal(0), 1};
   ASSERT_EQ(krait_start(given.planner, &query), KRAIT_SEARCHING);
@@ -355,7 +355,7 @@ TEST(CInterface, TheSceneTellsWhatIsInIt) {
 
 TEST(CInterface, DiscsAndQueriesAreTheCpps) {
   Given given;
-  ASSERT_EQ(given.init(given.needed).status, KRAIT_SOLVED);
+  ASSERT_EQ(given.init(given.needed).status, KRAIT_OK);
   const float start[] = {2, 6, 0};
   const auto ask = [&](const float* from, krait_goal goal) {
     const krait_query query = {from, goal, 1};
@@ -379,7 +379,7 @@ TEST(CInterface, PosesAreTheCpps) {
   given.limits = kLimits;
   given.needed = krait_bytes_required(&given.scene, &given.robot, &given.limits);
   given.block.resize(given.needed / 8 + 2);
-  ASSERT_EQ(given.init(given.needed).status, KRAIT_SOLVED);
+  ASSERT_EQ(given.init(given.needed).status, KRAIT_OK);
   const float start[] = {2, 6, 0};
   const auto ask = [&](krait_goal goal) {
     const krait_query query = {start, goal, 1};
@@ -413,7 +413,7 @@ TEST(CInterface, PosesAreTheCpps) {
 
 TEST(CInterface, SaysWhyThereIsNoPlan) {
   Given given;
-  ASSERT_EQ(given.init(given.needed).status, KRAIT_SOLVED);
+  ASSERT_EQ(given.init(given.needed).status, KRAIT_OK);
   const float start[] = {2, 6, 0};
   const float at_wall[] = {5.9F, 1, 0};
   const krait_query cramped = {start, krait_disc_goal(0.1F, 0.1F, 0.05F), 1};

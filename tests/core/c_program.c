@@ -22,7 +22,7 @@ c_answer plan_in_c(const krait_robot* robot, const void* file, size_t file_bytes
                    const krait_limits* limits, uint64_t expansions) {
   c_answer answer = {.states = 0};
   answer.failure = krait_open(&scene, file, file_bytes);
-  if (answer.failure.status != KRAIT_SOLVED) return answer;
+  if (answer.failure.status != KRAIT_OK) return answer;
 
   const krait_parameters parameters = krait_default_parameters();
   krait_planner* planner = NULL;

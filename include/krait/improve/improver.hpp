@@ -26,10 +26,10 @@ class Improver {
   }
 
   // Begins with a plan of one step or more, which must stay, as must what the tools name and `proof`. The regions'
-  // costs and paths are those of the goal, as they were before any was raised. A plan ends `depth` metres inside the
-  // goal as driven.
-  void begin(const WayTools<R>& tools, PlanProof<R>& proof, const Regions& regions, const PlanPath& plan, float depth,
-             const Random& random) {
+  // costs and paths are those of the goal, as they were before any was raised. A plan ends as deep inside the
+  // goal as `depth` says.
+  void begin(const WayTools<R>& tools, PlanProof<R>& proof, const Regions& regions, const PlanPath& plan,
+             const EndDepth& depth, const Random& random) {
     tools_ = tools;
     proof_ = &proof;
     regions_ = &regions;
@@ -381,7 +381,7 @@ class Improver {
   }
 
   bool finish_proof() {
-    const bool holds = tools_.ending->holds(proof_->state(), depth_);
+    const bool holds = tools_.ending->holds(proof_->state(), proof_->end_depth(depth_));
     if (holds) {
       measures_ = proof_->measures();
       best_.copy(current(), current().count());
@@ -400,7 +400,7 @@ class Improver {
   const Regions* regions_ = nullptr;
   PlanPath plan_;
   std::uint32_t plan_steps_ = 0;
-  float depth_ = 0.0F;  // metres: how deep inside the goal a plan ends
+  EndDepth depth_;
   PlanMeasures measures_;
   Random random_;
   float robot_length_ = 1.0F;

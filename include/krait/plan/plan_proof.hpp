@@ -9,6 +9,12 @@
 
 namespace krait {
 
+// How deep inside the goal a plan ends, metres: by what its states may be off by, but within these.
+struct EndDepth {
+  float least = 0.0F;
+  float most = 0.0F;
+};
+
 template <Robot R>
 class PlanProof {
  public:
@@ -38,8 +44,7 @@ class PlanProof {
   // From now on the check keeps the margin that the way so far asks for. O(bodies).
   void keep() {
     allowed_ = kSpare * strayed_ > kDriveError ? kSpare * strayed_ : kDriveError;
-    const float error = allowed_ + kDriftShare * (meter_.length() + turned_ * robot_length(*robot_));
-    check_->keep(parameters_->clearance + error, longest_plan_step(*robot_, parameters_->dt));
+    check_->keep(parameters_->clearance + error(), longest_plan_step(*robot_, parameters_->dt));
   }
 
   // Drives a step. False when it is not proven, or when the states would be too far from where the controls lead.
@@ -55,6 +60,12 @@ class PlanProof {
     return true;
   }
 
+  // How deep inside the goal the plan that ends here must do so.
+  float end_depth(const EndDepth& depth) const {
+    const float off = error() < depth.most ? error() : depth.most;
+    return off > depth.least ? off : depth.least;
+  }
+
   const float* state() const { return drive_.state(); }
   // The tree's state beside it.
   const float* tree_state() const { return drive_.tree_state(); }
@@ -67,6 +78,9 @@ class PlanProof {
   static constexpr float kMostError = 2e-3F;   // of a component, such as a heading in radians
   static constexpr float kLarge = 256.0F;      // a component from which on as much larger an error is allowed
   static constexpr float kSpare = 2.0F;        // of the errors' growth, before the check keeps more
+
+  // Metres: how far the states so far may be from where the controls lead.
+  float error() const { return allowed_ + kDriftShare * (meter_.length() + turned_ * robot_length(*robot_)); }
 
   // Carries the errors on over the step that drive_ found, and has the check keep more where they outgrow what it
   // keeps. False where one is too large.

@@ -104,7 +104,7 @@ class Scene {
 
   // Checks every byte that the core later relies on, then views them; the bytes must stay, unchanged, for as long
   // as the scene is used. Reads only [bytes, bytes + size); writes and allocates nothing. `bytes` is aligned to 4.
-  // Returns bad_scene with section and element, or solved. O(size log l), l the longest list of a bucket.
+  // Returns bad_scene with section and element, or ok. O(size log l), l the longest list of a bucket.
   [[nodiscard]] static Failure open(const void* bytes, std::size_t size, Scene& scene);
 
   std::uint32_t bytes() const { return header_.total_bytes; }

@@ -78,7 +78,7 @@ class Search {
   }
 
   // Uses the block, aligned to Arena::kAlignment, which like robot and scene must outlive the planner and stay where
-  // it is; copies parameters and limits. Returns solved, or why not: bad_arithmetic, bad_argument (a scene that was not
+  // it is; copies parameters and limits. Returns ok, or why not: bad_arithmetic, bad_argument (a scene that was not
   // opened, too), bad_robot, arena_too_small. May be called again.
   [[nodiscard]] Failure init(void* block, std::uint64_t bytes, const Scene& scene, const R& robot,
                              const Parameters& parameters, const Limits& limits) {
@@ -93,7 +93,7 @@ class Search {
     take_pools(arena_, scene, robot, limits, regions_, tree_, guide_, improver_);
     statistics_ = {};
     ready_ = true;
-    failure_ = bad_argument(Argument::start);  // until there is one
+    failure_ = {Status::ready};
     return {};
   }
   // Temporaries would not outlive the planner.
@@ -165,7 +165,7 @@ class Search {
   const MotionTree& tree() const { return tree_; }
   const Regions& regions() const { return regions_; }
   const Guide& guide() const { return guide_; }
-  // Where the search stands; before the first start, bad_argument.
+  // Where the search stands: ready before the first start; before init, bad_argument.
   [[nodiscard]] Status status() const { return failure_.status; }
   [[nodiscard]] const Failure& failure() const { return failure_; }
 
@@ -371,6 +371,7 @@ class Search {
     if (shoots()) last_metres_.assign(*scene_, query.goal, nimbleness());
     const float tenth = 0.1F * query.goal.size(*scene_);
     goal_depth_ = parameters_.goal_margin < tenth ? parameters_.goal_margin : tenth;
+    end_depth_ = {kDepthKept * goal_depth_, tenth};
     const bool fits = !parameters_.prune_portals || body_fits();
     if (!find_paths()) return finish(Status::goal_in_obstacle);
     return plant(fits);
@@ -721,7 +722,7 @@ class Search {
       finish(Status::internal);
       return;
     }
-    const float depth = path_ == kNone ? 0.0F : kDepthKept * goal_depth_;
+    const float depth = path_ == kNone ? 0.0F : proof_.end_depth(end_depth_);
     if (!ending_.holds(end, depth)) return refuse_plan();
     finish(Status::solved);
     note(proof_.measures());
@@ -754,7 +755,7 @@ class Search {
     const TargetGrid grid(scene_->bounds());
     const WayTools<R> tools{robot_,  scene_, &parameters_, &check_,     &drive_,
                             &brake_, grid,   &ending_,     goal_depth_, tree_.state(kRoot)};
-    improver_.begin(tools, proof_, regions_, found_path(), kDepthKept * goal_depth_, random_);
+    improver_.begin(tools, proof_, regions_, found_path(), end_depth_, random_);
   }
 
   PlanPath found_path() const { return {tree_, path_}; }
@@ -765,7 +766,8 @@ class Search {
   Arena arena_;
   MotionCheck<R> check_;
   Ending<R> ending_;
-  float goal_depth_ = 0.0F;
+  float goal_depth_ = 0.0F;  // metres: how deep inside the goal the tree's ways end
+  EndDepth end_depth_;       // and plans
   Restarts restarts_;
   Expanded expanded_{};       // the last expansion
   float apart_ = kInfinity;   // metres: how far the target of a long one was

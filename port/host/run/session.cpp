@@ -46,6 +46,8 @@ std::string explanation(const Failure& failure, const SearchRequest& request) {
 // Whether a search that ends so has an answer, or its refusal another form.
 bool passes(Status status) {
   switch (status) {
+    case Status::ok:
+    case Status::ready:
     case Status::searching:
     case Status::solved:
     case Status::no_route:

@@ -15,13 +15,13 @@ static void write_hash(uint64_t hash) {
 
 int main(void) {
   const size_t bytes = (size_t)(scene_end - scene_begin);
-  if (krait_open(&scene, scene_begin, bytes).status != KRAIT_SOLVED) return 2;
+  if (krait_open(&scene, scene_begin, bytes).status != KRAIT_OK) return 2;
 
   const krait_robot robot = krait_snake(3);
   const krait_parameters parameters = krait_default_parameters();
   const krait_limits limits = krait_limits_for(sizeof block, &scene, &robot);
   krait_planner* planner;
-  if (krait_init(&planner, block, sizeof block, &scene, &robot, &parameters, &limits).status != KRAIT_SOLVED) return 2;
+  if (krait_init(&planner, block, sizeof block, &scene, &robot, &parameters, &limits).status != KRAIT_OK) return 2;
 
   float start[KRAIT_MAX_STATE];
   if (!krait_rest(&robot, krait_start_pose(&scene, 0), start)) return 2;

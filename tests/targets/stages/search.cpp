@@ -56,11 +56,11 @@ void search(const firmware::Board& board, const Scene& scene, const char* name, 
   Limits limits = planner.limits_for(kBlock, scene, robot);
   limits.iterations = kIterations;
   robot.forget();
-  tree.add(static_cast<std::uint32_t>(planner.init(board.arena, kBlock, scene, robot, Parameters(), limits).status));
+  tree.add(planner.init(board.arena, kBlock, scene, robot, Parameters(), limits).ok() ? 1U : 0U);
   for (std::uint64_t seed = 1; seed <= 2; ++seed) {
     (void)planner.start({start, Goal::named(0), seed});
     while (planner.advance(1) == Status::searching) add_counts(planner.statistics(), tree);
-    plan.add(static_cast<std::uint32_t>(planner.status()));
+    plan.add(static_cast<std::uint32_t>(planner.status()) - static_cast<std::uint32_t>(Status::searching));
     add_plan(planner.plan(), plan);
   }
   tree.add(robot.seen().value());
