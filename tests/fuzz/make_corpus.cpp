@@ -131,6 +131,19 @@ Named movingais() {
           {"row_too_many", "type octile\nheight 1\nwidth 2\nmap\n..\n..\n"}};
 }
 
+Named tpcaps() {
+  const std::string poses = "1,2,0.5,3,4,-0.5,";
+  return {{"sound", poses + "2,3,4,0,0,1,0,1,1,5,5,6,5,6,6,5,6\n"},
+          {"no_obstacle", poses + "0"},
+          {"count_lies", poses + "9999999,3"},
+          {"vertices_lie", poses + "1,9999999,0,0"},
+          {"fraction", poses + "1.5,3,0,0,1,0,1,1"},
+          {"too_many", poses + "1,3,0,0,1,0,1,1,7"},
+          {"nan", "nan,inf,-nan,3,4,5,0"},
+          {"at_5e9", "5e9,5e9,0,5000000003,5e9,0,0"},
+          {"commas", repeated(",", 1000)}};
+}
+
 Named pgms() {
   return {{"binary", std::string("P5 # comment\n3 2\n255\n\0\x40\x80\xC0\xFE\xFF", 26)},
           {"wide", std::string("P5 1 1 65535\n\1\2", 15)},
@@ -231,6 +244,7 @@ int main(int argc, char** argv) {
   write(folder / "fuzz_import", dynobenches(), "dynobench_");
   write(folder / "fuzz_import", map_servers(), "map_server_");
   write(folder / "fuzz_import", movingais(), "movingai_");
+  write(folder / "fuzz_import", tpcaps(), "tpcap_");
   write(folder / "fuzz_image", pgms(), "pgm_");
   write(folder / "fuzz_image", pngs(), "png_");
   write(folder / "fuzz_robot", robots());

@@ -308,8 +308,8 @@ void add_plan(CLI::App& app, const char* program) {
   command
       ->add_option(
           "SCENE", o->scene,
-          "a map or drawing as for krait compile (JSON, map_server YAML, MovingAI .map, dynobench YAML), which\n"
-          "is compiled and which the plan is checked against; or a .krait file, from krait compile")
+          "a map or drawing as for krait compile (JSON, map_server YAML, MovingAI .map, dynobench YAML, TPCAP\n"
+          "CSV), which is compiled and which the plan is checked against; or a .krait file, from krait compile")
       ->required();
   o->query.add(*command);
   add_unknown(*command, o->unknown);

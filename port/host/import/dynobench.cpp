@@ -9,7 +9,6 @@
 namespace krait::host {
 namespace {
 
-constexpr double kGoalRadius = 0.1;  // m; dynobench's goal is a state, ours a disc around its position
 constexpr double kMinLength = 1e-6;  // m
 
 bool recognise(const Source& source) { return has_top_key(source.content, "environment"); }
@@ -54,8 +53,8 @@ void read_robot(const Field& robots, Workspace& workspace) {
   const Pose start = read_pose(robot.at("start"), workspace.warnings);
   workspace.starts.push_back({"start", start.position, start.heading, {}});
   const Pose goal = read_pose(robot.at("goal"), workspace.warnings);
-  workspace.goals.push_back({"goal", ring_inside_circle(goal.position, kGoalRadius)});
-  workspace.warnings.push_back("robots[0].goal: reached means within " + shown(kGoalRadius) +
+  workspace.goals.push_back({"goal", ring_inside_circle(goal.position, kStateGoalRadius)});
+  workspace.warnings.push_back("robots[0].goal: reached means within " + shown(kStateGoalRadius) +
                                " m of its position, its heading is not asked for");
 }
 

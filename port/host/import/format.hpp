@@ -27,5 +27,6 @@ extern const Format kNative;
 extern const Format kMapServer;
 extern const Format kMovingAi;
 extern const Format kDynobench;
+extern const Format kTpcap;
 
 }  // namespace krait::host

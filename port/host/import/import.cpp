@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint64_t kMaxFileBytes = 64U << 20;
 
-const std::array<const Format*, 5> kFormats = {&kSceneFile, &kNative, &kMovingAi, &kMapServer, &kDynobench};
+const std::array<const Format*, 6> kFormats = {&kSceneFile, &kTpcap, &kNative, &kMovingAi, &kMapServer, &kDynobench};
 
 [[noreturn]] void refuse(const Source& source) {
   if (is_image(source.content)) {

@@ -16,7 +16,7 @@ struct ImportOptions {
 };
 
 // Chooses the format by content and name: compiled scene, native JSON, ROS map_server YAML,
-// MovingAI .map, dynobench YAML.
+// MovingAI .map, dynobench YAML, TPCAP case.
 // Throws InputError.
 Workspace import_workspace(const std::string& path, const ImportOptions& options);
 

@@ -66,5 +66,14 @@ TEST_F(SamplesTest, DynobenchProblemsHaveStartAndGoal) {
   }
 }
 
+TEST_F(SamplesTest, ParkingCasesHaveThreeCars) {
+  for (const char* name : {"tpcap/Case1.csv", "tpcap/Case2.csv", "tpcap/Case7.csv"}) {
+    const Workspace w = read(name);
+    ASSERT_EQ(w.obstacles.size(), 3U);
+    for (const Obstacle& obstacle : w.obstacles) EXPECT_EQ(obstacle.outer.size(), 4U);
+  }
+  EXPECT_EQ(read("tpcap/Case1.csv").starts[0].heading, 0.200398553825878);
+}
+
 }  // namespace
 }  // namespace krait::host
