@@ -25,8 +25,9 @@ Obstacle read_obstacle(const Field& field) {
   if (type.text() != "box") type.fail("only obstacles of type box are known, this is a " + cleaned_name(type.text()));
   const Field size = field.at("size");
   if (size.size() != 2) size.fail("must be [width, height]");
-  const Ring ring = box_ring(field.at("center").point(), size.item(0).number(kMinLength, kMaxCoordinate),
-                             size.item(1).number(kMinLength, kMaxCoordinate), read_angle(field));
+  const Ring ring =
+      box_ring(field.at("center").point(kMaxFarCoordinate), size.item(0).number(kMinLength, kMaxCoordinate),
+               size.item(1).number(kMinLength, kMaxCoordinate), read_angle(field));
   return {field.place(), ring, {}};
 }
 
@@ -41,9 +42,9 @@ Pose read_pose(const Field& state, std::vector<std::string>& warnings) {
   bool more = false;
   for (std::size_t i = 3; i < size; ++i) more = more || state.item(i).number(-1e9, 1e9) != 0;
   if (more) warnings.push_back(state.place() + ": only x, y and theta are used, its other numbers are not");
-  return {
-      {state.item(0).number(-kMaxCoordinate, kMaxCoordinate), state.item(1).number(-kMaxCoordinate, kMaxCoordinate)},
-      state.item(2).number(-kMaxAngle, kMaxAngle)};
+  return {{state.item(0).number(-kMaxFarCoordinate, kMaxFarCoordinate),
+           state.item(1).number(-kMaxFarCoordinate, kMaxFarCoordinate)},
+          state.item(2).number(-kMaxAngle, kMaxAngle)};
 }
 
 void read_robot(const Field& robots, Workspace& workspace) {
@@ -64,8 +65,8 @@ Workspace read(const Source& source, const ImportOptions&) {
   const Field environment = field.at("environment");
   Workspace workspace;
   if (field.has("name")) workspace.name = field.at("name").name();
-  workspace.min = environment.at("min").point();
-  workspace.max = environment.at("max").point();
+  workspace.min = environment.at("min").point(kMaxFarCoordinate);
+  workspace.max = environment.at("max").point(kMaxFarCoordinate);
   if (!(workspace.min.x < workspace.max.x && workspace.min.y < workspace.max.y)) {
     environment.fail("max must be greater than min in x and in y");
   }

@@ -6,6 +6,7 @@
 
 #include "host/import/format.hpp"
 #include "host/import/image.hpp"
+#include "host/import/shift.hpp"
 #include "host/input/file.hpp"
 #include "host/input/json.hpp"
 
@@ -32,6 +33,7 @@ Workspace read_workspace(const Source& source, const ImportOptions& options) {
   for (const Format* format : kFormats) {
     if (!format->recognise(source)) continue;
     Workspace workspace = format->read(source, options);
+    bring_near(source.path, workspace);
     workspace.files.push_back(source.path);
     for (std::string& warning : workspace.warnings) warning = safe_to_print(warning);
     return workspace;

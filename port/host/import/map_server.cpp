@@ -150,9 +150,9 @@ void set_bounds(const Field& field, Workspace& workspace) {
                         placed(cells, 0, height)};
   workspace.min = workspace.max = corners[0];
   for (const Point& corner : corners) {
-    if (std::abs(corner.x) > kMaxCoordinate || std::abs(corner.y) > kMaxCoordinate) {
+    if (std::abs(corner.x) > kMaxFarCoordinate || std::abs(corner.y) > kMaxFarCoordinate) {
       field.at("resolution")
-          .fail("the map reaches further than " + shown(kMaxCoordinate) + " m from the world's origin");
+          .fail("the map reaches further than " + shown(kMaxFarCoordinate) + " m from the world's origin");
     }
     workspace.min = {std::min(workspace.min.x, corner.x), std::min(workspace.min.y, corner.y)};
     workspace.max = {std::max(workspace.max.x, corner.x), std::max(workspace.max.y, corner.y)};
@@ -168,8 +168,8 @@ void read_placement(const Field& field, CellMap& cells) {
   cells.resolution = field.at("resolution").number(1e-4, 1e4);
   const Field origin = field.at("origin");
   if (origin.size() != 3) origin.fail("must be [x, y, yaw]");
-  cells.origin = {origin.item(0).number(-kMaxCoordinate, kMaxCoordinate),
-                  origin.item(1).number(-kMaxCoordinate, kMaxCoordinate)};
+  cells.origin = {origin.item(0).number(-kMaxFarCoordinate, kMaxFarCoordinate),
+                  origin.item(1).number(-kMaxFarCoordinate, kMaxFarCoordinate)};
   cells.yaw = origin.item(2).number(-kMaxAngle, kMaxAngle);
 }
 

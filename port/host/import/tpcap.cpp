@@ -47,8 +47,8 @@ class Values {
   }
 
   Point point(const std::string& what) {
-    const double x = number("the x of " + what, kMaxCoordinate);
-    return {x, number("the y of " + what, kMaxCoordinate)};
+    const double x = number("the x of " + what, kMaxFarCoordinate);
+    return {x, number("the y of " + what, kMaxFarCoordinate)};
   }
 
   // A whole number of things that need `values_each` values of those that are left.

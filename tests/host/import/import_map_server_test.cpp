@@ -175,7 +175,7 @@ TEST_F(MapServerTest, WrongFieldsAreNamed) {
   EXPECT_THAT(error("image: m.pgm\nresolution: 1\norigin: [1, 2]\n" + kUsual),
               HasSubstr("origin: must be [x, y, yaw]"));
   EXPECT_THAT(error("image: m.pgm\nresolution: 1\norigin: [1, .inf, 0]\n" + kUsual), HasSubstr("origin[1]: must be"));
-  EXPECT_THAT(error("image: m.pgm\nresolution: 1e4\norigin: [9999999, 2, 0]\n" + kUsual),
+  EXPECT_THAT(error("image: m.pgm\nresolution: 1e4\norigin: [9999999999, 2, 0]\n" + kUsual),
               HasSubstr("resolution: the map"));
   EXPECT_THAT(error(start + "occupied_thresh: 65\nfree_thresh: 0.196\n"),
               HasSubstr("occupied_thresh: must be a number"));
