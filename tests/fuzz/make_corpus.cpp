@@ -144,6 +144,35 @@ Named tpcaps() {
           {"commas", repeated(",", 1000)}};
 }
 
+std::string feature(const std::string& properties, const std::string& geometry) {
+  return R"({"type": "Feature", "properties": )" + properties + R"(, "geometry": )" + geometry + "}";
+}
+
+Named geojsons() {
+  const auto collection = [](const std::string& features) {
+    return R"({"type": "FeatureCollection", "unit": 1, "features": [)" + features + "]}";
+  };
+  const std::string square = R"([[[0, 0], [9, 0], [9, 9], [0, 9], [0, 0]]])";
+  const std::string polygon = R"({"type": "Polygon", "coordinates": )" + square + "}";
+  const std::string point = R"({"type": "Point", "coordinates": [4, 5, 6]})";
+  return {{"sound", collection(feature(R"({"role": "bounds"})", polygon) + "," +
+                               feature(R"({"role": "goal", "radius": 1})", point) + "," +
+                               feature(R"({"role": "start", "heading": 1, "angles": [1]})", point) + "," +
+                               feature("null", R"({"type": "MultiPolygon", "coordinates": [)" + square + "]}"))},
+          {"degrees", R"({"type": "Polygon", "datum": [11.5, 48.1], "coordinates": [[[11.5, 48.1], [11.501, 48.1],
+             [11.5, 48.101], [11.5, 48.1]]]})"},
+          {"far_from_datum", R"({"type": "Polygon", "datum": [0, 90], "coordinates": [[[180, -90], [0, 0], [1, 1],
+             [180, -90]]]})"},
+          {"no_scale", polygon},
+          {"collections", collection(feature("{}", repeated(R"({"type": "GeometryCollection", "geometries": [)", 70)))},
+          {"open_ring", R"({"type": "Polygon", "unit": 1, "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 1]]]})"},
+          {"at_5e9", R"({"type": "Polygon", "unit": 1, "coordinates": [[[5e9, 5e9], [5000000009, 5e9],
+             [5e9, 5000000009], [5e9, 5e9]]]})"},
+          {"huge_unit", R"({"type": "Polygon", "unit": 1e6, "coordinates": [[[0, 0], [1e4, 0], [0, 1e4], [0, 0]]]})"},
+          {"nothing", collection("")},
+          {"half", collection("").substr(0, 40)}};
+}
+
 Named pgms() {
   return {{"binary", std::string("P5 # comment\n3 2\n255\n\0\x40\x80\xC0\xFE\xFF", 26)},
           {"wide", std::string("P5 1 1 65535\n\1\2", 15)},
@@ -205,7 +234,8 @@ Named options() {
       {"1,2,3", "nan,0,0", "1e7,1e7,1000", "1,2", ",,", "home", "1e999,0,0"},
       {"1,2,3", "1,2,-1", "1,2,0", "dock", "inf,0,1"},
       {"snake:15", "snake:26", "truck:", "car:1", "none.json", "snake:99999999999999999999"},
-      {"12", "-1", "1.5", "99999999999999999999"}};
+      {"12", "-1", "1.5", "99999999999999999999"},
+      {"11.5,48.1", "181,0", "nan,0", "1,2,3", "-180,-90"}};
   for (std::size_t kind = 0; kind < texts.size(); ++kind) {
     for (std::size_t i = 0; i < texts[kind].size(); ++i) {
       all.emplace_back(std::to_string(kind) + "_" + std::to_string(i), static_cast<char>(kind) + texts[kind][i]);
@@ -245,6 +275,7 @@ int main(int argc, char** argv) {
   write(folder / "fuzz_import", map_servers(), "map_server_");
   write(folder / "fuzz_import", movingais(), "movingai_");
   write(folder / "fuzz_import", tpcaps(), "tpcap_");
+  write(folder / "fuzz_import", geojsons(), "geojson_");
   write(folder / "fuzz_image", pgms(), "pgm_");
   write(folder / "fuzz_image", pngs(), "png_");
   write(folder / "fuzz_robot", robots());

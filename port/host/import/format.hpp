@@ -28,5 +28,6 @@ extern const Format kMapServer;
 extern const Format kMovingAi;
 extern const Format kDynobench;
 extern const Format kTpcap;
+extern const Format kGeoJson;
 
 }  // namespace krait::host

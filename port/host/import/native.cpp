@@ -4,6 +4,7 @@
 #include <set>
 
 #include "host/import/format.hpp"
+#include "host/import/json_keys.hpp"
 #include "host/import/shapes.hpp"
 #include "host/input/json.hpp"
 
@@ -13,10 +14,7 @@ namespace {
 constexpr double kMinLength = 1e-6;  // m, of boxes and radii
 constexpr std::size_t kMaxTrailers = 25;
 
-bool recognise(const Source& source) {
-  const std::size_t first = source.content.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-  return source.path.ends_with(".json") || (first != std::string::npos && source.content[first] == '{');
-}
+bool recognise(const Source& source) { return source.path.ends_with(".json") || is_json_object(source.content); }
 
 Ring read_box(const Field& box) {
   box.keys({"center", "size", "angle"});

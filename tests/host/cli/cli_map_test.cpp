@@ -145,7 +145,7 @@ TEST_F(CliMap, WhatIsNeitherIsToldTheFormats) {
   write("letter", "Dear robot,\n");
   expect_refused({"plan", "letter", "-o", "plan.json"},
                  "krait: letter: is in no known format; known are compiled scene (.krait), TPCAP case (.csv), "
-                 "krait's JSON, MovingAI .map, map_server YAML, dynobench YAML\n");
+                 "GeoJSON, krait's JSON, MovingAI .map, map_server YAML, dynobench YAML\n");
 }
 
 TEST_F(CliMap, WhatTheCompilerRefusesIsSaidOnceAndEndsIt) {
