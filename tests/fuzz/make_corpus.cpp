@@ -9,6 +9,8 @@
 
 #include "../core/planner_fixture.hpp"
 #include "../core/scene_evils.hpp"
+#include "../host/import/bmp_writer.hpp"
+#include "../host/import/jpeg_writer.hpp"
 #include "../host/import/png_writer.hpp"
 
 namespace krait::fuzz {
@@ -202,6 +204,39 @@ Named pngs() {
           {"size_lies", size_lies}};
 }
 
+Named bmps() {
+  using host::bmp;
+  const std::string whole = bmp({24, 2, 2, {}}, {"abcdef", "ghijkl"});
+  std::string compressed = whole;
+  compressed[30] = 1;
+  std::string pixels_first = whole;
+  pixels_first[10] = 0;
+  return {{"one_bit", bmp({1, 9, 1, {0x000000, 0xFFFFFF}}, {"\xAA\x80"})},
+          {"four_bits", bmp({4, 3, 1, {0x000000, 0x102030, 0xFFFFFF}}, {"\x12\x10"})},
+          {"eight_bits", bmp({8, 2, -1, {0x000000, 0x102030}}, {std::string("\0\1", 2)})},
+          {"no_such_color", bmp({8, 2, 1, {0x000000}}, {"\1\2"})},
+          {"rgb", whole},
+          {"rgbx", bmp({32, 1, -2, {}}, {"abcd", "efgh"})},
+          {"size_lies", bmp({24, 8000, 8000, {}}, {"abc"})},
+          {"size_is_huge", bmp({1, 0x7FFFFFFF, -0x7FFFFFFF - 1, {0}}, {"a"})},
+          {"compressed", compressed},
+          {"pixels_first", pixels_first},
+          {"half", whole.substr(0, whole.size() / 2)}};
+}
+
+Named jpegs() {
+  using host::jpeg;
+  const std::string whole = jpeg(16, 8, TJSAMP_GRAY, 100, std::string(16 * 8 * 3, 'a'));
+  std::string size_lies = whole;
+  size_lies[size_lies.find("\xFF\xC0") + 5] = 0x7F;
+  return {{"grey", whole},
+          {"color", jpeg(16, 16, TJSAMP_420, 80, std::string(16 * 16 * 3, 'b'))},
+          {"progressive", jpeg(9, 7, TJSAMP_444, 50, std::string(9 * 7 * 3, 'c'), TJFLAG_PROGRESSIVE)},
+          {"size_lies", size_lies},
+          {"half", whole.substr(0, whole.size() / 2)},
+          {"start_only", "\xFF\xD8\xFF"}};
+}
+
 Named robots() {
   return {{"car", R"({"model": "car", "parameters": {"body_length": 2.5, "max_steering": 0.6}})"},
           {"snake", R"({"model": "snake", "links": 3, "parameters": {"self_collision_gap": 4, "min_speed": -1}})"},
@@ -278,6 +313,8 @@ int main(int argc, char** argv) {
   write(folder / "fuzz_import", geojsons(), "geojson_");
   write(folder / "fuzz_image", pgms(), "pgm_");
   write(folder / "fuzz_image", pngs(), "png_");
+  write(folder / "fuzz_image", bmps(), "bmp_");
+  write(folder / "fuzz_image", jpegs(), "jpeg_");
   write(folder / "fuzz_robot", robots());
   write(folder / "fuzz_plan_file", plan_files());
   write(folder / "fuzz_options", options());

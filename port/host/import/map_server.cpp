@@ -196,7 +196,12 @@ Workspace read(const Source& source, const ImportOptions& options) {
   workspace.cells.emplace();
   read_placement(field, *workspace.cells);
   workspace.files.push_back(image_path(field, source.path));
-  const Counts counts = fill(read_map_image(field, workspace.files.back()), rules, *workspace.cells);
+  const Image image = read_map_image(field, workspace.files.back());
+  if (image.lossy) {
+    workspace.warnings.push_back(workspace.files.back() +
+                                 ": is a JPEG, whose compression blurs cells along walls; a PNG keeps them");
+  }
+  const Counts counts = fill(image, rules, *workspace.cells);
   set_bounds(field, workspace);
   warn(source.path, counts, rules, workspace);
   return workspace;
