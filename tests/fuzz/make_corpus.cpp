@@ -175,6 +175,27 @@ Named geojsons() {
           {"half", collection("").substr(0, 40)}};
 }
 
+Named svgs() {
+  const auto page = [](const std::string& shapes) {
+    return R"(<svg width="20000mm" height="10000mm" viewBox="0 0 20 10">)" + shapes + "</svg>";
+  };
+  const std::string path = R"(<path d="M1 1h4v4a2 1 30 0 1-4 0zm1 1q1 1 2 0t1 0c1 1 2 2 3 0s1 1 1 1z"/>)";
+  return {{"sound", page(R"~(<g transform="translate(1 2) rotate(30)"><rect id="goal" width="1" height="2" rx="0.2"/>
+             <circle r="1"/><ellipse rx="1" ry="2"/><polygon points="1,1 2,2 3,1"/></g>
+             <line class="start" x1="5" y1="5" x2="6" y2="5"/>)~" +
+                         path)},
+          {"even_odd", page(R"(<path fill-rule="evenodd" d="M0 0H8V8H0ZM1 1H7V7H1Z"/>)")},
+          {"no_scale", R"(<svg><rect width="50%" height="1"/></svg>)"},
+          {"transforms", page(R"~(<g transform="matrix(1 2 3 4 5 6),skewX(89.9999),scale(1e9)">)~" + path + "</g>")},
+          {"copies", page(R"(<use id="a" href="#a"/><g id="b"><use href="#b"/><use href="#b"/></g>)")},
+          {"entities", R"(<!DOCTYPE svg [<!ENTITY a "1"><!ENTITY b "&a;&a;">]>)" + page(R"(<path d="&b;"/>)")},
+          {"deep", page(repeated("<g>", 300))},
+          {"corners", page(R"(<path d="M0 0Q1e14 1e14 1 1C1e9 1e9 -1e9 1e9 0 0"/>)")},
+          {"at_5e9", page(R"(<rect class="bounds" x="5e9" y="5e9" width="9" height="9"/>)")},
+          {"nan", page(R"(<path d="MNaN inf"/><rect width="1e400" height="-1"/>)")},
+          {"half", page(path).substr(0, 90)}};
+}
+
 Named pgms() {
   return {{"binary", std::string("P5 # comment\n3 2\n255\n\0\x40\x80\xC0\xFE\xFF", 26)},
           {"wide", std::string("P5 1 1 65535\n\1\2", 15)},
@@ -311,6 +332,7 @@ int main(int argc, char** argv) {
   write(folder / "fuzz_import", movingais(), "movingai_");
   write(folder / "fuzz_import", tpcaps(), "tpcap_");
   write(folder / "fuzz_import", geojsons(), "geojson_");
+  write(folder / "fuzz_import", svgs(), "svg_");
   write(folder / "fuzz_image", pgms(), "pgm_");
   write(folder / "fuzz_image", pngs(), "png_");
   write(folder / "fuzz_image", bmps(), "bmp_");

@@ -309,7 +309,7 @@ void add_plan(CLI::App& app, const char* program) {
   command
       ->add_option(
           "SCENE", o->scene,
-          "a map or drawing as for krait compile (JSON, GeoJSON, map_server YAML, MovingAI .map, dynobench YAML, "
+          "a map or drawing as for krait compile (JSON, GeoJSON, SVG, map_server YAML, MovingAI .map, dynobench YAML, "
           "TPCAP\n"
           "CSV), which is compiled and which the plan is checked against; or a .krait file, from krait compile")
       ->required();

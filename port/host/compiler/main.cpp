@@ -97,7 +97,7 @@ int main(int argc, char** argv) {
       "krait-compile");
   Arguments arguments;
   app.add_option("INPUT", arguments.input,
-                 "native JSON, GeoJSON, map_server YAML, MovingAI .map, dynobench YAML, TPCAP CSV")
+                 "native JSON, GeoJSON, SVG, map_server YAML, MovingAI .map, dynobench YAML, TPCAP CSV")
       ->required();
   app.add_option("-o,--output", arguments.output, "the scene file to write")->required();
   app.add_option("--start", arguments.start, "X,Y,HEADING: a start named 'start', in place of the file's");

@@ -29,5 +29,6 @@ extern const Format kMovingAi;
 extern const Format kDynobench;
 extern const Format kTpcap;
 extern const Format kGeoJson;
+extern const Format kSvg;
 
 }  // namespace krait::host

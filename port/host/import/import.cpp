@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::uint64_t kMaxFileBytes = 64U << 20;
 
-const std::array<const Format*, 7> kFormats = {&kSceneFile, &kTpcap,     &kGeoJson,  &kNative,
-                                               &kMovingAi,  &kMapServer, &kDynobench};
+const std::array<const Format*, 8> kFormats = {&kSceneFile, &kSvg,      &kTpcap,     &kGeoJson,
+                                               &kNative,    &kMovingAi, &kMapServer, &kDynobench};
 
 [[noreturn]] void refuse(const Source& source) {
   if (is_image(source.content)) {

@@ -36,7 +36,7 @@ struct ImportOptions {
 // "11.57,48.14", longitude before latitude. Throws InputError that names --datum.
 LonLat parse_datum(const std::string& text);
 
-// Chooses the format by content and name: compiled scene, GeoJSON, native JSON, ROS map_server YAML,
+// Chooses the format by content and name: compiled scene, SVG, GeoJSON, native JSON, ROS map_server YAML,
 // MovingAI .map, dynobench YAML, TPCAP case.
 // Throws InputError.
 Workspace import_workspace(const std::string& path, const ImportOptions& options);

@@ -42,7 +42,7 @@ TEST_F(CliHelp, ShowsAFirstPlanThatWorks) {
 TEST_F(CliHelp, TeachesCompile) {
   expect_all(help({"compile"}),
              {"INPUT", "-o", "--start", "X,Y,HEADING", "--goal", "X,Y,RADIUS", "--unknown", "free", "occupied", "map",
-              "--tolerance", "map_server", "MovingAI", "JSON", "GeoJSON", "TPCAP", "--unit", "--datum"});
+              "--tolerance", "map_server", "MovingAI", "JSON", "GeoJSON", "SVG", "TPCAP", "--unit", "--datum"});
 }
 
 TEST_F(CliHelp, TeachesPlan) {

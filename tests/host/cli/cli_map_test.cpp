@@ -144,7 +144,7 @@ TEST_F(CliMap, OptionsForMapsAreRefusedWithACompiledScene) {
 TEST_F(CliMap, WhatIsNeitherIsToldTheFormats) {
   write("letter", "Dear robot,\n");
   expect_refused({"plan", "letter", "-o", "plan.json"},
-                 "krait: letter: is in no known format; known are compiled scene (.krait), TPCAP case (.csv), "
+                 "krait: letter: is in no known format; known are compiled scene (.krait), SVG, TPCAP case (.csv), "
                  "GeoJSON, krait's JSON, MovingAI .map, map_server YAML, dynobench YAML\n");
 }
 
