@@ -81,6 +81,6 @@ Workspace read(const Source& source, const ImportOptions&) {
 
 }  // namespace
 
-const Format kDynobench = {"dynobench YAML", recognise, read};
+const Format kDynobench = {"dynobench YAML", ".yaml", recognise, read};
 
 }  // namespace krait::host

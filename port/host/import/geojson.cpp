@@ -17,9 +17,7 @@ namespace {
 constexpr double kMinRadius = 1e-6;  // m
 constexpr std::size_t kMaxTrailers = 25;
 
-bool recognise(const Source& source) {
-  return source.path.ends_with(".geojson") || has_top_json_key(source.content, "type");
-}
+bool recognise(const Source& source) { return has_top_json_key(source.content, "type"); }
 
 // What coordinates mean.
 struct Scale {
@@ -203,6 +201,6 @@ Workspace read(const Source& source, const ImportOptions& options) {
 
 }  // namespace
 
-const Format kGeoJson = {"GeoJSON", recognise, read};
+const Format kGeoJson = {"GeoJSON", ".geojson", recognise, read};
 
 }  // namespace krait::host

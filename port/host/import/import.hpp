@@ -36,9 +36,8 @@ struct ImportOptions {
 // "11.57,48.14", longitude before latitude. Throws InputError that names --datum.
 LonLat parse_datum(const std::string& text);
 
-// Chooses the format by content and name: compiled scene, SVG, GeoJSON, native JSON, ROS map_server YAML,
-// MovingAI .map, dynobench YAML, TPCAP case.
-// Throws InputError.
+// Chooses the format by content, or by name where the content fits none: compiled scene, SVG, GeoJSON, native JSON, ROS
+// map_server YAML, MovingAI .map, dynobench YAML, TPCAP case. Throws InputError.
 Workspace import_workspace(const std::string& path, const ImportOptions& options);
 
 }  // namespace krait::host

@@ -209,6 +209,6 @@ Workspace read(const Source& source, const ImportOptions& options) {
 
 }  // namespace
 
-const Format kMapServer = {"map_server YAML", recognise, read};
+const Format kMapServer = {"map_server YAML", ".yaml", recognise, read};
 
 }  // namespace krait::host

@@ -14,7 +14,7 @@ namespace {
 constexpr double kMinLength = 1e-6;  // m, of boxes and radii
 constexpr std::size_t kMaxTrailers = 25;
 
-bool recognise(const Source& source) { return source.path.ends_with(".json") || is_json_object(source.content); }
+bool recognise(const Source& source) { return is_json_object(source.content); }
 
 Ring read_box(const Field& box) {
   box.keys({"center", "size", "angle"});
@@ -114,6 +114,6 @@ Workspace read(const Source& source, const ImportOptions&) {
 
 }  // namespace
 
-const Format kNative = {"krait's JSON", recognise, read};
+const Format kNative = {"krait's JSON", ".json", recognise, read};
 
 }  // namespace krait::host

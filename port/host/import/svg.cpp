@@ -27,7 +27,7 @@ bool recognise(const Source& source) {
   const std::string_view head = std::string_view(source.content).substr(0, 4096);
   const std::size_t first = head.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
   if (first == std::string_view::npos || head[first] != '<') return false;
-  return source.path.ends_with(".svg") || head.find("<svg") != std::string_view::npos;
+  return head.find("<svg") != std::string_view::npos;
 }
 
 struct ViewBox {
@@ -337,6 +337,6 @@ Workspace read(const Source& source, const ImportOptions& options) {
 
 }  // namespace
 
-const Format kSvg = {"SVG", recognise, read};
+const Format kSvg = {"SVG", ".svg", recognise, read};
 
 }  // namespace krait::host

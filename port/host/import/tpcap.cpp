@@ -17,9 +17,8 @@ constexpr double kMargin = 10;  // m; the file has no bounds, they lie this far 
 constexpr std::string_view kSpace = " \t\r\n";
 constexpr std::ptrdiff_t kLeastCommas = 6;  // up to the number of obstacles
 
-// By its name, or by a first line of numbers and commas alone.
+// By a first line of numbers and commas alone.
 bool recognise(const Source& source) {
-  if (source.path.ends_with(".csv")) return true;
   const std::string_view content = source.content;
   const std::string_view line = content.substr(0, std::min(content.find('\n'), content.size()));
   return line.find_first_not_of("0123456789+-.eE, \t\r") == std::string_view::npos &&
@@ -141,6 +140,6 @@ Workspace read(const Source& source, const ImportOptions&) {
 
 }  // namespace
 
-const Format kTpcap = {"TPCAP case (.csv)", recognise, read};
+const Format kTpcap = {"TPCAP case (.csv)", ".csv", recognise, read};
 
 }  // namespace krait::host

@@ -179,7 +179,6 @@ TEST_F(GeoJsonTest, WrongGeometriesAreNamed) {
   EXPECT_THAT(error(collection("1")), HasSubstr("features[0]: must be an object"));
   EXPECT_THAT(error(collection(polygon(kSquare))), HasSubstr("features[0].type: must be Feature"));
   EXPECT_THAT(error(collection("")), HasSubstr("is empty: it has no shape"));
-  EXPECT_THAT(error(R"({"bounds": 1})"), HasSubstr("map.geojson: type: is missing"));
 }
 
 TEST_F(GeoJsonTest, WrongPropertiesAreNamed) {

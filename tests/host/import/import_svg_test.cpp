@@ -319,7 +319,7 @@ TEST_F(SvgTest, BrokenXmlEndsInALine) {
   for (std::size_t length = kPage.size(); length < whole.size(); ++length) {
     EXPECT_THAT(error(whole.substr(0, length)), HasSubstr("map.svg: is not valid XML: ")) << length;
   }
-  EXPECT_THAT(error("<html><svg/></html>"), HasSubstr("is XML, but no SVG"));
+  EXPECT_THAT(error("<page><svg/></page>"), HasSubstr("is XML, but no SVG"));
   EXPECT_NE(error("<"), "");
 }
 
