@@ -24,13 +24,11 @@ Json json_of(const Start& start, const Workspace& workspace) {
 }  // namespace
 
 std::string native_json(const Workspace& workspace) {
-  Json json = {
-      {"name", workspace.name},
-      {"bounds",
-       {{"min", json_of(unshifted(workspace.min, workspace))}, {"max", json_of(unshifted(workspace.max, workspace))}}},
-      {"obstacles", Json::array()},
-      {"goals", Json::array()},
-      {"starts", Json::array()}};
+  Json json = Json::object();
+  if (!workspace.name.empty()) json["name"] = workspace.name;
+  json["bounds"] = {{"min", json_of(unshifted(workspace.min, workspace))},
+                    {"max", json_of(unshifted(workspace.max, workspace))}};
+  for (const char* list : {"obstacles", "goals", "starts"}) json[list] = Json::array();
   for (const Obstacle& obstacle : all_obstacles(workspace)) json["obstacles"].push_back(json_of(obstacle));
   for (const Goal& goal : workspace.goals) {
     json["goals"].push_back({{"name", goal.name}, {"polygon", to_json(unshifted(goal.polygon, workspace))}});

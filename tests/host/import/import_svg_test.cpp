@@ -204,7 +204,8 @@ TEST_F(SvgTest, APageOfUnclearOrTinySizeIsTold) {
 
 TEST_F(SvgTest, RolesComeFromClassesIdsAndLabels) {
   const Workspace w = shapes(R"(<rect class="bounds" x="1" y="1" width="8" height="8" fill="none"/>
-    <rect class="big goal" id="dock" x="1" y="1" width="2" height="2"/><rect id="goal2" x="1" y="1" width="2" height="2"/>
+    <rect class="big goal" id="dock" x="1" y="1" width="2" height="2"/>
+    <rect id="goal2" x="1" y="1" width="2" height="2"/>
     <rect inkscape:label="goal" x="1" y="1" width="2" height="2"><title>bay</title></rect>
     <rect id="goalkeeper" x="1" y="1" width="2" height="2"/>
     <g class="none"><rect x="1" y="1" width="2" height="2"/></g>)");
@@ -236,7 +237,8 @@ TEST_F(SvgTest, AStartIsALineToWhereTheRobotLooks) {
 
 TEST_F(SvgTest, OnlyWhatIsFilledAndSeenIsAnObstacle) {
   const Workspace w = shapes(R"(<g style="fill:none"><rect width="1" height="1"/>
-    <rect width="1" height="1" fill="red"/></g><rect width="1" height="1" fill="red" style=" stroke:#000; fill : none "/>
+    <rect width="1" height="1" fill="red"/></g>
+    <rect width="1" height="1" fill="red" style=" stroke:#000; fill : none "/>
     <rect width="1" height="1" display="none"/><g visibility="hidden"><rect width="1" height="1"/></g>
     <defs><rect width="1" height="1"/></defs><text>a</text><rect width="0" height="1"/><circle r="0"/>)");
   EXPECT_EQ(w.obstacles.size(), 1U);
