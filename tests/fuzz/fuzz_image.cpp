@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The picture of a map, PGM or PNG by its content: one line or a picture of the size that it says.
+// The picture of a map, PGM, PNG, BMP or JPEG by its content: one line or a picture of the size that it says.
 #include <string>
 
 #include "harness.hpp"

@@ -13,7 +13,7 @@ namespace {
 
 using namespace krait::host;
 
-constexpr double kMost = 4 * kMaxCoordinate;  // the corner of a box may lie beyond
+constexpr double kMost = 4 * kMaxCoordinate;  // what lies outside the bounds may lie beyond
 
 bool sound(const Point& p) { return std::abs(p.x) <= kMost && std::abs(p.y) <= kMost; }
 

@@ -5,6 +5,7 @@
 
 #include "harness.hpp"
 #include "host/cli/options.hpp"
+#include "host/import/import.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace krait::host;
@@ -13,7 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string text(reinterpret_cast<const char*>(data) + 1, size - 1);
   SearchRequest request;
   try {
-    switch (data[0] % 5) {
+    switch (data[0] % 6) {
       case 0:
         require(parse_memory(text) <= std::uint64_t{64} << 30U, "more memory than can be asked for");
         break;
@@ -27,6 +28,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         break;
       case 3:
         require(parse_robot(text).bodies.size() >= 1, "a robot without a body");
+        break;
+      case 5:
+        require(std::abs(parse_datum(text).latitude) <= 90, "a datum off the earth");
         break;
       default:
         (void)whole_number(data[0])(const_cast<std::string&>(text));

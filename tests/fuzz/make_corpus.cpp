@@ -9,6 +9,8 @@
 
 #include "../core/planner_fixture.hpp"
 #include "../core/scene_evils.hpp"
+#include "../host/import/bmp_writer.hpp"
+#include "../host/import/jpeg_writer.hpp"
 #include "../host/import/png_writer.hpp"
 
 namespace krait::fuzz {
@@ -131,6 +133,69 @@ Named movingais() {
           {"row_too_many", "type octile\nheight 1\nwidth 2\nmap\n..\n..\n"}};
 }
 
+Named tpcaps() {
+  const std::string poses = "1,2,0.5,3,4,-0.5,";
+  return {{"sound", poses + "2,3,4,0,0,1,0,1,1,5,5,6,5,6,6,5,6\n"},
+          {"no_obstacle", poses + "0"},
+          {"count_lies", poses + "9999999,3"},
+          {"vertices_lie", poses + "1,9999999,0,0"},
+          {"fraction", poses + "1.5,3,0,0,1,0,1,1"},
+          {"too_many", poses + "1,3,0,0,1,0,1,1,7"},
+          {"nan", "nan,inf,-nan,3,4,5,0"},
+          {"at_5e9", "5e9,5e9,0,5000000003,5e9,0,0"},
+          {"commas", repeated(",", 1000)}};
+}
+
+std::string feature(const std::string& properties, const std::string& geometry) {
+  return R"({"type": "Feature", "properties": )" + properties + R"(, "geometry": )" + geometry + "}";
+}
+
+Named geojsons() {
+  const auto collection = [](const std::string& features) {
+    return R"({"type": "FeatureCollection", "unit": 1, "features": [)" + features + "]}";
+  };
+  const std::string square = R"([[[0, 0], [9, 0], [9, 9], [0, 9], [0, 0]]])";
+  const std::string polygon = R"({"type": "Polygon", "coordinates": )" + square + "}";
+  const std::string point = R"({"type": "Point", "coordinates": [4, 5, 6]})";
+  return {{"sound", collection(feature(R"({"role": "bounds"})", polygon) + "," +
+                               feature(R"({"role": "goal", "radius": 1})", point) + "," +
+                               feature(R"({"role": "start", "heading": 1, "angles": [1]})", point) + "," +
+                               feature("null", R"({"type": "MultiPolygon", "coordinates": [)" + square + "]}"))},
+          {"degrees", R"({"type": "Polygon", "datum": [11.5, 48.1], "coordinates": [[[11.5, 48.1], [11.501, 48.1],
+             [11.5, 48.101], [11.5, 48.1]]]})"},
+          {"far_from_datum", R"({"type": "Polygon", "datum": [0, 90], "coordinates": [[[180, -90], [0, 0], [1, 1],
+             [180, -90]]]})"},
+          {"no_scale", polygon},
+          {"collections", collection(feature("{}", repeated(R"({"type": "GeometryCollection", "geometries": [)", 70)))},
+          {"open_ring", R"({"type": "Polygon", "unit": 1, "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 1]]]})"},
+          {"at_5e9", R"({"type": "Polygon", "unit": 1, "coordinates": [[[5e9, 5e9], [5000000009, 5e9],
+             [5e9, 5000000009], [5e9, 5e9]]]})"},
+          {"huge_unit", R"({"type": "Polygon", "unit": 1e6, "coordinates": [[[0, 0], [1e4, 0], [0, 1e4], [0, 0]]]})"},
+          {"nothing", collection("")},
+          {"half", collection("").substr(0, 40)}};
+}
+
+Named svgs() {
+  const auto page = [](const std::string& shapes) {
+    return R"(<svg width="20000mm" height="10000mm" viewBox="0 0 20 10">)" + shapes + "</svg>";
+  };
+  const std::string path = R"(<path d="M1 1h4v4a2 1 30 0 1-4 0zm1 1q1 1 2 0t1 0c1 1 2 2 3 0s1 1 1 1z"/>)";
+  return {{"sound", page(R"~(<g transform="translate(1 2) rotate(30)"><rect id="goal" width="1" height="2" rx="0.2"/>
+             <circle r="1"/><ellipse rx="1" ry="2"/><polygon points="1,1 2,2 3,1"/></g>
+             <line class="start" x1="5" y1="5" x2="6" y2="5"/>)~" +
+                         path)},
+          {"even_odd", page(R"(<path fill-rule="evenodd" d="M0 0H8V8H0ZM1 1H7V7H1Z"/>)")},
+          {"no_scale", R"(<svg><rect width="50%" height="1"/></svg>)"},
+          {"transforms", page(R"~(<g transform="matrix(1 2 3 4 5 6),skewX(89.9999),scale(1e9)">)~" + path + "</g>")},
+          {"copies", page(R"(<use id="a" href="#a"/><g id="b"><use href="#b"/><use href="#b"/></g>)")},
+          {"entities", R"(<!DOCTYPE svg [<!ENTITY a "1"><!ENTITY b "&a;&a;">]>)" + page(R"(<path d="&b;"/>)")},
+          {"deep", page(repeated("<g>", 300))},
+          {"corners", page(R"(<path d="M0 0Q1e14 1e14 1 1C1e9 1e9 -1e9 1e9 0 0"/>)")},
+          {"at_5e9", page(R"(<rect class="bounds" x="5e9" y="5e9" width="9" height="9"/>)")},
+          {"nan", page(R"(<path d="MNaN inf"/><rect width="1e400" height="-1"/>)")},
+          {"half", page(path).substr(0, 90)}};
+}
+
 Named pgms() {
   return {{"binary", std::string("P5 # comment\n3 2\n255\n\0\x40\x80\xC0\xFE\xFF", 26)},
           {"wide", std::string("P5 1 1 65535\n\1\2", 15)},
@@ -158,6 +223,39 @@ Named pngs() {
           {"rgba_wide", encode({PNG_COLOR_TYPE_RGB_ALPHA, 16}, 1, {"abcdefgh"})},
           {"half", grey.substr(0, grey.size() / 2)},
           {"size_lies", size_lies}};
+}
+
+Named bmps() {
+  using host::bmp;
+  const std::string whole = bmp({24, 2, 2, {}}, {"abcdef", "ghijkl"});
+  std::string compressed = whole;
+  compressed[30] = 1;
+  std::string pixels_first = whole;
+  pixels_first[10] = 0;
+  return {{"one_bit", bmp({1, 9, 1, {0x000000, 0xFFFFFF}}, {"\xAA\x80"})},
+          {"four_bits", bmp({4, 3, 1, {0x000000, 0x102030, 0xFFFFFF}}, {"\x12\x10"})},
+          {"eight_bits", bmp({8, 2, -1, {0x000000, 0x102030}}, {std::string("\0\1", 2)})},
+          {"no_such_color", bmp({8, 2, 1, {0x000000}}, {"\1\2"})},
+          {"rgb", whole},
+          {"rgbx", bmp({32, 1, -2, {}}, {"abcd", "efgh"})},
+          {"size_lies", bmp({24, 8000, 8000, {}}, {"abc"})},
+          {"size_is_huge", bmp({1, 0x7FFFFFFF, -0x7FFFFFFF - 1, {0}}, {"a"})},
+          {"compressed", compressed},
+          {"pixels_first", pixels_first},
+          {"half", whole.substr(0, whole.size() / 2)}};
+}
+
+Named jpegs() {
+  using host::jpeg;
+  const std::string whole = jpeg(16, 8, TJSAMP_GRAY, 100, std::string(16 * 8 * 3, 'a'));
+  std::string size_lies = whole;
+  size_lies[size_lies.find("\xFF\xC0") + 5] = 0x7F;
+  return {{"grey", whole},
+          {"color", jpeg(16, 16, TJSAMP_420, 80, std::string(16 * 16 * 3, 'b'))},
+          {"progressive", jpeg(9, 7, TJSAMP_444, 50, std::string(9 * 7 * 3, 'c'), TJFLAG_PROGRESSIVE)},
+          {"size_lies", size_lies},
+          {"half", whole.substr(0, whole.size() / 2)},
+          {"start_only", "\xFF\xD8\xFF"}};
 }
 
 Named robots() {
@@ -192,7 +290,8 @@ Named options() {
       {"1,2,3", "nan,0,0", "1e7,1e7,1000", "1,2", ",,", "home", "1e999,0,0"},
       {"1,2,3", "1,2,-1", "1,2,0", "dock", "inf,0,1"},
       {"snake:15", "snake:26", "truck:", "car:1", "none.json", "snake:99999999999999999999"},
-      {"12", "-1", "1.5", "99999999999999999999"}};
+      {"12", "-1", "1.5", "99999999999999999999"},
+      {"11.5,48.1", "181,0", "nan,0", "1,2,3", "-180,-90"}};
   for (std::size_t kind = 0; kind < texts.size(); ++kind) {
     for (std::size_t i = 0; i < texts[kind].size(); ++i) {
       all.emplace_back(std::to_string(kind) + "_" + std::to_string(i), static_cast<char>(kind) + texts[kind][i]);
@@ -231,8 +330,13 @@ int main(int argc, char** argv) {
   write(folder / "fuzz_import", dynobenches(), "dynobench_");
   write(folder / "fuzz_import", map_servers(), "map_server_");
   write(folder / "fuzz_import", movingais(), "movingai_");
+  write(folder / "fuzz_import", tpcaps(), "tpcap_");
+  write(folder / "fuzz_import", geojsons(), "geojson_");
+  write(folder / "fuzz_import", svgs(), "svg_");
   write(folder / "fuzz_image", pgms(), "pgm_");
   write(folder / "fuzz_image", pngs(), "png_");
+  write(folder / "fuzz_image", bmps(), "bmp_");
+  write(folder / "fuzz_image", jpegs(), "jpeg_");
   write(folder / "fuzz_robot", robots());
   write(folder / "fuzz_plan_file", plan_files());
   write(folder / "fuzz_options", options());

@@ -22,6 +22,7 @@ void add_info(CLI::App& app);
 void add_plan(CLI::App& app, const char* program);
 void add_verify(CLI::App& app);
 void add_scene(CLI::App& app);
+void add_export(CLI::App& app);
 void add_robot(CLI::App& app);  // robot and robots
 
 }  // namespace krait::host

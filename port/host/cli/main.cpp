@@ -50,6 +50,7 @@ int run(int argc, char** argv) {
   add_plan(app, argv[0]);
   add_verify(app);
   add_scene(app);
+  add_export(app);
   add_robot(app);
   try {
     app.parse(argc, argv);

@@ -96,18 +96,6 @@ CLI::Validator number_in(double least, double most, const std::string& unit) {
   return {check, "", "number"};
 }
 
-Unknown parse_unknown(const std::string& text) {
-  if (text == "free") return Unknown::free;
-  return text == "occupied" ? Unknown::occupied : Unknown::map;
-}
-
-void add_unknown(CLI::App& command, std::string& unknown) {
-  command
-      .add_option("--unknown", unknown, "how a map's unknown cells count: by its own thresholds (map), free, occupied")
-      ->check(CLI::IsMember({"map", "free", "occupied"}))
-      ->capture_default_str();
-}
-
 void QueryOptions::add(CLI::App& command) {
   command_ = &command;
   command

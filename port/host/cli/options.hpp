@@ -7,7 +7,6 @@
 #include <optional>
 #include <string>
 
-#include "host/import/import.hpp"
 #include "host/run/run.hpp"
 
 namespace krait::host {
@@ -26,8 +25,6 @@ CLI::Validator whole_number(std::uint64_t most, const std::string& unit = {});
 
 // Lets an option take finite numbers from `least` to `most` only; the refusal names the unit.
 CLI::Validator number_in(double least, double most, const std::string& unit);
-
-Unknown parse_unknown(const std::string& text);
 
 // The texts of what plan and verify both ask: robot, start and goal.
 struct QueryOptions {
@@ -48,8 +45,5 @@ struct QueryOptions {
   void read_facing(SearchRequest& request) const;
   CLI::App* command_ = nullptr;
 };
-
-// Adds --unknown free|occupied|map.
-void add_unknown(CLI::App& command, std::string& unknown);
 
 }  // namespace krait::host

@@ -9,6 +9,7 @@
 #include "host/cli/commands.hpp"
 #include "host/cli/compiler_process.hpp"
 #include "host/cli/interrupt.hpp"
+#include "host/cli/map_options.hpp"
 #include "host/cli/options.hpp"
 #include "host/input/file.hpp"
 #include "host/input/outputs.hpp"
@@ -25,7 +26,7 @@ namespace {
 struct PlanOptions {
   std::string compiler;  // the path of krait-compile
   std::string scene;     // or a map
-  std::string unknown = "map";
+  MapOptions map;
   std::string tolerance;
   std::vector<std::string> map_options;  // those of compile that were given
   QueryOptions query;
@@ -236,7 +237,7 @@ std::vector<std::string> inputs_of(const PlanOptions& options) {
 }
 
 SceneBytes compiled(const PlanOptions& options) {
-  std::vector<std::string> arguments = {"--unknown", options.unknown};
+  std::vector<std::string> arguments = options.map.arguments();
   if (!options.tolerance.empty()) arguments.insert(arguments.end(), {"--tolerance", options.tolerance});
   const std::string scene = run_compiler(options.compiler, options.scene, arguments);
   return SceneBytes::copy(scene.data(), scene.size());
@@ -250,7 +251,7 @@ Ground read_ground(const PlanOptions& options, Progress& progress) {
                      " is compiled already: use it with krait compile, or plan in the map itself");
   }
   progress.show("reading the map");
-  Workspace map = import_workspace(options.scene, {parse_unknown(options.unknown)});
+  Workspace map = import_workspace(options.scene, options.map.read());
   progress.end();                                 // the compiler has its own
   check_outputs(outputs_of(options), map.files);  // also those that the map names
   return {compiled(options), std::move(map)};
@@ -308,11 +309,12 @@ void add_plan(CLI::App& app, const char* program) {
   command
       ->add_option(
           "SCENE", o->scene,
-          "a map or drawing as for krait compile (JSON, map_server YAML, MovingAI .map, dynobench YAML), which\n"
-          "is compiled and which the plan is checked against; or a .krait file, from krait compile")
+          "a map or drawing as for krait compile (JSON, GeoJSON, SVG, map_server YAML, MovingAI .map, dynobench YAML, "
+          "TPCAP\n"
+          "CSV), which is compiled and which the plan is checked against; or a .krait file, from krait compile")
       ->required();
   o->query.add(*command);
-  add_unknown(*command, o->unknown);
+  o->map.add(*command);
   command
       ->add_option("--tolerance", o->tolerance,
                    "how much a map's passages may get narrower, in metres, as for krait compile")
@@ -367,9 +369,8 @@ void add_plan(CLI::App& app, const char* program) {
                       "write a page that replays the plan and the search, for any browser, without network");
   command->footer(defaults_table());
   command->callback([o, command] {
-    for (const char* option : {"--unknown", "--tolerance"}) {
-      if (command->count(option) > 0) o->map_options.emplace_back(option);
-    }
+    o->map_options = o->map.given();
+    if (command->count("--tolerance") > 0) o->map_options.emplace_back("--tolerance");
     plan(*o);
   });
 }

@@ -9,6 +9,7 @@
 
 #include "host/cli/asked.hpp"
 #include "host/cli/commands.hpp"
+#include "host/cli/map_options.hpp"
 #include "host/cli/options.hpp"
 #include "host/input/progress.hpp"
 
@@ -19,7 +20,7 @@ struct VerifyOptions {
   std::string input;
   std::string plan;
   QueryOptions query;
-  std::string unknown = "map";
+  MapOptions map;
   double dt = 0.1;
   bool all = false;  // complaints, not the first only
 };
@@ -85,7 +86,7 @@ void judge(const VerifyOptions& options) {
   request.parameters.dt = static_cast<float>(options.dt);
   Progress progress("krait");
   progress.show("reading the map");
-  const Workspace workspace = import_workspace(options.input, {parse_unknown(options.unknown)});
+  const Workspace workspace = import_workspace(options.input, options.map.read());
   progress.end();
   for (const std::string& warning : workspace.warnings) std::fprintf(stderr, "krait: warning: %s\n", warning.c_str());
   const PlanFile plan = read_plan(options.plan);
@@ -106,7 +107,7 @@ void add_verify(CLI::App& app) {
   command->add_option("INPUT", o->input, "the map or drawing, or a .krait file")->required();
   command->add_option("PLAN", o->plan, "a plan's JSON")->required();
   o->query.add(*command);
-  add_unknown(*command, o->unknown);
+  o->map.add(*command);
   command->add_option("--dt", o->dt, "the plan's time step, seconds, 0.001 to 1")
       ->check(number_in(0.001, 1, "seconds"))
       ->capture_default_str();

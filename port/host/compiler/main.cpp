@@ -63,7 +63,8 @@ void add_goal(Workspace& workspace, const std::string& text) {
 
 struct Arguments {
   std::string input, output, start, goal;
-  Unknown unknown = Unknown::map;
+  std::string datum;
+  ImportOptions map;
   double tolerance = -1;
 };
 
@@ -71,7 +72,9 @@ void run(const Arguments& arguments, Progress& progress) {
   const Output output{"-o", arguments.output};
   check_outputs({output}, {arguments.input});
   progress.show("reading the map");
-  Workspace workspace = import_workspace(arguments.input, {arguments.unknown});
+  ImportOptions map = arguments.map;
+  if (!arguments.datum.empty()) map.datum = parse_datum(arguments.datum);
+  Workspace workspace = import_workspace(arguments.input, map);
   check_outputs({output}, workspace.files);
   if (!arguments.start.empty()) set_start(workspace, arguments.start);
   if (!arguments.goal.empty()) add_goal(workspace, arguments.goal);
@@ -93,16 +96,22 @@ int main(int argc, char** argv) {
       "coordinates. Exit code 0: done; 2: bad input, one line on standard error says what and where.",
       "krait-compile");
   Arguments arguments;
-  app.add_option("INPUT", arguments.input, "native JSON, map_server YAML, MovingAI .map, dynobench YAML")->required();
+  app.add_option("INPUT", arguments.input,
+                 "native JSON, GeoJSON, SVG, map_server YAML, MovingAI .map, dynobench YAML, TPCAP CSV")
+      ->required();
   app.add_option("-o,--output", arguments.output, "the scene file to write")->required();
   app.add_option("--start", arguments.start, "X,Y,HEADING: a start named 'start', in place of the file's");
   app.add_option("--goal", arguments.goal, "X,Y,RADIUS: a further goal named 'goal', inside this disc");
   const std::map<std::string, Unknown> names{
       {"free", Unknown::free}, {"occupied", Unknown::occupied}, {"map", Unknown::map}};
-  app.add_option("--unknown", arguments.unknown,
+  app.add_option("--unknown", arguments.map.unknown,
                  "how a map's unknown cells count: free, occupied, or map (by its own thresholds)")
       ->transform(CLI::Transformer(names))
       ->option_text("free|occupied|map (default: map)");
+  app.add_option("--unit", arguments.map.unit, kAboutUnit)
+      ->check(CLI::Range(kMinUnit, kMaxUnit))
+      ->option_text("METRES, 1e-6 to 1e6");
+  app.add_option("--datum", arguments.datum, kAboutDatum)->option_text("LONGITUDE,LATITUDE");
   app.add_option("--tolerance", arguments.tolerance,
                  "how much a passage may get narrower so that outlines need fewer corners; 0: not at all\n"
                  "(default: one cell for maps, 0 for drawings)")

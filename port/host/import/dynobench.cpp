@@ -9,7 +9,6 @@
 namespace krait::host {
 namespace {
 
-constexpr double kGoalRadius = 0.1;  // m; dynobench's goal is a state, ours a disc around its position
 constexpr double kMinLength = 1e-6;  // m
 
 bool recognise(const Source& source) { return has_top_key(source.content, "environment"); }
@@ -26,8 +25,9 @@ Obstacle read_obstacle(const Field& field) {
   if (type.text() != "box") type.fail("only obstacles of type box are known, this is a " + cleaned_name(type.text()));
   const Field size = field.at("size");
   if (size.size() != 2) size.fail("must be [width, height]");
-  const Ring ring = box_ring(field.at("center").point(), size.item(0).number(kMinLength, kMaxCoordinate),
-                             size.item(1).number(kMinLength, kMaxCoordinate), read_angle(field));
+  const Ring ring =
+      box_ring(field.at("center").point(kMaxFarCoordinate), size.item(0).number(kMinLength, kMaxCoordinate),
+               size.item(1).number(kMinLength, kMaxCoordinate), read_angle(field));
   return {field.place(), ring, {}};
 }
 
@@ -42,9 +42,9 @@ Pose read_pose(const Field& state, std::vector<std::string>& warnings) {
   bool more = false;
   for (std::size_t i = 3; i < size; ++i) more = more || state.item(i).number(-1e9, 1e9) != 0;
   if (more) warnings.push_back(state.place() + ": only x, y and theta are used, its other numbers are not");
-  return {
-      {state.item(0).number(-kMaxCoordinate, kMaxCoordinate), state.item(1).number(-kMaxCoordinate, kMaxCoordinate)},
-      state.item(2).number(-kMaxAngle, kMaxAngle)};
+  return {{state.item(0).number(-kMaxFarCoordinate, kMaxFarCoordinate),
+           state.item(1).number(-kMaxFarCoordinate, kMaxFarCoordinate)},
+          state.item(2).number(-kMaxAngle, kMaxAngle)};
 }
 
 void read_robot(const Field& robots, Workspace& workspace) {
@@ -54,8 +54,8 @@ void read_robot(const Field& robots, Workspace& workspace) {
   const Pose start = read_pose(robot.at("start"), workspace.warnings);
   workspace.starts.push_back({"start", start.position, start.heading, {}});
   const Pose goal = read_pose(robot.at("goal"), workspace.warnings);
-  workspace.goals.push_back({"goal", ring_inside_circle(goal.position, kGoalRadius)});
-  workspace.warnings.push_back("robots[0].goal: reached means within " + shown(kGoalRadius) +
+  workspace.goals.push_back({"goal", ring_inside_circle(goal.position, kStateGoalRadius)});
+  workspace.warnings.push_back("robots[0].goal: reached means within " + shown(kStateGoalRadius) +
                                " m of its position, its heading is not asked for");
 }
 
@@ -65,8 +65,8 @@ Workspace read(const Source& source, const ImportOptions&) {
   const Field environment = field.at("environment");
   Workspace workspace;
   if (field.has("name")) workspace.name = field.at("name").name();
-  workspace.min = environment.at("min").point();
-  workspace.max = environment.at("max").point();
+  workspace.min = environment.at("min").point(kMaxFarCoordinate);
+  workspace.max = environment.at("max").point(kMaxFarCoordinate);
   if (!(workspace.min.x < workspace.max.x && workspace.min.y < workspace.max.y)) {
     environment.fail("max must be greater than min in x and in y");
   }
@@ -81,6 +81,6 @@ Workspace read(const Source& source, const ImportOptions&) {
 
 }  // namespace
 
-const Format kDynobench = {"dynobench YAML", recognise, read};
+const Format kDynobench = {"dynobench YAML", ".yaml", recognise, read};
 
 }  // namespace krait::host

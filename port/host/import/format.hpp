@@ -15,7 +15,8 @@ struct Source {
 
 struct Format {
   const char* name;
-  bool (*recognise)(const Source& source);  // by content and name; cheap, true for broken files of the format too
+  const char* extension;                    // a name ends with it: who else has no content to go by is of this format
+  bool (*recognise)(const Source& source);  // by content; cheap, true for broken files of the format too
   Workspace (*read)(const Source& source, const ImportOptions& options);  // throws InputError
 };
 
@@ -27,5 +28,8 @@ extern const Format kNative;
 extern const Format kMapServer;
 extern const Format kMovingAi;
 extern const Format kDynobench;
+extern const Format kTpcap;
+extern const Format kGeoJson;
+extern const Format kSvg;
 
 }  // namespace krait::host

@@ -26,6 +26,7 @@ struct Image {
   int rows = 0;
   bool has_alpha = false;     // the file's pixels have an alpha channel or a transparent colour
   std::vector<Pixel> pixels;  // row-major, the top row first
+  bool lossy = false;         // the file's compression changes pixels
 
   const Pixel& at(int column, int row) const {
     return pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column)];
@@ -34,13 +35,18 @@ struct Image {
 
 bool is_image(const std::string& content);
 
-// PGM (P2, P5, up to 16 bits) or PNG (every kind). Throws InputError naming the file.
+// PGM (P2, P5, up to 16 bits), PNG (every kind), BMP (without compression) or JPEG, by content. Throws InputError
+// naming the file.
 Image read_image(const std::string& path);
 Image decode_image(const std::string& content, const std::string& file);
 
 Image decode_pgm(const std::string& content, const std::string& file);
 Image decode_png(const std::string& content, const std::string& file);
+Image decode_bmp(const std::string& content, const std::string& file);
+Image decode_jpeg(const std::string& content, const std::string& file);
 bool is_pgm(const std::string& content);
 bool is_png(const std::string& content);
+bool is_bmp(const std::string& content);
+bool is_jpeg(const std::string& content);
 
 }  // namespace krait::host

@@ -5,7 +5,8 @@
 #include <filesystem>
 
 #include "host/import/format.hpp"
-#include "host/import/image.hpp"
+#include "host/import/mistaken.hpp"
+#include "host/import/shift.hpp"
 #include "host/input/file.hpp"
 #include "host/input/json.hpp"
 
@@ -14,29 +15,49 @@ namespace {
 
 constexpr std::uint64_t kMaxFileBytes = 64U << 20;
 
-const std::array<const Format*, 5> kFormats = {&kSceneFile, &kNative, &kMovingAi, &kMapServer, &kDynobench};
+const std::array<const Format*, 8> kFormats = {&kSceneFile, &kSvg,      &kGeoJson,   &kNative,
+                                               &kTpcap,     &kMovingAi, &kMapServer, &kDynobench};
+
+const Format* by_content(const Source& source) {
+  for (const Format* format : kFormats) {
+    if (format->recognise(source)) return format;
+  }
+  return nullptr;
+}
+
+const Format* by_name(const std::string& path) {
+  for (const Format* format : kFormats) {
+    if (path.ends_with(format->extension)) return format;
+  }
+  return nullptr;
+}
 
 [[noreturn]] void refuse(const Source& source) {
-  if (is_image(source.content)) {
-    throw InputError(source.path +
-                     ": is an image alone; give the map's YAML file, which names the image and its scale");
-  }
   std::string names;
   for (const Format* format : kFormats) names += (names.empty() ? "" : ", ") + std::string(format->name);
   throw InputError(source.path + ": is in no known format; known are " + names);
 }
 
+// Two formats may have one extension.
+void warn_of_name(const Source& source, const Format& format, Workspace& workspace) {
+  const Format* named = by_name(source.path);
+  if (named == nullptr || source.path.ends_with(format.extension)) return;
+  workspace.warnings.push_back(source.path + ": is read as " + format.name + ", which it is, whatever its name says");
+}
+
 }  // namespace
 
 Workspace read_workspace(const Source& source, const ImportOptions& options) {
-  for (const Format* format : kFormats) {
-    if (!format->recognise(source)) continue;
-    Workspace workspace = format->read(source, options);
-    workspace.files.push_back(source.path);
-    for (std::string& warning : workspace.warnings) warning = safe_to_print(warning);
-    return workspace;
-  }
-  refuse(source);
+  if (const auto what = mistaken(source)) throw InputError(source.path + ": " + *what);
+  const Format* format = by_content(source);
+  if (format == nullptr) format = by_name(source.path);
+  if (format == nullptr) refuse(source);
+  Workspace workspace = format->read(source, options);
+  warn_of_name(source, *format, workspace);
+  bring_near(source.path, workspace);
+  workspace.files.push_back(source.path);
+  for (std::string& warning : workspace.warnings) warning = safe_to_print(warning);
+  return workspace;
 }
 
 Workspace import_workspace(const std::string& path, const ImportOptions& options) {

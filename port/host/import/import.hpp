@@ -9,15 +9,35 @@
 
 namespace krait::host {
 
+inline constexpr double kMaxLongitude = 180;  // degrees
+inline constexpr double kMaxLatitude = 90;    // degrees
+inline constexpr double kMinUnit = 1e-6;      // metres
+inline constexpr double kMaxUnit = 1e6;       // metres
+
+// The words of --help, for every command that reads maps.
+inline constexpr const char* kAboutUnit =
+    "how long one unit of the file's coordinates is: GeoJSON in metres has 1, SVG has its own width and height";
+inline constexpr const char* kAboutDatum =
+    "the point that becomes [0, 0] where GeoJSON has longitudes and latitudes (WGS84, degrees)";
+
 enum class Unknown { map, free, occupied };  // how a map's unknown cells count; map: by the file's thresholds
+
+struct LonLat {  // degrees, east and north positive; WGS84
+  double longitude = 0;
+  double latitude = 0;
+};
 
 struct ImportOptions {
   Unknown unknown = Unknown::map;
+  std::optional<double> unit = std::nullopt;   // metres, kMinUnit to kMaxUnit; goes before what a drawing says
+  std::optional<LonLat> datum = std::nullopt;  // goes before what a GeoJSON says; not with a unit
 };
 
-// Chooses the format by content and name: compiled scene, native JSON, ROS map_server YAML,
-// MovingAI .map, dynobench YAML.
-// Throws InputError.
+// "11.57,48.14", longitude before latitude. Throws InputError that names --datum.
+LonLat parse_datum(const std::string& text);
+
+// Chooses the format by content, or by name where the content fits none: compiled scene, SVG, GeoJSON, native JSON, ROS
+// map_server YAML, MovingAI .map, dynobench YAML, TPCAP case. Throws InputError.
 Workspace import_workspace(const std::string& path, const ImportOptions& options);
 
 }  // namespace krait::host

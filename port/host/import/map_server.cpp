@@ -150,9 +150,9 @@ void set_bounds(const Field& field, Workspace& workspace) {
                         placed(cells, 0, height)};
   workspace.min = workspace.max = corners[0];
   for (const Point& corner : corners) {
-    if (std::abs(corner.x) > kMaxCoordinate || std::abs(corner.y) > kMaxCoordinate) {
+    if (std::abs(corner.x) > kMaxFarCoordinate || std::abs(corner.y) > kMaxFarCoordinate) {
       field.at("resolution")
-          .fail("the map reaches further than " + shown(kMaxCoordinate) + " m from the world's origin");
+          .fail("the map reaches further than " + shown(kMaxFarCoordinate) + " m from the world's origin");
     }
     workspace.min = {std::min(workspace.min.x, corner.x), std::min(workspace.min.y, corner.y)};
     workspace.max = {std::max(workspace.max.x, corner.x), std::max(workspace.max.y, corner.y)};
@@ -168,8 +168,8 @@ void read_placement(const Field& field, CellMap& cells) {
   cells.resolution = field.at("resolution").number(1e-4, 1e4);
   const Field origin = field.at("origin");
   if (origin.size() != 3) origin.fail("must be [x, y, yaw]");
-  cells.origin = {origin.item(0).number(-kMaxCoordinate, kMaxCoordinate),
-                  origin.item(1).number(-kMaxCoordinate, kMaxCoordinate)};
+  cells.origin = {origin.item(0).number(-kMaxFarCoordinate, kMaxFarCoordinate),
+                  origin.item(1).number(-kMaxFarCoordinate, kMaxFarCoordinate)};
   cells.yaw = origin.item(2).number(-kMaxAngle, kMaxAngle);
 }
 
@@ -196,7 +196,12 @@ Workspace read(const Source& source, const ImportOptions& options) {
   workspace.cells.emplace();
   read_placement(field, *workspace.cells);
   workspace.files.push_back(image_path(field, source.path));
-  const Counts counts = fill(read_map_image(field, workspace.files.back()), rules, *workspace.cells);
+  const Image image = read_map_image(field, workspace.files.back());
+  if (image.lossy) {
+    workspace.warnings.push_back(workspace.files.back() +
+                                 ": is a JPEG, whose compression blurs cells along walls; a PNG keeps them");
+  }
+  const Counts counts = fill(image, rules, *workspace.cells);
   set_bounds(field, workspace);
   warn(source.path, counts, rules, workspace);
   return workspace;
@@ -204,6 +209,6 @@ Workspace read(const Source& source, const ImportOptions& options) {
 
 }  // namespace
 
-const Format kMapServer = {"map_server YAML", recognise, read};
+const Format kMapServer = {"map_server YAML", ".yaml", recognise, read};
 
 }  // namespace krait::host

@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view kPassable = ".GS";  // ground, ground, swamp
 constexpr std::string_view kBlocked = "@OTW";  // out of bounds, out of bounds, trees, water
 
-bool recognise(const Source& source) { return source.path.ends_with(".map") || source.content.starts_with("type "); }
+bool recognise(const Source& source) { return source.content.starts_with("type "); }
 
 class Lines {
  public:
@@ -99,6 +99,6 @@ Workspace read(const Source& source, const ImportOptions&) {
 
 }  // namespace
 
-const Format kMovingAi = {"MovingAI .map", recognise, read};
+const Format kMovingAi = {"MovingAI .map", ".map", recognise, read};
 
 }  // namespace krait::host

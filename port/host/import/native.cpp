@@ -4,6 +4,7 @@
 #include <set>
 
 #include "host/import/format.hpp"
+#include "host/import/json_keys.hpp"
 #include "host/import/shapes.hpp"
 #include "host/input/json.hpp"
 
@@ -13,17 +14,14 @@ namespace {
 constexpr double kMinLength = 1e-6;  // m, of boxes and radii
 constexpr std::size_t kMaxTrailers = 25;
 
-bool recognise(const Source& source) {
-  const std::size_t first = source.content.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-  return source.path.ends_with(".json") || (first != std::string::npos && source.content[first] == '{');
-}
+bool recognise(const Source& source) { return is_json_object(source.content); }
 
 Ring read_box(const Field& box) {
   box.keys({"center", "size", "angle"});
   const Field size = box.at("size");
   if (size.size() != 2) size.fail("must be [width, height]");
   const double angle = box.has("angle") ? box.at("angle").number(-kMaxAngle, kMaxAngle) : 0;
-  return box_ring(box.at("center").point(), size.item(0).number(kMinLength, kMaxCoordinate),
+  return box_ring(box.at("center").point(kMaxFarCoordinate), size.item(0).number(kMinLength, kMaxCoordinate),
                   size.item(1).number(kMinLength, kMaxCoordinate), angle);
 }
 
@@ -31,14 +29,14 @@ using RoundRing = Ring (*)(const Point& center, double radius);
 
 Ring read_circle(const Field& circle, RoundRing round) {
   circle.keys({"center", "radius"});
-  return round(circle.at("center").point(), circle.at("radius").number(kMinLength, kMaxCoordinate));
+  return round(circle.at("center").point(kMaxFarCoordinate), circle.at("radius").number(kMinLength, kMaxCoordinate));
 }
 
 // The one of "polygon", "box" and "circle" that the object has.
 Ring read_shape(const Field& field, RoundRing round) {
   const int shapes = (field.has("polygon") ? 1 : 0) + (field.has("box") ? 1 : 0) + (field.has("circle") ? 1 : 0);
   if (shapes != 1) field.fail("must have one of polygon, box and circle, has " + std::to_string(shapes));
-  if (field.has("polygon")) return field.at("polygon").ring();
+  if (field.has("polygon")) return field.at("polygon").ring(SIZE_MAX, kMaxFarCoordinate);
   if (field.has("box")) return read_box(field.at("box"));
   return read_circle(field.at("circle"), round);
 }
@@ -49,7 +47,8 @@ Obstacle read_obstacle(const Field& field) {
   if (!field.has("holes")) return obstacle;
   const Field holes = field.at("holes");
   if (!field.has("polygon")) holes.fail("only a polygon can have holes");
-  for (std::size_t i = 0; i < holes.size(); ++i) obstacle.holes.push_back(holes.item(i).ring());
+  for (std::size_t i = 0; i < holes.size(); ++i)
+    obstacle.holes.push_back(holes.item(i).ring(SIZE_MAX, kMaxFarCoordinate));
   return obstacle;
 }
 
@@ -60,8 +59,10 @@ Goal read_goal(const Field& field) {
 
 Start read_start(const Field& field) {
   field.keys({"name", "position", "heading", "angles"});
-  Start start{
-      field.at("name").name(), field.at("position").point(), field.at("heading").number(-kMaxAngle, kMaxAngle), {}};
+  Start start{field.at("name").name(),
+              field.at("position").point(kMaxFarCoordinate),
+              field.at("heading").number(-kMaxAngle, kMaxAngle),
+              {}};
   if (!field.has("angles")) return start;
   const Field angles = field.at("angles");
   for (std::size_t i = 0; i < angles.size(0, kMaxTrailers); ++i) {
@@ -89,8 +90,8 @@ std::vector<Item> read_list(const Field& document, const char* key, Item (*read)
 
 void read_bounds(const Field& bounds, Workspace& workspace) {
   bounds.keys({"min", "max"});
-  workspace.min = bounds.at("min").point();
-  workspace.max = bounds.at("max").point();
+  workspace.min = bounds.at("min").point(kMaxFarCoordinate);
+  workspace.max = bounds.at("max").point(kMaxFarCoordinate);
   if (!(workspace.min.x < workspace.max.x && workspace.min.y < workspace.max.y)) {
     bounds.fail("max must be greater than min in x and in y");
   }
@@ -113,6 +114,6 @@ Workspace read(const Source& source, const ImportOptions&) {
 
 }  // namespace
 
-const Format kNative = {"krait's JSON", recognise, read};
+const Format kNative = {"krait's JSON", ".json", recognise, read};
 
 }  // namespace krait::host

@@ -126,6 +126,6 @@ Workspace read(const Source& source, const ImportOptions&) {
 
 }  // namespace
 
-const Format kSceneFile{"compiled scene (.krait)", recognise, read};
+const Format kSceneFile{"compiled scene (.krait)", ".krait", recognise, read};
 
 }  // namespace krait::host

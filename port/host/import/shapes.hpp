@@ -6,6 +6,9 @@
 
 namespace krait::host {
 
+// Metres: the disc that stands for a goal where a file asks for one state.
+inline constexpr double kStateGoalRadius = 0.1;
+
 // Counter-clockwise; the angle in radians turns the box about its centre.
 Ring box_ring(const Point& center, double width, double height, double angle);
 

@@ -15,9 +15,10 @@ namespace krait::host {
 
 using Json = nlohmann::ordered_json;
 
-inline constexpr int kMaxDepth = 64;           // of nested lists and objects
-inline constexpr double kMaxCoordinate = 1e7;  // metres, world coordinates
-inline constexpr double kMaxAngle = 1000;      // radians
+inline constexpr int kMaxDepth = 64;               // of nested lists and objects
+inline constexpr double kMaxCoordinate = 1e7;      // metres, world coordinates
+inline constexpr double kMaxFarCoordinate = 1e10;  // metres, in the file of a map, which is then brought near
+inline constexpr double kMaxAngle = 1000;          // radians
 inline constexpr std::size_t kMaxNameBytes = 200;
 
 // Throws InputError: a syntax error with its position, nesting beyond kMaxDepth, a key given twice.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "host/export/export.hpp"
 #include "host/input/json.hpp"
 
 namespace krait::host {
@@ -192,23 +193,6 @@ Scene make_scene(const std::string& name, double scale) {
   throw InputError("unknown scene \"" + name + "\"; known are " + known);
 }
 
-std::string scene_json(const std::string& name, double scale) {
-  const Workspace workspace = make_scene(name, scale).workspace;
-  Json json = {{"name", name},
-               {"bounds", {{"min", {workspace.min.x, workspace.min.y}}, {"max", {workspace.max.x, workspace.max.y}}}},
-               {"obstacles", Json::array()},
-               {"goals", Json::array()},
-               {"starts", Json::array()}};
-  for (const Obstacle& obstacle : workspace.obstacles)
-    json["obstacles"].push_back({{"polygon", to_json(obstacle.outer)}});
-  for (const Goal& goal : workspace.goals) {
-    json["goals"].push_back({{"name", goal.name}, {"polygon", to_json(goal.polygon)}});
-  }
-  for (const Start& start : workspace.starts) {
-    json["starts"].push_back(
-        {{"name", start.name}, {"position", {start.position.x, start.position.y}}, {"heading", start.heading}});
-  }
-  return json.dump(1) + "\n";
-}
+std::string scene_json(const std::string& name, double scale) { return native_json(make_scene(name, scale).workspace); }
 
 }  // namespace krait::host

@@ -61,6 +61,7 @@ struct Workspace {
   std::optional<CellMap> cells;  // a map's obstacles are its occupied cells, in addition to `obstacles`
   std::vector<Goal> goals;
   std::vector<Start> starts;
+  Point shift;  // whole metres: the file's coordinates less these are the workspace's; not 0 for maps far from 0 only
   std::vector<std::string> files;     // that it was read from: the map's own, its image's
   std::vector<std::string> warnings;  // one line each, for the user, safe to print
 };

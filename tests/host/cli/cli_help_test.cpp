@@ -40,18 +40,19 @@ TEST_F(CliHelp, ShowsAFirstPlanThatWorks) {
 }
 
 TEST_F(CliHelp, TeachesCompile) {
-  expect_all(help({"compile"}), {"INPUT", "-o", "--start", "X,Y,HEADING", "--goal", "X,Y,RADIUS", "--unknown", "free",
-                                 "occupied", "map", "--tolerance", "map_server", "MovingAI", "JSON"});
+  expect_all(help({"compile"}),
+             {"INPUT", "-o", "--start", "X,Y,HEADING", "--goal", "X,Y,RADIUS", "--unknown", "free", "occupied", "map",
+              "--tolerance", "map_server", "MovingAI", "JSON", "GeoJSON", "SVG", "TPCAP", "--unit", "--datum"});
 }
 
 TEST_F(CliHelp, TeachesPlan) {
   expect_all(help({"plan"}),
-             {"SCENE",      "--robot",     "snake:N",     "truck:N",      "car",          "unicycle", "diff_drive",
-              "ROBOT.json", "--planner",   "adaptive",    "--seed",       "--start",      "--goal",   "NAME",
-              "X,Y,RADIUS", "--memory",    "64M",         "--iterations", "--time-limit", "--alpha",  "--beta",
-              "--gamma",    "--kappa",     "--clearance", "--paper",      "-o",           "--csv",    "--svg",
-              "map_server", "MovingAI",    "dynobench",   "--unknown",    "--tolerance",  "--png",    "--html",
-              "no_route",   "budget_used", "tree_full",   "time_used"});
+             {"SCENE",       "--robot",   "snake:N",     "truck:N",      "car",          "unicycle",  "diff_drive",
+              "ROBOT.json",  "--planner", "adaptive",    "--seed",       "--start",      "--goal",    "NAME",
+              "X,Y,RADIUS",  "--memory",  "64M",         "--iterations", "--time-limit", "--alpha",   "--beta",
+              "--gamma",     "--kappa",   "--clearance", "--paper",      "-o",           "--csv",     "--svg",
+              "map_server",  "MovingAI",  "dynobench",   "GeoJSON",      "--unit",       "--datum",   "--unknown",
+              "--tolerance", "--png",     "--html",      "no_route",     "budget_used",  "tree_full", "time_used"});
 }
 
 TEST_F(CliHelp, ListsTheDefaultsOfEveryRobot) {

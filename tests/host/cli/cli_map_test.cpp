@@ -144,8 +144,8 @@ TEST_F(CliMap, OptionsForMapsAreRefusedWithACompiledScene) {
 TEST_F(CliMap, WhatIsNeitherIsToldTheFormats) {
   write("letter", "Dear robot,\n");
   expect_refused({"plan", "letter", "-o", "plan.json"},
-                 "krait: letter: is in no known format; known are compiled scene (.krait), krait's JSON, "
-                 "MovingAI .map, map_server YAML, dynobench YAML\n");
+                 "krait: letter: is in no known format; known are compiled scene (.krait), SVG, GeoJSON, "
+                 "krait's JSON, TPCAP case (.csv), MovingAI .map, map_server YAML, dynobench YAML\n");
 }
 
 TEST_F(CliMap, WhatTheCompilerRefusesIsSaidOnceAndEndsIt) {

@@ -148,7 +148,7 @@ TEST_F(NativeTest, UnknownKeysAreNamed) {
 TEST_F(NativeTest, WrongValuesAreNamed) {
   EXPECT_THAT(error(R"("obstacles": [{"circle": {"center": [1, 1], "radius": 0}}])"),
               HasSubstr("obstacles[0].circle.radius"));
-  EXPECT_THAT(error(R"("obstacles": [{"circle": {"center": [1, 2e7], "radius": 1}}])"), HasSubstr("circle.center[1]"));
+  EXPECT_THAT(error(R"("obstacles": [{"circle": {"center": [1, 2e10], "radius": 1}}])"), HasSubstr("circle.center[1]"));
   EXPECT_THAT(error(R"("obstacles": [{"box": {"center": [1, 1], "size": [1, -1]}}])"), HasSubstr("box.size[1]"));
   EXPECT_THAT(error(R"("obstacles": [{"box": {"center": [1, 1], "size": 1}}])"), HasSubstr("box.size: must be a list"));
   EXPECT_THAT(error(R"("obstacles": [{"polygon": [[0,0],[1,1]]}])"), HasSubstr("at least 3"));

@@ -17,8 +17,8 @@ class SamplesTest : public testing::Test {
   void SetUp() override {
     if (!std::filesystem::exists(root_)) GTEST_SKIP() << "no samples at " << root_;
   }
-  Workspace read(const std::string& name, Unknown unknown = Unknown::map) const {
-    return import_workspace(root_ + "/" + name, {unknown});
+  Workspace read(const std::string& name, const ImportOptions& options = {}) const {
+    return import_workspace(root_ + "/" + name, options);
   }
   static int occupied(const Workspace& w) {
     return std::accumulate(w.cells->occupied.begin(), w.cells->occupied.end(), 0);
@@ -34,7 +34,7 @@ TEST_F(SamplesTest, TurtlebotMapIsMostlyUnknown) {
   EXPECT_EQ(w.min.x, -10);
   ASSERT_EQ(w.warnings.size(), 1U);
   EXPECT_THAT(w.warnings[0], HasSubstr("94.1 % of the cells are unknown and count as obstacles"));
-  EXPECT_GT(occupied(w), occupied(read("turtlebot3/map.yaml", Unknown::free)) + 100000);
+  EXPECT_GT(occupied(w), occupied(read("turtlebot3/map.yaml", {Unknown::free})) + 100000);
 }
 
 TEST_F(SamplesTest, DepotReadsUnknownAsFreeAndSaysSo) {
@@ -43,8 +43,8 @@ TEST_F(SamplesTest, DepotReadsUnknownAsFreeAndSaysSo) {
   EXPECT_EQ(w.cells->rows, 307);
   ASSERT_EQ(w.warnings.size(), 1U);
   EXPECT_THAT(w.warnings[0], HasSubstr("reads as free"));
-  EXPECT_GT(occupied(read("nav2/depot.yaml", Unknown::occupied)), occupied(w));
-  EXPECT_EQ(occupied(read("nav2/depot.yaml", Unknown::free)), occupied(w));
+  EXPECT_GT(occupied(read("nav2/depot.yaml", {Unknown::occupied})), occupied(w));
+  EXPECT_EQ(occupied(read("nav2/depot.yaml", {Unknown::free})), occupied(w));
 }
 
 TEST_F(SamplesTest, ColouredAndTransparentPngsAreRead) {
@@ -64,6 +64,26 @@ TEST_F(SamplesTest, DynobenchProblemsHaveStartAndGoal) {
     EXPECT_EQ(w.goals.size(), 1U);
     EXPECT_GE(w.obstacles.size(), 3U);
   }
+}
+
+TEST_F(SamplesTest, ParkingCasesHaveThreeCars) {
+  for (const char* name : {"tpcap/Case1.csv", "tpcap/Case2.csv", "tpcap/Case7.csv"}) {
+    const Workspace w = read(name);
+    ASSERT_EQ(w.obstacles.size(), 3U);
+    for (const Obstacle& obstacle : w.obstacles) EXPECT_EQ(obstacle.outer.size(), 4U);
+  }
+  EXPECT_EQ(read("tpcap/Case1.csv").starts[0].heading, 0.200398553825878);
+}
+
+// One unit is a metre there, as its query says; on paper it would be a millimetre.
+TEST_F(SamplesTest, ADrawnCarParkHasItsSize) {
+  const Workspace w = read("bench_mr/parking1.svg", {.unit = 1});
+  EXPECT_EQ(w.obstacles.size(), 13U);
+  EXPECT_NEAR(w.max.x, 18.658882, 1e-9);
+  EXPECT_NEAR(w.min.y, -14.412246, 1e-9);
+  EXPECT_NEAR(w.obstacles[0].outer[0].x, 168.54641 - 165.58946, 1e-9);
+  EXPECT_NEAR(w.obstacles[0].outer[0].y, 46.679786 - 60.16482, 1e-9);
+  EXPECT_THAT(read("bench_mr/parking1.svg").warnings, testing::ElementsAre(HasSubstr("measures 0.018658882 m")));
 }
 
 }  // namespace

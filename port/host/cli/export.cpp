@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// krait export: writes a map in formats that other programs read.
+#include "host/export/export.hpp"
+
+#include <cstdio>
+#include <memory>
+
+#include "host/cli/commands.hpp"
+#include "host/cli/map_options.hpp"
+#include "host/input/file.hpp"
+#include "host/input/outputs.hpp"
+
+namespace krait::host {
+namespace {
+
+struct ExportOptions {
+  std::string map;
+  MapOptions options;
+  std::string json;
+  std::string geojson;
+  std::string svg;
+};
+
+void write(const ExportOptions& o) {
+  const std::vector<Output> outputs = {{"--json", o.json}, {"--geojson", o.geojson}, {"--svg", o.svg}};
+  if (o.json.empty() && o.geojson.empty() && o.svg.empty()) {
+    throw InputError("export: nothing to write: give --geojson, --svg or --json with a file");
+  }
+  check_outputs(outputs, {o.map});
+  const Workspace workspace = import_workspace(o.map, o.options.read());
+  check_outputs(outputs, workspace.files);
+  for (const std::string& warning : workspace.warnings) std::fprintf(stderr, "krait: warning: %s\n", warning.c_str());
+  if (!o.json.empty()) write_file(o.json, native_json(workspace));
+  if (!o.geojson.empty()) write_file(o.geojson, geojson(workspace));
+  if (!o.svg.empty()) write_file(o.svg, svg(workspace));
+}
+
+}  // namespace
+
+void add_export(CLI::App& app) {
+  const auto o = std::make_shared<ExportOptions>();
+  CLI::App* command = app.add_subcommand("export", "write a map as GeoJSON, SVG or JSON, which krait reads back");
+  command->add_option("MAP", o->map, "a map or drawing as for krait compile, or a .krait file")->required();
+  o->options.add(*command);
+  command->add_option("--geojson", o->geojson, "write GeoJSON in metres");
+  command->add_option("--svg", o->svg, "write a drawing, a metre of which is 1000 mm");
+  command->add_option("--json", o->json, "write krait's own JSON");
+  command->footer("Occupied cells become rectangles. Coordinates are the map's own, also where it lies far from 0.");
+  command->callback([o] { write(*o); });
+}
+
+}  // namespace krait::host

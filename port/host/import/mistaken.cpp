@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "host/import/mistaken.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "host/import/image.hpp"
+#include "host/import/json_keys.hpp"
+
+namespace krait::host {
+namespace {
+
+struct Kind {
+  std::string_view mark;
+  const char* advice;
+};
+
+constexpr const char* kCompressed = "is compressed: unpack it first";
+constexpr const char* kPicture =
+    "is a picture of a kind that is not read: convert it to PNG, and give a map_server YAML that names it";
+constexpr const char* kWebPage = "is a web page, not a map: give the map that it shows";
+
+constexpr std::array<Kind, 11> kFirstBytes = {{{"\x1F\x8B", kCompressed},
+                                               {"PK\x03\x04", kCompressed},
+                                               {"BZh", kCompressed},
+                                               {"\xFD"
+                                                "7zXZ",
+                                                kCompressed},
+                                               {"GIF8", kPicture},
+                                               {"II*", kPicture},
+                                               {"RIFF", kPicture},
+                                               {"%PDF", "is a PDF: save its drawing as SVG"},
+                                               {"SQLite format 3", "is a database: export its polygons as GeoJSON"},
+                                               {"#VRML", "is a three-dimensional model: draw its plan as SVG"},
+                                               {"version 1",
+                                                "is a list of MovingAI queries: give the .map that they "
+                                                "belong to"}}};
+
+// First elements of XML, in lower case.
+constexpr std::array<Kind, 7> kElements = {{{"<!doctype html", kWebPage},
+                                            {"<html", kWebPage},
+                                            {"<osm", "is OpenStreetMap's XML: convert it to GeoJSON"},
+                                            {"<kml", "is KML: convert it to GeoJSON"},
+                                            {"<gpx", "is a GPS track, not a map: a map has areas"},
+                                            {"<robot", "is a robot's URDF, not a map"},
+                                            {"<world", "is a simulator's world, not a map: give the map_server YAML"}}};
+
+std::string head_of(const std::string& content) {
+  std::string head = content.substr(0, 1024);
+  std::transform(head.begin(), head.end(), head.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return head;
+}
+
+std::optional<std::string> mistaken_xml(const std::string& content) {
+  const std::string head = head_of(content);
+  const std::size_t svg = head.find("<svg");
+  for (const Kind& kind : kElements) {
+    if (head.find(kind.mark) < svg) return kind.advice;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> mistaken_json(const std::string& content) {
+  if (has_top_json_key(content, "bounds")) return std::nullopt;
+  if (has_top_json_key(content, "model")) return "is a robot, not a map: give it to --robot";
+  if (has_top_json_key(content, "controls")) return "is a plan, not a map: krait verify MAP PLAN judges it";
+  if (has_top_json_key(content, "arcs")) return "is TopoJSON: convert it to GeoJSON";
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> mistaken(const Source& source) {
+  const std::string& content = source.content;
+  if (is_image(content)) return "is an image alone; give the map's YAML file, which names the image and its scale";
+  for (const Kind& kind : kFirstBytes) {
+    if (content.starts_with(kind.mark)) return kind.advice;
+  }
+  if (is_json_object(content)) return mistaken_json(content);
+  const std::size_t first = content.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  if (first == std::string::npos) return std::nullopt;
+  if (content[first] == '<') return mistaken_xml(content);
+  const bool is_dxf = content[first] == '0' && content.substr(first, 20).find("SECTION") != std::string::npos;
+  if (is_dxf) return "is a DXF drawing: save it as SVG";
+  return std::nullopt;
+}
+
+}  // namespace krait::host
