@@ -66,6 +66,7 @@ bool inside(const Ring& ring, const Point& p) {
 
 std::vector<Obstacle> each_alone(const std::string& label, std::vector<Ring> rings) {
   std::vector<Obstacle> obstacles;
+  obstacles.reserve(rings.size());
   for (Ring& ring : rings) obstacles.push_back({label, std::move(ring), {}});
   return obstacles;
 }

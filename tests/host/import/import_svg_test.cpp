@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 
 #include "../scratch.hpp"
@@ -354,6 +355,17 @@ TEST_F(SvgTest, DeepAndHugeDrawingsEndInALine) {
   }
   EXPECT_THAT(shape_error(R"(<path d="M0 0Q1e14 1e14 1 1"/>)"), HasSubstr("curves need too many corners"));
   EXPECT_THAT(shape_error("<path d=\"M0 0" + repeated("Q1e8 1e8 1 1", 100) + "\"/>"), HasSubstr("too many corners"));
+}
+
+// Too many to nest: each is filled, and nothing waits for a hundred million comparisons.
+TEST_F(SvgTest, ManyInnerOutlinesAreFilledInTime) {
+  std::string d = "M0 0H10V10H0Z";
+  char inner[64];
+  for (int i = 0; i < 10000; ++i) {
+    std::snprintf(inner, sizeof inner, "M%.2f %.2fh.02v.02z", 0.01 + 0.05 * (i % 100), 0.01 + 0.05 * (i / 100));
+    d.append(inner);
+  }
+  EXPECT_EQ(shapes("<path fill-rule=\"evenodd\" d=\"" + d + "\"/>").obstacles.size(), 10001U);
 }
 
 TEST_F(SvgTest, ManyOutlinesAreReadInTime) {
