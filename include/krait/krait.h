@@ -232,6 +232,7 @@ typedef struct krait_goal {
 } krait_goal;
 krait_goal krait_named_goal(uint32_t index);
 krait_goal krait_disc_goal(float x, float y, float radius);
+/* A tolerance of 0 is refused by krait_start, as in C++. */
 krait_goal krait_pose_goal(float x, float y, float radius, float heading, float heading_tolerance);
 
 typedef struct krait_query {

@@ -132,7 +132,8 @@ krait_goal krait_named_goal(uint32_t index) { return disc(index, 0.0F, 0.0F, 0.0
 krait_goal krait_disc_goal(float x, float y, float radius) { return disc(KRAIT_NONE, x, y, radius); }
 
 krait_goal krait_pose_goal(float x, float y, float radius, float heading, float heading_tolerance) {
-  return {KRAIT_NONE, x, y, radius, heading, heading_tolerance, 0.0F, false};
+  const float tolerance = heading_tolerance == 0.0F ? -1.0F : heading_tolerance;  // in the struct, 0 means free
+  return {KRAIT_NONE, x, y, radius, heading, tolerance, 0.0F, false};
 }
 
 krait_status krait_start(krait_planner* planner, const krait_query* query) {

@@ -8,11 +8,13 @@ constexpr float kLeastRadius = 0.4F;                 // in lengths of body 0: of
 constexpr float kRadii[] = {1.05F, 1.5F, 3.0F};      // of the lines' arcs, in turning radii
 constexpr float kCaptureRadii = 4.0F;                // how near the goal must be, in turning radii, and
 constexpr float kCaptureLengths = 3.5F;              // as many lengths of body 0 more
-constexpr float kLeads[] = {0.7F, 1.3F};             // straight ends of lines, in lengths of body 0, and
+constexpr float kLeads[] = {0.7F, 1.3F};             // straight ends of lines, in lengths of body 0, or
+constexpr float kShortLeads[] = {0.0F, 0.35F};       // where there is no room for those, or
 constexpr float kHitchLeads[] = {1.2F, 2.8F, 4.5F};  // where hitches must be straight
 constexpr float kDetour = 2.0F;                      // the most of a line, in distances to the goal, and
 constexpr float kDetourLengths = 8.0F;               // as many lengths of body 0 more
-constexpr float kSightStep = 0.4F;                   // of looks along a line, in lengths of body 0
+constexpr float kSightStep = 0.4F;                   // of looks along a line, in lengths of body 0, or
+constexpr int kMostLooks = 128;                      // so many
 constexpr float kLook = 0.5F;                        // how far ahead the robot steers, in lengths of body 0,
 constexpr float kLookSteps = 2.5F;                   // and time steps of its way
 constexpr float kOff = 1.0F;                         // how far off the line it may be, in lengths of body 0
@@ -37,8 +39,11 @@ void LastMetres::assign(const Scene& scene, const Goal& goal, const Nimbleness& 
   for (int i = 0; i < kRadii; ++i) radii_[i] = krait::kRadii[i] * radius;
   lead_count_ = 0;
   if (goal.facing().hitches == kInfinity) {
+    for (const float lead : kShortLeads) leads_[lead_count_++] = lead * robot.length;
+    short_leads_ = lead_count_;
     for (const float lead : kLeads) leads_[lead_count_++] = lead * robot.length;
   } else {
+    short_leads_ = 0;
     for (const float lead : kHitchLeads) leads_[lead_count_++] = lead * robot.length;
   }
   capture_ = kCaptureRadii * radius + kCaptureLengths * robot.length + leads_[lead_count_ - 1];
@@ -50,12 +55,18 @@ void LastMetres::assign(const Scene& scene, const Goal& goal, const Nimbleness& 
 void LastMetres::choose(const Pose& from) {
   shot_count_ = 0;
   shot_ = 0;
+  consider_leads(from, short_leads_, lead_count_);
+  if (shot_count_ == 0) consider_leads(from, 0, short_leads_);
+}
+
+// All words, radii and ways with the straight ends from `first` to before `last`.
+void LastMetres::consider_leads(const Pose& from, int first, int last) {
   const int ways = goal_.facing().either_way ? 2 : 1;
   const int directions = robot_.backward ? 2 : 1;
   for (int way = 0; way < ways; ++way) {
     for (int direction = 0; direction < directions; ++direction) {
       for (int radius = 0; radius < kRadii; ++radius) {
-        for (int lead = 0; lead < lead_count_; ++lead) {
+        for (int lead = first; lead < last; ++lead) {
           for (int word = 0; word < kDubinsWords; ++word) {
             consider(from, {0.0F, static_cast<std::uint8_t>(word), static_cast<std::uint8_t>(radius),
                             static_cast<std::uint8_t>(lead), direction == 1, way == 1});
@@ -96,11 +107,13 @@ bool LastMetres::draw(const Pose& from, const Shot& shot, CurvedLine& line) cons
 }
 
 bool LastMetres::looks_free(const CurvedLine& line) const {
-  const float step = kSightStep * robot_.length;
-  float arc = line.length();
-  while (arc > 0.0F) {
+  const float whole = line.length();
+  const float wanted = kSightStep * robot_.length;
+  const float least = whole / static_cast<float>(kMostLooks);
+  const float step = wanted > least ? wanted : least;
+  float arc = whole;
+  for (int look = 0; look < kMostLooks && arc > 0.0F; ++look, arc = arc - step) {
     if (sight_.slack(line.at(arc).position) < 0.0F) return false;
-    arc = arc - step;
   }
   return true;
 }

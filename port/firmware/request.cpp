@@ -11,6 +11,7 @@ namespace krait::firmware {
 namespace {
 
 constexpr int kDefaultTrailers = 15;
+constexpr double kTurn = 6.283185307179586;  // radians: a larger heading was meant in degrees
 
 bool same(const char* a, const char* b) { return std::strcmp(a, b) == 0; }
 
@@ -34,10 +35,15 @@ bool parse_triple(const char* text, Triple& triple) {
   return parse_decimal(text, triple.third);
 }
 
+bool is_heading(double radians) { return radians >= -kTurn && radians <= kTurn; }
+
 const char* parse_query(const char* option, const char* value, Request& request) {
   if (same(option, "--start")) {
     request.has_start = true;
-    return parse_triple(value, request.start) ? nullptr : "--start: give X,Y,HEADING in metres and radians, as 2,3.5,0";
+    const bool good = parse_triple(value, request.start);
+    if (good && !is_heading(request.start.third))
+      return "--start: the heading is in radians, at most 6.283: were degrees meant?";
+    return good ? nullptr : "--start: give X,Y,HEADING in metres and radians, as 2,3.5,0";
   }
   if (same(option, "--goal")) {
     request.has_goal = true;
@@ -45,9 +51,11 @@ const char* parse_query(const char* option, const char* value, Request& request)
   }
   if (same(option, "--heading")) {
     request.has_heading = true;
-    return parse_decimal(value, request.heading) ? nullptr : "--heading: give radians, as 1.57";
+    if (!parse_decimal(value, request.heading)) return "--heading: give radians, as 1.57";
+    return is_heading(request.heading) ? nullptr : "--heading: in radians, at most 6.283: were degrees meant?";
   }
   if (same(option, "--heading-tolerance")) {
+    request.has_heading_tolerance = true;
     return parse_decimal(value, request.heading_tolerance) ? nullptr : "--heading-tolerance: give radians, as 0.1";
   }
   return "unknown option: --robot, --seed, --memory, --iterations, --start, --goal, --heading, --heading-tolerance and "
@@ -98,7 +106,9 @@ const char* parse(int count, const char* const* words, const char* model, bool h
     if (wrong != nullptr) return wrong;
     ++i;
   }
-  return request.has_heading && !request.has_goal ? "--heading: give --goal X,Y,RADIUS with it" : nullptr;
+  if (request.has_heading && !request.has_goal) return "--heading: give --goal X,Y,RADIUS with it";
+  const bool alone = request.has_heading_tolerance && !request.has_heading;
+  return alone ? "--heading-tolerance: give --heading with it" : nullptr;
 }
 
 }  // namespace krait::firmware

@@ -23,6 +23,7 @@ struct Request {
   bool has_start = false;
   bool has_goal = false;
   bool has_heading = false;
+  bool has_heading_tolerance = false;
   Triple start;                    // and the heading, radians; without it, the scene's first start
   Triple goal;                     // and the radius, metres; without it, the scene's first goal
   double heading = 0.0;            // radians: of body 0 at the end, with `goal` only

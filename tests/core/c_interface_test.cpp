@@ -298,7 +298,7 @@ TEST(CInterface, ImprovesAPlanAsTheCppPlannerDoes) {
   ASSERT_LE(given.needed, 200'000U);
   given.block.assign(given.needed / 8, 0);
   ASSERT_EQ(given.init(given.needed).status, KRAIT_OK);
-  EXPECT_EQ(krait_improve(given.planner, 10), KRAIT_BAD_ARGUMENT);  // before the first start
+  EXPECT_EQ(krait_improve(given.planner, 10), KRAIT_READY);  // before the first start
   const float start[] = {2, 6, 0};
   const krait_query query = {start, krait_named_goal(0), 1};
   ASSERT_EQ(krait_start(given.planner, &query), KRAIT_SEARCHING);
@@ -403,6 +403,7 @@ TEST(CInterface, PosesAreTheCpps) {
   pose.heading_tolerance = 0;
   EXPECT_EQ(ask(pose), KRAIT_BAD_ARGUMENT) << "the two fields below must be zero";
   EXPECT_EQ(ask(krait_pose_goal(2, 6, 0.2F, 0, -1)), KRAIT_BAD_ARGUMENT);
+  EXPECT_EQ(ask(krait_pose_goal(2, 6, 0.2F, 1, 0)), KRAIT_BAD_ARGUMENT) << "a heading is not dropped silently";
   krait_goal named = krait_named_goal(0);
   named.heading_tolerance = 0.1F;
   EXPECT_EQ(ask(named), KRAIT_BAD_ARGUMENT) << "a heading is for the disc only";

@@ -246,5 +246,57 @@ TEST(PlannerPose, NumbersOutOfTheirRangesAreRefused) {
   }
 }
 
+// A body's length behind the pose is a wall: only a line that is an arc almost to its end is free.
+TEST(PlannerPose, NeedsNoStraightWayBehindIt) {
+  Poses<Car> poses{Car(Car::defaults())};
+  const Goal goal = Goal::pose({7.5F, 1.5F}, 0.1F, 0, 0.1F);
+  std::uint64_t most = 0;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    EXPECT_LE(poses.miss(goal, seed), 0) << seed;
+    most = std::max(most, poses.bench().planner.statistics().iterations);
+  }
+  EXPECT_LE(most, 3000U);
+}
+
+// A line of kilometres is looked at in a bounded number of places, however short the robot is.
+TEST(PlannerPose, LooksAlongALineAreBounded) {
+  Room room;
+  room.bounds = {-1950, -1950, 1950, 1950};
+  room.spacing = 1000;
+  room.clearance_cell = 50;
+  room.bucket_size = 500;
+  ChainParameters p = Car::defaults();
+  p.body_length = 2e-4F;
+  p.body_width = 2e-4F;
+  p.wheelbase = 20;
+  p.max_steering = 0.01F;
+  Bench<Car> bench(room, Car(p));
+  ASSERT_TRUE(bench.init().ok());
+  const std::vector<float> start = standing(bench.robot, {-1800, 0});
+  const Goal goal = Goal::pose({1900, 0}, 5, 0, 0.1F);
+  (void)bench.planner.start({start.data(), goal, 1});
+  (void)bench.planner.advance(3);
+  EXPECT_GE(bench.planner.statistics().iterations, 1U);
+}
+
+// A start on the goal's edge, where floats and doubles differ on which side it is.
+TEST(PlannerPose, AStartOnTheEdgeIsNoPlanUnlessItIsInside) {
+  Poses<Car> poses{Car(Car::defaults())};
+  ASSERT_TRUE(poses.bench().init().ok());
+  const Vec2 center{3.3F, 4.1F};
+  int at_once = 0;
+  for (int i = 0; i < 400; ++i) {
+    const SinCos to = sin_cos(static_cast<float>(i) * 0.0157F);
+    const float radius = i % 2 == 0 ? 0.7F : 0.699F;  // of the start, about the goal of 0.7 m
+    std::vector<float> start = standing(poses.bench().robot, center + radius * Vec2{to.cos, to.sin});
+    if (poses.bench().planner.start({start.data(), Goal::disc(center, 0.7F), 1}) != Status::solved) continue;
+    ++at_once;
+    const double apart = std::hypot(static_cast<double>(start[0]) - static_cast<double>(center.x),
+                                    static_cast<double>(start[1]) - static_cast<double>(center.y));
+    EXPECT_LE(apart, static_cast<double>(0.7F)) << i;
+  }
+  EXPECT_EQ(at_once, 200);
+}
+
 }  // namespace
 }  // namespace krait::test

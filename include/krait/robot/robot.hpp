@@ -76,12 +76,13 @@ struct Steering {
 //                                inside the limits as steer's. Without it, u stays, and a plan's error grows with its
 //                                length
 //   carry_errors(s, poses, u, dt, errors)
-//                                errors has an estimate of how far each component of s is from where the plan's controls
-//                                led in exact arithmetic, on the side where it is; makes it the same after a time step
-//                                of dt under u, with what the step itself rounds, and returns how far that puts a body
-//                                aside, metres. A plan keeps that away from obstacles, and ends nowhere where an error
-//                                has grown past 2e-3. Without it, errors count as covered by the margin of every plan,
-//                                which is so unless the motion multiplies them, as that of pushed trailers does
+//                                errors has an estimate of how far each component of s is from where the plan's
+//                                controls led in exact arithmetic, on the side where it is; makes it the same after a
+//                                time step of dt under u, with what the step itself rounds, and returns how far that
+//                                puts a body aside, metres. A plan keeps that away from obstacles, and ends nowhere
+//                                where an error has grown past 2e-3. Without it, errors count as covered by the margin
+//                                of every plan, which is so unless the motion multiplies them, as that of pushed
+//                                trailers does
 //   keeps_reserve(s)             s is so far within the limits that a plan, which is driven a little beside the tree,
 //                                keeps them; without it, within_limits is all that the tree keeps
 //   steer(s, poses, target, steering, u)

@@ -35,7 +35,7 @@ class LastMetres {
   bool near(Vec2 position) const { return length(position - goal_.center()) <= capture_; }
 
   // Chooses the shots from a pose of body 0: of all words, radii, straight ends and ways that the goal allows the
-  // shortest few on which a disc in the robot seems to be free. O(1).
+  // shortest few on which a disc in the robot seems to be free. At most 128 looks at a place (Sight::slack) a line.
   void choose(const Pose& from);
 
   // Begins the next shot that was chosen, from the same pose. False when there is none left.
@@ -47,7 +47,7 @@ class LastMetres {
 
  private:
   static constexpr int kRadii = 3;
-  static constexpr int kMostLeads = 3;
+  static constexpr int kMostLeads = 4;
   static constexpr std::uint32_t kMostShots = 4;
 
   struct Shot {
@@ -60,6 +60,7 @@ class LastMetres {
   };
 
   bool draw(const Pose& from, const Shot& shot, CurvedLine& line) const;
+  void consider_leads(const Pose& from, int first, int last);
   void consider(const Pose& from, Shot shot);
   bool looks_free(const CurvedLine& line) const;
 
@@ -70,6 +71,7 @@ class LastMetres {
   float radii_[kRadii];
   float leads_[kMostLeads];
   int lead_count_ = 0;
+  int short_leads_ = 0;  // of the leads, the first
   float capture_ = 0.0F;
   Shot shots_[kMostShots];
   std::uint32_t shot_count_ = 0;

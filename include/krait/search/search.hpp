@@ -302,6 +302,7 @@ class Search {
   static constexpr float kGentlest = 0.15F;       // of the sharpest turn
   static constexpr float kReachRounding = 1e-2F;  // metres
   static constexpr float kLeastCost = 0.05F;      // of an edge, in robot lengths: keeps h + C above h
+  static constexpr float kStartDepth = 1e-4F;     // metres: how deep inside the goal a plan without steps is
   static constexpr float kDepthKept = 0.1F;       // share of the goal's margin that a plan keeps
 
   struct NewState {
@@ -437,7 +438,8 @@ class Search {
     if (regions_.cost(root_region_) == kInfinity) return finish(Status::no_route);
     derived().keep(root_region_, {}, drive_.state());
     finish(fits ? Status::searching : Status::no_route);
-    if (ending_.holds(drive_.state(), 0.0F)) begin_plan({});
+    const float depth = kStartDepth < end_depth_.most ? kStartDepth : end_depth_.most;
+    if (ending_.holds(drive_.state(), depth)) begin_plan({});
     return status();
   }
 

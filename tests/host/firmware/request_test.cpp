@@ -86,6 +86,10 @@ TEST(FirmwareRequest, RefusesWithTheOptionsName) {
   }
   EXPECT_EQ(complaint({"--heading", "north"}).rfind("--heading: give radians", 0), 0U);
   EXPECT_EQ(complaint({"--heading", "1"}), "--heading: give --goal X,Y,RADIUS with it");
+  EXPECT_EQ(complaint({"--heading-tolerance", "0.2", "--goal", "2,3,1"}),
+            "--heading-tolerance: give --heading with it");
+  EXPECT_EQ(complaint({"--start", "2,3,90"}).rfind("--start: the heading is in radians", 0), 0U);
+  EXPECT_EQ(complaint({"--heading", "-90", "--goal", "2,3,1"}).rfind("--heading: in radians", 0), 0U);
   EXPECT_EQ(complaint({"--start"}), "an option lacks its value");
   EXPECT_EQ(complaint({"--speed", "1"}).rfind("unknown option", 0), 0U);
 }
