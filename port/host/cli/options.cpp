@@ -35,6 +35,14 @@ std::optional<std::array<double, 3>> parse_triple(std::string_view text, const s
   return values;
 }
 
+// Whether it is a whole turn at most is judged later, where degrees are asked about.
+CLI::Validator heading_number() {
+  const auto check = [](const std::string& text) -> std::string {
+    return parse_number(text) ? "" : "give radians from -2 pi to 2 pi, as 1.57, not " + text;
+  };
+  return {check, "", "number"};
+}
+
 }  // namespace
 
 std::uint64_t parse_memory(const std::string& text) {
@@ -111,15 +119,16 @@ void QueryOptions::add(CLI::App& command) {
       .add_option("--heading", heading,
                   "radians: the heading of the robot's first body at the end, with a goal X,Y,RADIUS only\n"
                   "(default: any heading)")
-      ->check(number_in(-kMaxCoordinate, kMaxCoordinate, "radians"));
-  command.add_option("--heading-tolerance", heading_tolerance, "radians, to pi: how far off --heading it may end")
+      ->check(heading_number());
+  command
+      .add_option("--heading-tolerance", heading_tolerance, "radians, 0.0001 to pi: how far off --heading it may end")
       ->check(number_in(kLeastTolerance, std::numbers::pi, "radians"))
       ->capture_default_str();
   command.add_flag("--either-way", either_way, "the heading opposite to --heading will do as well");
   command
       .add_option("--hitch-tolerance", hitch_tolerance,
-                  "radians, to pi: how far a trailer's heading may end off that of the body before it, with --heading\n"
-                  "(default: as far as the hitches bend)")
+                  "radians, 0.0001 to pi: how far a trailer's heading may end off that of the body before it,\n"
+                  "with --heading (default: as far as the hitches bend)")
       ->check(number_in(kLeastTolerance, std::numbers::pi, "radians"));
   command.add_option("--end-speed", end_speed,
                      "metres a second, 0 or more: how fast the plan may end, inf for any speed (default: 0, at rest)");

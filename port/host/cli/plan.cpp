@@ -130,6 +130,7 @@ int judge(SearchResult& result, const Ground& ground, const SearchRequest& reque
 void draw(const SearchRequest& request, const SceneBytes& bytes, const SearchResult& result, const PlanOptions& options,
           Progress& progress) {
   if (options.svg.empty() && options.png.empty() && options.html.empty()) return;
+  std::fflush(stdout);  // the answer: to draw, the whole search is repeated
   progress.show("drawing");
   const Picture picture = watch_search(options.scene, bytes, request, result.plan);
   if (!options.svg.empty()) write_file(options.svg, draw_svg(picture));
@@ -210,8 +211,10 @@ std::string detail_of(const SearchNews& news) {
   return text;
 }
 
+// Ctrl-C ends the search with what there is; before and after it, the program.
 SearchResult search(const PlanOptions& options, const SearchRequest& request, const SceneBytes& bytes,
-                    const Interrupt& interrupt, Progress& progress) {
+                    Progress& progress) {
+  const Interrupt interrupt;
   SearchWatch watch;
   watch.tell = [&](const SearchNews& news) {
     progress.show(news.best.length > 0 ? "improving" : "planning", detail_of(news));
@@ -262,16 +265,15 @@ void plan(const PlanOptions& options) {
   check_outputs(outputs_of(options), inputs_of(options));  // before work that may take long
   Progress progress("krait");
   const Ground ground = read_ground(options, progress);
-  const Interrupt interrupt;  // before the search there is nothing to keep
-  SearchResult result = search(options, request, ground.scene, interrupt, progress);
+  SearchResult result = search(options, request, ground.scene, progress);
   Verdict verdict;
   const int code = judge(result, ground, request, options, verdict, progress);
   if (!options.json.empty()) write_file(options.json, to_json(result.plan).dump() + "\n");
   if (!options.csv.empty()) write_file(options.csv, csv_of(result.plan));
-  draw(request, ground.scene, result, options, progress);
   print_summary(result);
   if (request.improve > 0 && !result.plan.states.empty()) print_improvement(result);
   if (code == kDone) print_quality(result, request, ground.scene, verdict);
+  draw(request, ground.scene, result, options, progress);
   throw Exit{code};
 }
 

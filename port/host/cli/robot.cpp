@@ -61,8 +61,7 @@ void print_parameters(const RobotSpec& robot) {
   for (const std::string& name : own_parameters(robot)) {
     const std::string value = text_of("%.7g %s", robot.parameters.at(name), unit_of(robot.model, name).c_str());
     const std::string source = source_of(robot, name);
-    std::printf("  %-22s %s\n", name.c_str(),
-                source.empty() ? value.c_str() : text_of("%-30s%s", value.c_str(), source.c_str()).c_str());
+    std::printf("  %-22s %-*s%s\n", name.c_str(), source.empty() ? 0 : 30, value.c_str(), source.c_str());
   }
 }
 
@@ -110,6 +109,7 @@ std::string stopping_line(const RobotFacts& facts) {
 }
 
 std::string step_line(const RobotFacts& facts, double dt) {
+  if (!(facts.longest_time_step >= 0.001)) return "none of 0.001 s or more: it changes too fast to be planned for";
   if (facts.longest_time_step < dt) {
     return text_of("%.3g s is too long: plan with --dt %.2g or less", dt,
                    std::floor(facts.longest_time_step * 1000) / 1000);

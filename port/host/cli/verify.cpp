@@ -117,7 +117,9 @@ void add_verify(CLI::App& app) {
       "plan\n"
       "says; plans of --paper, prior and rrt end at any speed: --end-speed inf. So is the start, if you give one; "
       "else\n"
-      "it is where the plan begins, and is printed. The last figures are metres and radians, of the stored states\n"
+      "it is where the plan begins, and is printed; and the heading at the goal: without --heading the one that the "
+      "plan\n"
+      "was made for is held, and printed. The last figures are metres and radians, of the stored states\n"
       "against those that the controls lead to.");
   command->callback([o] { judge(*o); });
 }

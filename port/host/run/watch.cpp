@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Repeats a search with an eye on it. The core is deterministic, so what is seen is what happened.
 #include <algorithm>
-#include <map>
+#include <string_view>
+#include <unordered_map>
 
 #include "host/run/run.hpp"
 #include "host/run/session.hpp"
@@ -11,6 +12,7 @@ namespace {
 
 constexpr std::uint64_t kFrames = 60;           // of costs, at most
 constexpr std::uint32_t kTreeVertices = 20000;  // shown, at most
+constexpr std::size_t kRecorded = 2'000'000;    // vertices kept while the search is repeated, at most
 
 Point point(Vec2 p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
 
@@ -37,13 +39,21 @@ CostFrame costs_now(const Regions& regions, std::uint64_t iteration) {
   return frame;
 }
 
-// The motion tree as it grew, which the planner itself does not keep.
+// Of a state: two that share it would be drawn as one.
+std::uint64_t key_of(const std::vector<float>& state) {
+  const auto* bytes = reinterpret_cast<const char*>(state.data());
+  return std::hash<std::string_view>{}({bytes, state.size() * sizeof(float)});
+}
+
+// The motion tree as it grew, which the planner itself does not keep: its first vertices, some 100 bytes each.
 class TreeRecorder {
  public:
   explicit TreeRecorder(const std::vector<float>& start) { add(start, 0, 0); }
 
   void add_step(const std::vector<float>& from, const std::vector<float>& to, std::uint64_t iteration) {
-    add(to, vertex_of_.at(from), static_cast<std::uint32_t>(iteration));
+    if (vertices_.size() == kRecorded) return;
+    const auto parent = vertex_of_.find(key_of(from));
+    if (parent != vertex_of_.end()) add(to, parent->second, static_cast<std::uint32_t>(iteration));
   }
 
   // Whole branches, with all their bends, since a chord could lead through an obstacle: the ways from the root to every
@@ -80,12 +90,12 @@ class TreeRecorder {
   }
 
   void add(const std::vector<float>& state, std::uint32_t parent, std::uint32_t iteration) {
-    vertex_of_[state] = static_cast<std::uint32_t>(vertices_.size());
+    vertex_of_[key_of(state)] = static_cast<std::uint32_t>(vertices_.size());
     vertices_.push_back({state[0], state[1], parent, iteration});
   }
 
   std::vector<TreeVertex> vertices_;
-  std::map<std::vector<float>, std::uint32_t> vertex_of_;
+  std::unordered_map<std::uint64_t, std::uint32_t> vertex_of_;
 };
 
 void watch(Session& session, std::uint64_t iterations, Picture& picture) {

@@ -71,6 +71,8 @@ bool cannot_reverse(const RobotSpec& robot) {
   return speed != robot.parameters.end() && speed->second == 0;
 }
 
+bool pushes_trailers(const RobotSpec& robot) { return robot.links > 0 && !cannot_reverse(robot); }
+
 // Metres, of the tightest circle of the axle's middle; 0 for a robot that turns on the spot.
 double turning_radius(const RobotSpec& robot) {
   const auto steering = robot.parameters.find("max_steering");
@@ -84,8 +86,10 @@ std::vector<std::string> what_to_try(Status status, const Statistics& statistics
   if (status == Status::tree_full || statistics.recycled > 0) lines.push_back("try more --memory");
   if (statistics.plans_refused > 0) {
     lines.push_back(std::to_string(statistics.plans_refused) +
-                    " ways reached the goal but did not hold as driven: try a larger goal");
+                    " ways reached the goal but did not hold as driven: try a larger goal" +
+                    (pushes_trailers(request.robot) ? ", or room to pull forward between pushing trailers back" : ""));
   }
+  if (request.facing) lines.push_back("try a larger --heading-tolerance, --either-way, or the goal without --heading");
   if (request.parameters.clearance > Parameters{}.clearance) lines.push_back("try a smaller --clearance");
   if (cannot_reverse(request.robot)) lines.push_back("try a ROBOT.json that may reverse, with a min_speed below 0");
   if (const double radius = turning_radius(request.robot); radius > 0) {

@@ -414,6 +414,7 @@ TEST_F(CliPlan, AHeadingThatCannotBeUsedIsRefused) {
     return outcome.errors;
   };
   EXPECT_THAT(error({"--heading", "90", "--goal", "8,5,0.2"}), HasSubstr("were degrees meant? 90 degrees are 1.5708"));
+  EXPECT_THAT(error({"--heading", "north", "--goal", "8,5,0.2"}), HasSubstr("give radians from -2 pi to 2 pi"));
   EXPECT_THAT(error({"--heading", "1"}), HasSubstr("--heading: give the goal as --goal X,Y,RADIUS with it"));
   EXPECT_THAT(error({"--either-way", "--goal", "8,5,0.2"}), HasSubstr("--either-way: give --heading RADIANS with it"));
   EXPECT_THAT(error({"--hitch-tolerance", "0.1"}), HasSubstr("--hitch-tolerance: give --heading RADIANS with it"));
