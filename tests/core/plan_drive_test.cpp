@@ -412,6 +412,26 @@ TEST(PlanDriveOfPushedChains, IsRefusedWhereErrorsGrewLarge) {
   EXPECT_LE(far.error, 2e-3);
 }
 
+// A robot whose heading goes astray by 0.1 mrad a step, which puts no body aside.
+struct Straying : Unicycle {
+  Straying() : Unicycle(small_unicycle()) {}
+  float carry_errors(StateView /*s*/, const Pose* /*poses*/, ControlView /*u*/, float /*dt*/, float* errors) const {
+    errors[2] += 1e-4F;
+    return 0;
+  }
+};
+
+TEST(PlanDriveOfPushedChains, NoPlanIsLongerThanItsErrorsAllow) {
+  Bench<Straying> bench(two_rooms(), Straying());
+  bench.limits.iterations = 500;
+  ASSERT_TRUE(bench.init().ok());
+  const float start[] = {1, 4, 0};
+  ASSERT_EQ(bench.solve({start, Goal::disc({2, 4}, 0.3F), 1}), Status::solved);
+  EXPECT_LE(bench.planner.plan().steps(), 20U);
+  EXPECT_EQ(bench.solve({start, Goal::disc({9, 4}, 0.3F), 1}), Status::budget_used) << "80 steps away";
+  EXPECT_GE(bench.planner.statistics().plans_refused, 1U);
+}
+
 // The work of a call is bounded however long the plan is: what one call does is one expansion, of the tree or the way.
 TEST(PlanDriveCalls, DriveAnExpansionEach) {
   const float start[] = {2, 6, 0};
