@@ -179,6 +179,8 @@ TEST_F(CliBadInput, OutputsThatCannotBeWritten) {
   for (const char* option : {"-o", "--csv", "--svg", "--png", "--html"}) {
     expect_refused({"plan", "room.krait", "--robot", "car", option, "no/such/file"}, "no/such/file");
     expect_refused({"plan", "room.krait", "--robot", "car", option, "folder"}, "folder");
+  }
+  for (const char* option : {"-o", "--csv"}) {
     expect_refused({"plan", "room.krait", "--robot", "car", option, "/dev/full"}, "/dev/full");
   }
   for (const char* output : {"no/such/file", "folder", "/dev/full"}) {
@@ -186,6 +188,15 @@ TEST_F(CliBadInput, OutputsThatCannotBeWritten) {
     expect_refused({"scene", "gates", "-o", output}, output);
   }
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
+}
+
+TEST_F(CliBadInput, APictureThatCannotBeWrittenLeavesTheAnswer) {
+  for (const char* option : {"--svg", "--png", "--html"}) {
+    const Outcome outcome = krait({"plan", "room.krait", "--robot", "car", option, "/dev/full"});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.output, HasSubstr("solved: car"));
+    EXPECT_THAT(outcome.errors, HasSubstr("/dev/full"));
+  }
 }
 
 TEST_F(CliBadInput, OneOutputThatCannotBeWrittenKeepsTheOthersAway) {
