@@ -216,6 +216,7 @@ TEST_P(LyingTrain, GetsNoPlanThroughItsLie) {
       const Status status = bench.solve({start});
       EXPECT_EQ(status, GetParam() == Lie::none ? Status::solved : Status::budget_used)
           << name(status) << " continuous " << continuous << " plain " << plain;
+      EXPECT_EQ(bench.planner.statistics().plans_refused, 0U) << "no way leads through what the tree never kept";
       if (bench.planner.plan().empty()) continue;
       const Path path(bench.planner.plan());
       EXPECT_TRUE(all_finite(path.states));
