@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+
 #include "../scratch.hpp"
+#include "host/input/file.hpp"
 #include "host/robot_file/robot_file.hpp"
 
 namespace krait::host {
@@ -31,6 +36,34 @@ void expect_box(const Ring& ring, double left, double right, double half_width) 
   EXPECT_NEAR(ring[0].y, -half_width, 1e-12);
   EXPECT_NEAR(ring[2].x, right, 1e-12);
   EXPECT_NEAR(ring[2].y, half_width, 1e-12);
+}
+
+std::string page_of(std::string model) {
+  std::transform(model.begin(), model.end(), model.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return read_file(std::string(KRAIT_MODEL_PAGES "/") + model + ".md", 1U << 16U);
+}
+
+std::string row_of(const std::string& model, const std::string& parameter, double normal) {
+  char number[32];
+  std::snprintf(number, sizeof number, "%.8g", normal);
+  return "| `" + parameter + "` | " + number + " " + unit_of(model, parameter) + " | ";
+}
+
+// Car and models without trailers leave out what only trailers have.
+bool is_of_trailers(const std::string& parameter) {
+  return parameter == "hitch_length" || parameter == "self_collision_gap" || parameter == "max_hitch_angle";
+}
+
+TEST(Robot, EveryModelHasAPageWithItsParameters) {
+  for (const std::string& model : robot_models()) {
+    const std::string page = page_of(model);
+    EXPECT_THAT(page, testing::StartsWith("# " + model + ": "));
+    for (const auto& [parameter, normal] : default_parameters(model)) {
+      if (model == "car" && is_of_trailers(parameter)) continue;
+      EXPECT_THAT(page, HasSubstr(row_of(model, parameter, normal)));
+    }
+  }
 }
 
 TEST(Robot, SnakeAndTruckHaveTheDocumentedDefaults) {
