@@ -136,6 +136,8 @@ void QueryOptions::add(CLI::App& command) {
 
 bool QueryOptions::robot_is_file() const { return is_robot_file(robot); }
 
+bool QueryOptions::robot_given() const { return command_->count("--robot") > 0; }
+
 void QueryOptions::read_facing(SearchRequest& request) const {
   if (!heading) {
     for (const char* option : {"--heading-tolerance", "--either-way", "--hitch-tolerance"}) {

@@ -39,6 +39,7 @@ struct QueryOptions {
 
   void add(CLI::App& command);
   bool robot_is_file() const;  // and not a model's name
+  bool robot_given() const;    // and not the default
   void read(SearchRequest& request) const;
 
  private:

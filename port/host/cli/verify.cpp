@@ -96,6 +96,9 @@ void judge(const VerifyOptions& options) {
   progress.end();
   print_verdict(verdict, options.all);
   if (verdict.holds) print_own(options, asked);
+  if (!verdict.holds && !options.query.robot_given()) {
+    std::printf("judged for %s, the default: --robot asks for another\n", options.query.robot.c_str());
+  }
   throw Exit{verdict.holds ? kDone : kHonestNo};
 }
 

@@ -87,6 +87,7 @@ const std::vector<Hopeless> kHopeless = {
     {{"--start", "-50,5,0"}, 2, "start_outside: "},
     {{"--goal", "19.9,0.1,0.05"}, 1, "the robot cannot stand in the goal: its roomiest place is 0.26"},
     {{"--robot", "unicycle", "--goal", "19.95,5,0.04"}, 1, ", it needs 0.402 m"},
+    {{"--goal", "10,2,0.5"}, 1, "the goal's middle, 10,2, lies in an obstacle"},
     {{"--goal", "17,5,0.001", "--iterations", "500"}, 1, "  most expansions, "},
     {{"--goal", "17,5,0.001", "--iterations", "500", "--planner", "rrt"}, 1, "  try more --iterations\n"},
     {{"--goal", "17,5,0.001", "--robot", "unicycle", "--memory", "16K", "--iterations", "2000"}, 1, "--memory"}};

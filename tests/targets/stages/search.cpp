@@ -56,7 +56,8 @@ void search(const firmware::Board& board, const Scene& scene, const char* name, 
   Limits limits = planner.limits_for(kBlock, scene, robot);
   limits.iterations = kIterations;
   robot.forget();
-  tree.add(planner.init(board.arena, kBlock, scene, robot, Parameters(), limits).ok() ? 1U : 0U);
+  const bool ready = planner.init(board.arena, kBlock, scene, robot, Parameters(), limits).ok();
+  tree.add(std::uint32_t{ready});
   for (std::uint64_t seed = 1; seed <= 2; ++seed) {
     (void)planner.start({start, Goal::named(0), seed});
     while (planner.advance(1) == Status::searching) add_counts(planner.statistics(), tree);
