@@ -69,7 +69,9 @@ float increment(float first, float second, float third, float fourth, float dt) 
   return dt / 6.0F * ((first + fourth) + 2.0F * (second + third));
 }
 
-SinCos known_hitch(const Pose* poses, int k) { return poses[k].heading - poses[k + 1].heading; }
+[[gnu::always_inline]] inline SinCos known_hitch(const Pose* poses, int k) {
+  return poses[k].heading - poses[k + 1].heading;
+}
 
 // How trailers turn, all stages of one before the next: each depends on what is ahead of it only. `little` is ahead's.
 template <bool little>
