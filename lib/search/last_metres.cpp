@@ -112,8 +112,10 @@ bool LastMetres::looks_free(const CurvedLine& line) const {
   const float least = whole / static_cast<float>(kMostLooks);
   const float step = wanted > least ? wanted : least;
   float arc = whole;
-  for (int look = 0; look < kMostLooks && arc > 0.0F; ++look, arc = arc - step) {
+  for (int look = 0; look < kMostLooks; ++look) {
+    if (arc <= 0.0F) return true;
     if (sight_.slack(line.at(arc).position) < 0.0F) return false;
+    arc = arc - step;
   }
   return true;
 }
