@@ -169,9 +169,8 @@ class Reader {
     }
     std::vector<Ring> rings = rings_of(element, name, style);
     if (style.role == Role::obstacle) {
-      for (Obstacle& obstacle : filled(label(element, name), std::move(rings), style.rule, fill_work_)) {
-        drawing_.add_obstacle(std::move(obstacle));
-      }
+      std::vector<Obstacle> obstacles = filled(label(element, name), std::move(rings), style.rule, fill_work_);
+      for (Obstacle& obstacle : obstacles) drawing_.add_obstacle(std::move(obstacle));
       return;
     }
     if (rings.size() != 1 || rings[0].size() < 3) places_.fail(element, "a goal and bounds must be one closed outline");
