@@ -40,10 +40,9 @@ bool is_heading(double radians) { return radians >= -kTurn && radians <= kTurn; 
 const char* parse_query(const char* option, const char* value, Request& request) {
   if (same(option, "--start")) {
     request.has_start = true;
-    const bool good = parse_triple(value, request.start);
-    if (good && !is_heading(request.start.third))
-      return "--start: the heading is in radians, at most 6.283: were degrees meant?";
-    return good ? nullptr : "--start: give X,Y,HEADING in metres and radians, as 2,3.5,0";
+    if (!parse_triple(value, request.start)) return "--start: give X,Y,HEADING in metres and radians, as 2,3.5,0";
+    const bool sound = is_heading(request.start.third);
+    return sound ? nullptr : "--start: the heading is in radians, at most 6.283: were degrees meant?";
   }
   if (same(option, "--goal")) {
     request.has_goal = true;

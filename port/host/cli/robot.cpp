@@ -11,6 +11,8 @@
 #include "host/picture/robot_drawing.hpp"
 #include "host/robot_file/shipped.hpp"
 #include "host/run/robot_facts.hpp"
+#include "host/workspace/printed.hpp"
+#include "host/workspace/ring.hpp"
 
 namespace krait::host {
 namespace {
@@ -23,33 +25,8 @@ struct RobotOptions {
   std::string png;
 };
 
-template <class... Values>
-std::string text_of(const char* format, Values... values) {
-  char text[400];
-  (void)std::snprintf(text, sizeof text, format, values...);
-  return text;
-}
-
 std::string model_of(const RobotSpec& robot) {
   return robot.links > 0 ? robot.model + ":" + std::to_string(robot.links) : robot.model;
-}
-
-bool same_ring(const Ring& a, const Ring& b) {
-  const auto same = [](const Point& p, const Point& q) { return p.x == q.x && p.y == q.y; };
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
-}
-
-// Those that the robot has: without trailers nothing is hitched, and the size of a box says nothing of other bodies.
-std::vector<std::string> own_parameters(const RobotSpec& robot) {
-  const std::vector<Ring> boxes = default_bodies(robot);
-  const bool boxed = std::equal(boxes.begin(), boxes.end(), robot.bodies.begin(), robot.bodies.end(), same_ring);
-  std::vector<std::string> names;
-  for (const auto& [name, normal] : default_parameters(robot.model)) {
-    const bool of_trailers = name == "hitch_length" || name == "max_hitch_angle" || name == "self_collision_gap";
-    const bool of_box = name == "body_length" || name == "body_width";
-    if ((robot.links > 0 || !of_trailers) && (boxed || !of_box)) names.push_back(name);
-  }
-  return names;
 }
 
 std::string source_of(const RobotSpec& robot, const std::string& what) {
@@ -59,7 +36,7 @@ std::string source_of(const RobotSpec& robot, const std::string& what) {
 
 void print_parameters(const RobotSpec& robot) {
   for (const std::string& name : own_parameters(robot)) {
-    const std::string value = text_of("%.7g %s", robot.parameters.at(name), unit_of(robot.model, name).c_str());
+    const std::string value = printed("%.7g %s", robot.parameters.at(name), unit_of(robot.model, name).c_str());
     const std::string source = source_of(robot, name);
     std::printf("  %-22s %-*s%s\n", name.c_str(), source.empty() ? 0 : 30, value.c_str(), source.c_str());
   }
@@ -75,7 +52,7 @@ void print_bodies(const RobotSpec& robot) {
     const auto by_y = [](const Point& a, const Point& b) { return a.y < b.y; };
     const auto [back, front] = std::minmax_element(ring.begin(), ring.end(), by_x);
     const auto [right, left] = std::minmax_element(ring.begin(), ring.end(), by_y);
-    const std::string name = next - k == 1 ? text_of("body %zu", k) : text_of("bodies %zu to %zu", k, next - 1);
+    const std::string name = next - k == 1 ? printed("body %zu", k) : printed("bodies %zu to %zu", k, next - 1);
     std::printf("  %-22s x %.4g to %.4g m, y %.4g to %.4g m, %zu corners\n", name.c_str(), back->x, front->x, right->y,
                 left->y, ring.size());
     k = next;
@@ -85,8 +62,8 @@ void print_bodies(const RobotSpec& robot) {
 }
 
 std::string turning_line(const RobotSpec& robot, const RobotFacts& facts) {
-  if (facts.lock_radius <= 0) return text_of("turns on the spot, within %.4g m of the axle's middle", facts.lock_outer);
-  std::string line = text_of("radius %.4g m at full lock; the farthest point of body 0 goes round at %.4g m",
+  if (facts.lock_radius <= 0) return printed("turns on the spot, within %.4g m of the axle's middle", facts.lock_outer);
+  std::string line = printed("radius %.4g m at full lock; the farthest point of body 0 goes round at %.4g m",
                              facts.lock_radius, facts.lock_outer);
   if (facts.folds_at_lock) line += robot.links > 1 ? ", but the trailers fold there" : ", but the trailer folds there";
   return line;
@@ -94,27 +71,27 @@ std::string turning_line(const RobotSpec& robot, const RobotFacts& facts) {
 
 std::string swept_line(const RobotSpec& robot, const RobotFacts& facts) {
   const SteadyTurn& turn = facts.tightest;
-  std::string line = text_of("%.4g m wide in its tightest steady turn", turn.swept_width);
+  std::string line = printed("%.4g m wide in its tightest steady turn", turn.swept_width);
   if (facts.lock_radius > 0) {
-    line += text_of(", of radius %.4g m (from %.4g to %.4g m around its centre)", turn.radius, turn.inner, turn.outer);
+    line += printed(", of radius %.4g m (from %.4g to %.4g m around its centre)", turn.radius, turn.inner, turn.outer);
   }
-  if (robot.links > 0) line += text_of("; hitch angles up to %.0f degrees", turn.hitch_angles.back() * kDegrees);
+  if (robot.links > 0) line += printed("; hitch angles up to %.0f degrees", turn.hitch_angles.back() * kDegrees);
   return line;
 }
 
 std::string stopping_line(const RobotFacts& facts) {
-  if (facts.stops_at_once) return text_of("from %.4g m/s at once: its speed is its control", facts.top_speed);
-  return text_of("from %.4g m/s within %.4g m and %.4g s", facts.top_speed, facts.stopping_distance,
+  if (facts.stops_at_once) return printed("from %.4g m/s at once: its speed is its control", facts.top_speed);
+  return printed("from %.4g m/s within %.4g m and %.4g s", facts.top_speed, facts.stopping_distance,
                  facts.stopping_time);
 }
 
 std::string step_line(const RobotFacts& facts, double dt) {
   if (!(facts.longest_time_step >= 0.001)) return "none of 0.001 s or more: it changes too fast to be planned for";
   if (facts.longest_time_step < dt) {
-    return text_of("%.3g s is too long: plan with --dt %.2g or less", dt,
+    return printed("%.3g s is too long: plan with --dt %.2g or less", dt,
                    std::floor(facts.longest_time_step * 1000) / 1000);
   }
-  return text_of("%.3g s; Runge-Kutta steps in it: %d in the tree, %d in a plan (fastest rate %.3g a second)", dt,
+  return printed("%.3g s; Runge-Kutta steps in it: %d in the tree, %d in a plan (fastest rate %.3g a second)", dt,
                  facts.tree_parts, facts.plan_parts, facts.fastest_rate);
 }
 
@@ -123,7 +100,7 @@ std::vector<std::string> warnings_of(const RobotSpec& robot, const RobotFacts& f
   std::vector<std::string> lines;
   if (facts.front_axle_out > 0) {
     const bool truck = robot.model != "car";
-    lines.push_back(text_of("the steered axle lies %.4g m outside of body 0", facts.front_axle_out) +
+    lines.push_back(printed("the steered axle lies %.4g m outside of body 0", facts.front_axle_out) +
                     (truck
                          ? ": a " + robot.model + "'s box is centred on its rear axle; bodies in a ROBOT.json place it"
                          : ": is body_length, or a body's polygon, what it should be?"));

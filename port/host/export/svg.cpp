@@ -1,26 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
-#include <cstdio>
 #include <pugixml.hpp>
 #include <sstream>
 
 #include "host/export/cell_boxes.hpp"
 #include "host/export/export.hpp"
+#include "host/workspace/printed.hpp"
 
 namespace krait::host {
 namespace {
 
-template <class... Numbers>
-std::string text(const char* form, Numbers... numbers) {
-  char digits[128];
-  std::snprintf(digits, sizeof digits, form, numbers...);
-  return digits;
-}
-
 // A map's y points up, a drawing's down.
 std::string points(const Ring& ring) {
   std::string all;
-  for (const Point& p : ring) all.append(all.empty() ? "" : " ").append(text("%.17g,%.17g", p.x, 0 - p.y));
+  for (const Point& p : ring) all.append(all.empty() ? "" : " ").append(printed("%.17g,%.17g", p.x, 0 - p.y));
   return all;
 }
 
@@ -75,9 +68,9 @@ void add_page(pugi::xml_node& svg, const Point& min, const Point& max) {
   const double width = max.x - min.x;
   const double height = max.y - min.y;
   svg.append_attribute("xmlns") = "http://www.w3.org/2000/svg";
-  svg.append_attribute("width") = text("%.17gmm", 1000 * width).c_str();
-  svg.append_attribute("height") = text("%.17gmm", 1000 * height).c_str();
-  svg.append_attribute("viewBox") = text("%.17g %.17g %.17g %.17g", min.x, 0 - max.y, width, height).c_str();
+  svg.append_attribute("width") = printed("%.17gmm", 1000 * width).c_str();
+  svg.append_attribute("height") = printed("%.17gmm", 1000 * height).c_str();
+  svg.append_attribute("viewBox") = printed("%.17g %.17g %.17g %.17g", min.x, 0 - max.y, width, height).c_str();
 }
 
 }  // namespace

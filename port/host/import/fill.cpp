@@ -2,22 +2,13 @@
 #include "host/import/fill.hpp"
 
 #include <algorithm>
-#include <optional>
+
+#include "host/workspace/ring.hpp"
 
 namespace krait::host {
 namespace {
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-
-double cross(const Point& a, const Point& b, const Point& c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
-double twice_area(const Ring& ring) {
-  double sum = 0;
-  for (std::size_t i = 1; i + 1 < ring.size(); ++i) sum += cross(ring[0], ring[i], ring[i + 1]);
-  return sum;
-}
 
 const Point& next(const Ring& ring, std::size_t i) { return ring[i + 1 < ring.size() ? i + 1 : 0]; }
 
@@ -74,11 +65,13 @@ std::vector<Obstacle> each_alone(const std::string& label, std::vector<Ring> rin
 // Rings that do not meet lie one in another or apart: a forest.
 class Nesting {
  public:
-  Nesting(const std::vector<Ring>& rings, FillRule rule) : rings_(rings), rule_(rule) {}
+  Nesting(const std::vector<Ring>& rings, FillRule rule) : rings_(rings), rule_(rule) {
+    for (std::size_t i = 0; i < rings.size(); ++i) around_.push_back(winding_around(i));
+  }
 
   // Whether just inside of the ring is filled; whether just outside of it is.
-  bool fills(std::size_t ring) const { return is_filled(winding_around(ring) + own_winding(ring)); }
-  bool lies_in_filled(std::size_t ring) const { return is_filled(winding_around(ring)); }
+  bool fills(std::size_t ring) const { return is_filled(around_[ring] + own_winding(ring)); }
+  bool lies_in_filled(std::size_t ring) const { return is_filled(around_[ring]); }
 
   // The innermost ring around it for which `wanted` holds.
   template <class Wanted>
@@ -110,6 +103,7 @@ class Nesting {
 
   const std::vector<Ring>& rings_;
   FillRule rule_;
+  std::vector<int> around_;  // each ring: the winding number just outside of it
 };
 
 // Whether the work suffices to compare every edge with every other and to nest all rings; subtracts it if so.

@@ -15,7 +15,6 @@ namespace krait::host {
 namespace {
 
 constexpr double kMinRadius = 1e-6;  // m
-constexpr std::size_t kMaxTrailers = 25;
 
 bool recognise(const Source& source) { return has_top_json_key(source.content, "type"); }
 
@@ -176,7 +175,7 @@ class Reader {
     Start start{{}, position, context.properties->at("heading").number(-kMaxAngle, kMaxAngle), {}};
     if (context.properties->has("angles")) {
       const Field angles = context.properties->at("angles");
-      for (std::size_t i = 0; i < angles.size(0, kMaxTrailers); ++i) {
+      for (std::size_t i = 0; i < angles.size(0, kMaxLinks); ++i) {
         start.angles.push_back(angles.item(i).number(-kMaxAngle, kMaxAngle));
       }
     }

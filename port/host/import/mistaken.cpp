@@ -79,7 +79,7 @@ std::optional<std::string> mistaken(const Source& source) {
     if (content.starts_with(kind.mark)) return kind.advice;
   }
   if (is_json_object(content)) return mistaken_json(content);
-  const std::size_t first = content.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  const std::size_t first = text_begin(content);
   if (first == std::string::npos) return std::nullopt;
   if (content[first] == '<') return mistaken_xml(content);
   const bool is_dxf = content[first] == '0' && content.substr(first, 20).find("SECTION") != std::string::npos;

@@ -12,7 +12,6 @@ namespace krait::host {
 namespace {
 
 constexpr double kMinLength = 1e-6;  // m, of boxes and radii
-constexpr std::size_t kMaxTrailers = 25;
 
 bool recognise(const Source& source) { return is_json_object(source.content); }
 
@@ -65,7 +64,7 @@ Start read_start(const Field& field) {
               {}};
   if (!field.has("angles")) return start;
   const Field angles = field.at("angles");
-  for (std::size_t i = 0; i < angles.size(0, kMaxTrailers); ++i) {
+  for (std::size_t i = 0; i < angles.size(0, kMaxLinks); ++i) {
     start.angles.push_back(angles.item(i).number(-kMaxAngle, kMaxAngle));
   }
   return start;

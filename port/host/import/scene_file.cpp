@@ -14,8 +14,6 @@ namespace {
 using format::Header;
 using format::Section;
 
-constexpr std::uint32_t kMaxTrailers = 25;
-
 class Reader {
  public:
   explicit Reader(const Source& source) : source_(source) {
@@ -89,7 +87,7 @@ class Reader {
 Start read_start(const Reader& reader, std::size_t index, const std::string& name) {
   const auto record = reader.read<format::StartRecord>(Section::starts, index);
   Start start{name, reader.world(record.x, record.y), reader.angle(record.heading), {}};
-  if (record.angle_count > kMaxTrailers) reader.refuse("has a start with angles for too many trailers");
+  if (record.angle_count > kMaxLinks) reader.refuse("has a start with angles for too many trailers");
   for (std::uint32_t i = 0; i < record.angle_count; ++i) {
     start.angles.push_back(
         reader.angle(reader.read<float>(Section::start_angles, std::size_t{record.first_angle} + i)));

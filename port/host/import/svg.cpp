@@ -7,6 +7,7 @@
 #include <pugixml.hpp>
 
 #include "host/import/format.hpp"
+#include "host/import/json_keys.hpp"
 #include "host/import/shapes.hpp"
 #include "host/import/svg_path.hpp"
 #include "host/import/svg_style.hpp"
@@ -21,11 +22,10 @@ constexpr double kSmall = 1;                     // m: a map that is smaller has
 constexpr std::size_t kMaxCorners = 4'000'000;   // of a drawing
 constexpr std::size_t kMaxElements = 1'000'000;  // of a drawing, copies by <use> counted
 constexpr std::size_t kFillWork = 200'000'000;   // comparisons of edges
-constexpr std::size_t kMaxTrailers = 25;
 
 bool recognise(const Source& source) {
   const std::string_view head = std::string_view(source.content).substr(0, 4096);
-  const std::size_t first = head.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  const std::size_t first = text_begin(head);
   if (first == std::string_view::npos || head[first] != '<') return false;
   return head.find("<svg") != std::string_view::npos;
 }
@@ -188,7 +188,7 @@ class Reader {
     std::vector<Ring> lines;
     if (name == "line") lines = {line(element, style)};
     if (name == "polyline" || name == "path") lines = rings_of(element, name, style);
-    if (lines.size() != 1 || lines[0].size() < 2 || lines[0].size() > kMaxTrailers + 2) {
+    if (lines.size() != 1 || lines[0].size() < 2 || lines[0].size() > kMaxLinks + 2) {
       places_.fail(element, "a start must be a line from its position to where the robot looks");
     }
     const Ring& points = lines[0];

@@ -8,6 +8,7 @@
 
 #include "host/input/file.hpp"
 #include "host/robot_file/shipped.hpp"
+#include "host/workspace/ring.hpp"
 
 namespace krait::host {
 namespace {
@@ -86,16 +87,6 @@ const Parameter* find_parameter(const Model& model, const std::string& name) {
   const auto found = std::find_if(model.parameters.begin(), model.parameters.end(),
                                   [&](const Parameter& parameter) { return parameter.name == name; });
   return found == model.parameters.end() ? nullptr : &*found;
-}
-
-double cross(const Point& a, const Point& b, const Point& c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
-double twice_area(const Ring& ring) {
-  double sum = 0;
-  for (std::size_t i = 1; i + 1 < ring.size(); ++i) sum += cross(ring[0], ring[i], ring[i + 1]);
-  return sum;
 }
 
 // Every vertex strictly left of every edge that does not end in it; a star, which winds twice, fails.
@@ -201,6 +192,18 @@ std::vector<Ring> default_bodies(const RobotSpec& robot) {
                     {middle + half_length, half_width},
                     {middle - half_length, half_width}};
   return std::vector<Ring>(static_cast<std::size_t>(robot.links) + 1, box);
+}
+
+std::vector<std::string> own_parameters(const RobotSpec& robot) {
+  const std::vector<Ring> boxes = default_bodies(robot);
+  const bool boxed = std::equal(boxes.begin(), boxes.end(), robot.bodies.begin(), robot.bodies.end(), same_ring);
+  std::vector<std::string> names;
+  for (const auto& [name, normal] : default_parameters(robot.model)) {
+    const bool of_trailers = name == "hitch_length" || name == "max_hitch_angle" || name == "self_collision_gap";
+    const bool of_box = name == "body_length" || name == "body_width";
+    if ((robot.links > 0 || !of_trailers) && (boxed || !of_box)) names.push_back(name);
+  }
+  return names;
 }
 
 std::string unit_of(const std::string& model, const std::string& parameter) {

@@ -21,8 +21,6 @@ struct RobotSpec {
   std::map<std::string, std::string> sources;  // where a parameter's number comes from, or that of "bodies"
 };
 
-inline constexpr int kMaxLinks = 25;
-
 // "snake:15", "truck:2", "car", "unicycle", "diff_drive", the name of a shipped robot, or the path of a ROBOT.json (the
 // form of the plan's `robot` object; missing parameters take the model's defaults; bodies follow from the parameters if
 // left out; `about` and `sources` are for the reader). Throws InputError naming the field that is wrong.
@@ -42,6 +40,10 @@ std::vector<std::string> robot_models();
 
 // The names and defaults of a model's parameters, in the order of the documentation. Throws InputError if unknown.
 std::vector<std::pair<std::string, double>> default_parameters(const std::string& model);
+
+// The names of those that the robot has: without trailers nothing is hitched, and the size of a box says nothing of
+// other bodies.
+std::vector<std::string> own_parameters(const RobotSpec& robot);
 
 // The unit of a model's parameter, "metres a second"; empty for a number without unit.
 std::string unit_of(const std::string& model, const std::string& parameter);

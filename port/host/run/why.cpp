@@ -2,27 +2,20 @@
 #include "host/run/why.hpp"
 
 #include <cmath>
-#include <cstdio>
 
 #include "host/run/query.hpp"
+#include "host/workspace/printed.hpp"
 #include "krait/decomposition/locate.hpp"
 
 namespace krait::host {
 namespace {
 
-template <class... Values>
-std::string text(const char* format, Values... values) {
-  char line[256];
-  std::snprintf(line, sizeof line, format, values...);
-  return line;
-}
-
 // To a tenth of a millimetre.
-std::string metres(double length) { return text("%.4g m", std::round(1e4 * length) / 1e4); }
+std::string metres(double length) { return printed("%.4g m", std::round(1e4 * length) / 1e4); }
 
 std::string place(const krait::Scene& scene, Vec2 at) {
   const Point world = world_of(scene, at);
-  return text("%.10g,%.10g", std::round(100 * world.x) / 100, std::round(100 * world.y) / 100);
+  return printed("%.10g,%.10g", std::round(100 * world.x) / 100, std::round(100 * world.y) / 100);
 }
 
 std::string body_name(const RobotSpec& robot, Index body) {

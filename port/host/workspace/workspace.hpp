@@ -30,6 +30,8 @@ struct Goal {
   Ring polygon;
 };
 
+inline constexpr int kMaxLinks = 25;  // trailers of a robot, and so angles of a start
+
 struct Start {
   std::string name;
   Point position;

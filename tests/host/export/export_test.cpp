@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "../ring_area.hpp"
 #include "../scratch.hpp"
 #include "host/import/import.hpp"
 
@@ -102,16 +103,6 @@ TEST_F(ExportTest, AFarMapKeepsItsCoordinates) {
     expect_same(copy(far, writer), far, 1e-6);
     EXPECT_THAT(writer.write(far), testing::HasSubstr("4999999997.0"));
   }
-}
-
-double area(const Ring& ring) {
-  double sum = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point& a = ring[i];
-    const Point& b = ring[(i + 1) % ring.size()];
-    sum += (a.x * b.y - b.x * a.y) / 2;
-  }
-  return sum;
 }
 
 bool covers(const Workspace& w, const Point& p) {

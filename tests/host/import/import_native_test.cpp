@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "../ring_area.hpp"
 #include "../scratch.hpp"
 #include "host/import/import.hpp"
 
@@ -23,16 +24,6 @@ class NativeTest : public ScratchTest {
     return error_of([&] { read(members); });
   }
 };
-
-double area(const Ring& ring) {
-  double sum = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point& a = ring[i];
-    const Point& b = ring[(i + 1) % ring.size()];
-    sum += (a.x * b.y - b.x * a.y) / 2;
-  }
-  return sum;
-}
 
 double distance_to_edges(const Ring& ring, const Point& p) {
   double least = 1e300;

@@ -35,6 +35,12 @@ def room(**changes):
     }
 
 
+def map_server(resolution):
+    """A map_server map whose image is missing."""
+    return (f"image: gone.pgm\nresolution: {resolution}\norigin: [0, 0, 0]\n"
+            "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.2\n")
+
+
 FILES = {
     "room.json": room(),
     "narrow.json": room(obstacles=[box(10, 2.35, 1, 4.7), box(10, 7.65, 1, 4.7)]),
@@ -56,8 +62,8 @@ FILES = {
 TEXTS = {
     "broken.json": '{"name": "room", "bounds": ',
     "empty.json": "",
-    "map.yaml": "image: gone.pgm\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.2\n",
-    "scale.yaml": "image: gone.pgm\nresolution: 0\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.2\n",
+    "map.yaml": map_server(0.05),
+    "scale.yaml": map_server(0),
     "cut.map": "type octile\nheight 3\nwidth 3\nmap\n...\n.@.\n",
     "drawing.svg": "<svg><rect x='1'",
     "picture.bmp": "BM",

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Areas of rings, by their signs, and whether two are one.
+#pragma once
+
+#include <algorithm>
+
+#include "host/workspace/workspace.hpp"
+
+namespace krait::host {
+
+// Twice the area of the triangle, above 0 where it is counter-clockwise.
+inline double cross(const Point& a, const Point& b, const Point& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+// Twice the ring's area, above 0 where it is counter-clockwise; a ring of fewer than three points has none.
+inline double twice_area(const Ring& ring) {
+  double sum = 0;
+  for (std::size_t i = 1; i + 1 < ring.size(); ++i) sum += cross(ring[0], ring[i], ring[i + 1]);
+  return sum;
+}
+
+// Whether both have the same points in the same order.
+inline bool same_ring(const Ring& a, const Ring& b) {
+  const auto same = [](const Point& p, const Point& q) { return p.x == q.x && p.y == q.y; };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
+}
+
+}  // namespace krait::host
