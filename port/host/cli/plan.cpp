@@ -18,6 +18,7 @@
 #include "host/run/query.hpp"
 #include "host/run/shortest_way.hpp"
 #include "host/verify/verify.hpp"
+#include "host/workspace/printed.hpp"
 #include "krait/robot/shape.hpp"
 
 namespace krait::host {
@@ -81,11 +82,7 @@ std::string csv_of(const PlanFile& plan) {
   for (const std::string& name : plan.state_names) text += "," + name;
   for (const char* name : {"u0", "u1"}) text += std::string(",") + name;
   text += "\n";
-  char number[32];
-  const auto append = [&](double value) {
-    std::snprintf(number, sizeof number, "%.9g", value);
-    text += number;
-  };
+  const auto append = [&](double value) { text += printed("%.9g", value); };
   for (std::size_t i = 0; i < plan.states.size(); ++i) {
     append(plan.dt * static_cast<double>(i));
     for (const float value : plan.states[i]) {
@@ -197,18 +194,15 @@ void print_summary(const SearchResult& result) {
 
 // "1200 iterations, 4 m to go", and of a plan that is improved how good it is.
 std::string detail_of(const SearchNews& news) {
-  char text[160];
+  const auto iterations = static_cast<unsigned long long>(news.iterations);
   if (news.best.length > 0) {
-    std::snprintf(text, sizeof text, "best plan %.1f s, %.1f m, improved %llu times", news.best.duration,
-                  news.best.length, static_cast<unsigned long long>(news.improvements));
-  } else if (std::isfinite(news.cost_to_go)) {
-    std::snprintf(text, sizeof text, "%llu iterations, cost still to go %.3g m",
-                  static_cast<unsigned long long>(news.iterations), news.cost_to_go);
-  } else {
-    std::snprintf(text, sizeof text, "%llu iterations, %llu vertices", static_cast<unsigned long long>(news.iterations),
-                  static_cast<unsigned long long>(news.vertices));
+    return printed("best plan %.1f s, %.1f m, improved %llu times", news.best.duration, news.best.length,
+                   static_cast<unsigned long long>(news.improvements));
   }
-  return text;
+  if (std::isfinite(news.cost_to_go)) {
+    return printed("%llu iterations, cost still to go %.3g m", iterations, news.cost_to_go);
+  }
+  return printed("%llu iterations, %llu vertices", iterations, static_cast<unsigned long long>(news.vertices));
 }
 
 // Ctrl-C ends the search with what there is; before and after it, the program.
@@ -283,9 +277,7 @@ std::string defaults_table() {
   for (const char* model : {"snake", "truck", "car", "unicycle", "diff_drive"}) {
     text += std::string("  ") + model + ":";
     for (const auto& [name, value] : default_parameters(model)) {
-      char entry[64];
-      std::snprintf(entry, sizeof entry, " %s %.7g", name.c_str(), value);
-      text += entry;
+      text += printed(" %s %.7g", name.c_str(), value);
     }
     text += "\n";
   }
@@ -296,9 +288,7 @@ std::string defaults_table() {
 
 template <class Number>
 std::string with_default(const char* text, Number value) {
-  char line[128];
-  std::snprintf(line, sizeof line, "%s (default %.7g)", text, static_cast<double>(value));
-  return line;
+  return printed("%s (default %.7g)", text, static_cast<double>(value));
 }
 
 }  // namespace

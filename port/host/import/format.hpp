@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "host/import/import.hpp"
 
@@ -12,6 +13,9 @@ struct Source {
   std::string path;
   std::string content;
 };
+
+// The place of a content's first character behind white space and a byte order mark; npos where there is none.
+inline std::size_t text_begin(std::string_view content) { return content.find_first_not_of(" \t\r\n\xEF\xBB\xBF"); }
 
 struct Format {
   const char* name;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "host/import/format.hpp"
+
 namespace krait::host {
 namespace {
 
@@ -26,8 +28,6 @@ bool followed_by_colon(std::string_view text, std::size_t end) {
 }
 
 }  // namespace
-
-std::size_t text_begin(std::string_view text) { return text.find_first_not_of(" \t\r\n\xEF\xBB\xBF"); }
 
 bool is_json_object(std::string_view text) {
   const std::size_t first = text_begin(text);

@@ -3,11 +3,11 @@
 // ROS 2's nav2_map_server; a pixel that is not opaque is unknown in every mode.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 
 #include "host/import/image.hpp"
 #include "host/import/yaml.hpp"
+#include "host/workspace/printed.hpp"
 
 namespace krait::host {
 namespace {
@@ -111,10 +111,7 @@ Counts fill(const Image& image, const Rules& rules, CellMap& cells) {
 }
 
 std::string share(std::size_t part, const CellMap& cells) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g %%",
-                100.0 * static_cast<double>(part) / static_cast<double>(cells.occupied.size()));
-  return text;
+  return printed("%.3g %%", 100.0 * static_cast<double>(part) / static_cast<double>(cells.occupied.size()));
 }
 
 void warn(const std::string& file, const Counts& counts, const Rules& rules, Workspace& workspace) {

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "host/input/json.hpp"
+#include "host/workspace/printed.hpp"
 
 namespace krait::host {
 namespace {
@@ -33,12 +33,10 @@ void for_each_point(Workspace& workspace, const Visit& visit) {
 }
 
 std::string warning(const std::string& file, const Point& shift) {
-  char text[200];
-  std::snprintf(text, sizeof text,
-                ": lies far from 0: x less %.0f m and y less %.0f m are the coordinates from here on, also of starts, "
-                "goals, plans and pictures",
-                shift.x, shift.y);
-  return file + text;
+  return file + printed(
+                    ": lies far from 0: x less %.0f m and y less %.0f m are the coordinates from here on, also of "
+                    "starts, goals, plans and pictures",
+                    shift.x, shift.y);
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include <pugixml.hpp>
 
 #include "host/import/format.hpp"
-#include "host/import/json_keys.hpp"
 #include "host/import/shapes.hpp"
 #include "host/import/svg_path.hpp"
 #include "host/import/svg_style.hpp"

@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <set>
+
+#include "host/workspace/printed.hpp"
 
 namespace krait::host {
 namespace {
@@ -52,11 +53,7 @@ class Guard {
 
 }  // namespace
 
-std::string shown(double number) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.8g", number);
-  return text;
-}
+std::string shown(double number) { return printed("%.8g", number); }
 
 Json parse_json(const std::string& text, const std::string& file) {
   try {

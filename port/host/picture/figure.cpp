@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "host/picture/poses.hpp"
+#include "host/workspace/printed.hpp"
 
 namespace krait::host {
 
@@ -100,11 +100,7 @@ void check_plan(const PlanFile& plan, const std::vector<float>& start) {
   }
 }
 
-std::string fixed(double value, int digits) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
-}
+std::string fixed(double value, int digits) { return printed("%.*f", digits, value); }
 
 double path_length(const PlanFile& plan) {
   double length = 0;
@@ -170,11 +166,7 @@ double round_length(double limit) {
   return power;
 }
 
-std::string short_number(double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
+std::string short_number(double value) { return printed("%.6g", value); }
 
 Point Figure::at(Point local) const {
   return {std::clamp(left + (local.x - min.x) * scale, -kFarthest, kFarthest),

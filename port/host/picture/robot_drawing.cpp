@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "host/picture/figure.hpp"
 #include "host/picture/pen.hpp"
 #include "host/picture/sheet.hpp"
+#include "host/workspace/printed.hpp"
 
 namespace krait::host {
 
@@ -32,11 +32,7 @@ struct Size {
   std::size_t row = 0;
 };
 
-std::string metres(double value) {
-  char text[32];
-  (void)std::snprintf(text, sizeof text, "%.4g m", value);
-  return text;
-}
+std::string metres(double value) { return printed("%.4g m", value); }
 
 bool has(const RobotSpec& robot, const char* parameter) { return robot.parameters.count(parameter) > 0; }
 

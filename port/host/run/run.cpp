@@ -2,13 +2,13 @@
 #include "host/run/run.hpp"
 
 #include <chrono>
-#include <cstdio>
 #include <cstring>
 #include <memory>
 
 #include "host/input/file.hpp"
 #include "host/run/session.hpp"
 #include "host/run/why.hpp"
+#include "host/workspace/printed.hpp"
 
 namespace krait::host {
 namespace {
@@ -76,8 +76,6 @@ void improve(Session& session, const SearchRequest& request, Company& company) {
 }
 
 nlohmann::ordered_json statistics_json(const Statistics& s, double seconds) {
-  char hash[17];
-  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(s.hash));
   return {{"time_s", seconds},
           {"iterations", s.iterations},
           {"restarts", s.restarts},
@@ -93,7 +91,7 @@ nlohmann::ordered_json statistics_json(const Statistics& s, double seconds) {
           {"plan_length_m", static_cast<double>(s.plan_length)},
           {"plan_duration_s", static_cast<double>(s.plan_duration)},
           {"plan_end_speed_m_s", static_cast<double>(s.plan_end_speed)},
-          {"hash", hash}};
+          {"hash", printed("%016llx", static_cast<unsigned long long>(s.hash))}};
 }
 
 }  // namespace

@@ -2,21 +2,14 @@
 #include "host/run/session.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "host/run/planner_session.hpp"
 #include "host/run/sessions.hpp"
 #include "host/run/why.hpp"
+#include "host/workspace/printed.hpp"
 
 namespace krait::host {
 namespace {
-
-// The number with two digits.
-std::string shortest(float number) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2g", static_cast<double>(number));
-  return text;
-}
 
 std::string explanation(const Failure& failure, const SearchRequest& request) {
   const std::string argument = name(static_cast<Argument>(failure.element));
@@ -33,7 +26,9 @@ std::string explanation(const Failure& failure, const SearchRequest& request) {
       return argument + " cannot be used";
     case Status::bad_argument:
       if (argument == name(Argument::goal)) return "the goal's centre lies outside the workspace's bounds";
-      if (failure.most > 0) return "dt: at most " + shortest(failure.most) + " s for a robot so fast and so short";
+      if (failure.most > 0) {
+        return printed("dt: at most %.2g s for a robot so fast and so short", static_cast<double>(failure.most));
+      }
       return argument +
              " is not finite or out of its range (numbers in metres, seconds and radians; krait plan --help)";
     case Status::bad_arithmetic:

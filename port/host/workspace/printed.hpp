@@ -10,9 +10,12 @@ namespace krait::host {
 // What std::printf would print, however long it is.
 template <class... Values>
 std::string printed(const char* form, Values... values) {
-  const int length = std::snprintf(nullptr, 0, form, values...);
-  std::string text(length > 0 ? static_cast<std::size_t>(length) : 0, '\0');
-  (void)std::snprintf(text.data(), text.size() + 1, form, values...);
+  char line[256];
+  const int printed = std::snprintf(line, sizeof line, form, values...);
+  const std::size_t length = printed > 0 ? static_cast<std::size_t>(printed) : 0;
+  if (length < sizeof line) return {line, length};
+  std::string text(length, '\0');
+  (void)std::snprintf(text.data(), length + 1, form, values...);
   return text;
 }
 

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstdio>
+
+#include "host/workspace/printed.hpp"
 
 namespace krait::host {
 namespace {
@@ -46,12 +47,6 @@ Character first_of(std::string_view text) {
   return {bytes, code, true};
 }
 
-std::string escape(const char* form, unsigned number) {
-  char text[16];
-  std::snprintf(text, sizeof text, form, number);
-  return text;
-}
-
 }  // namespace
 
 bool is_safe_to_print(std::string_view text) {
@@ -68,9 +63,9 @@ std::string safe_to_print(std::string_view text) {
   while (!text.empty()) {
     const Character character = first_of(text);
     if (!character.valid) {
-      safe += escape("\\x%02X", static_cast<std::uint8_t>(text.front()));
+      safe += printed("\\x%02X", static_cast<std::uint8_t>(text.front()));
     } else if (is_unsafe(character.code)) {
-      safe += escape("\\u%04X", character.code);
+      safe += printed("\\u%04X", character.code);
     } else {
       safe += text.substr(0, character.bytes);
     }
