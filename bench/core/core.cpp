@@ -33,11 +33,11 @@ class Workload {
         scene_(host::open_scene(options.scene, bytes_)),
         spec_(host::parse_robot(options.robot)),
         robot_(snake(spec_)),
-        limits_(Planner<Snake>::limits_for(kMemory, scene_, robot_)),
+        limits_(Planner::limits_for(kMemory, scene_, robot_)),
         start_(start_of(scene_, robot_, spec_)),
         seeds_(options.seeds) {
     for (std::uint64_t seed = 1; seed <= seeds_; ++seed) {
-      Planner<RecordingSnake> planner;
+      Planner planner;
       set_up(planner, recording_, seed);
       recordings_.push_back(record(recording_, planner, parameters_.dt));
       if (planner.status() != Status::solved) throw host::InputError("a search of the scene is not solved");
@@ -52,8 +52,7 @@ class Workload {
   const Parameters& parameters() const { return parameters_; }
   std::uint64_t seeds() const { return seeds_; }
 
-  template <class R>
-  void set_up(Planner<R>& planner, const R& robot, std::uint64_t seed) {
+  void set_up(Planner& planner, const Robot& robot, std::uint64_t seed) {
     if (!planner.init(block_.data(), kMemory, scene_, robot, parameters_, limits_).ok()) {
       throw host::InputError("the planner refuses the robot or its memory");
     }
@@ -85,7 +84,7 @@ class Workload {
  private:
   static Snake snake(const host::RobotSpec& spec) {
     if (spec.model != "snake") throw host::InputError("the parts of a search are measured for a snake: snake:LINKS");
-    return Snake(host::chain_parameters(spec));
+    return *host::CoreRobot(spec).as<Snake>();
   }
 
   static std::vector<float> start_of(const Scene& scene, const Snake& robot, const host::RobotSpec& spec) {
@@ -123,7 +122,7 @@ void open(benchmark::State& state, const Workload& work) {
 void set_up(benchmark::State& state, Workload& work) {
   for (auto _ : state) {
     for (std::uint64_t seed = 1; seed <= work.seeds(); ++seed) {
-      Planner<Snake> planner;
+      Planner planner;
       work.set_up(planner, work.robot(), seed);
       benchmark::DoNotOptimize(planner.status());
     }
@@ -134,7 +133,7 @@ void set_up(benchmark::State& state, Workload& work) {
 void plan(benchmark::State& state, Workload& work) {
   for (auto _ : state) {
     for (std::uint64_t seed = 1; seed <= work.seeds(); ++seed) {
-      Planner<Snake> planner;
+      Planner planner;
       work.set_up(planner, work.robot(), seed);
       benchmark::DoNotOptimize(planner.advance(UINT64_MAX));
     }
@@ -142,8 +141,8 @@ void plan(benchmark::State& state, Workload& work) {
   work.count(state);
 }
 
-MotionCheck<Snake> check_of(const Workload& work) {
-  MotionCheck<Snake> check;
+MotionCheck check_of(const Workload& work) {
+  MotionCheck check;
   const Parameters& p = work.parameters();
   check.assign(work.robot(), work.scene(), p.clearance, static_cast<int>(p.max_substeps), !p.plain);
   return check;
@@ -151,7 +150,7 @@ MotionCheck<Snake> check_of(const Workload& work) {
 
 // The floor of the method: a Runge-Kutta step and the proof that it is free, for every vertex.
 void steps_of_vertices(benchmark::State& state, const Workload& work) {
-  MotionCheck<Snake> check = check_of(work);
+  MotionCheck check = check_of(work);
   const float dt = work.parameters().dt;
   float next[Snake::kMaxState];
   for (auto _ : state) {
@@ -216,7 +215,7 @@ void propagate_steps(benchmark::State& state, const Workload& work) {
 
 // The collision check, for every step that was tried.
 void check_steps(benchmark::State& state, const Workload& work) {
-  MotionCheck<Snake> check = check_of(work);
+  MotionCheck check = check_of(work);
   const float dt = work.parameters().dt;
   for (auto _ : state) {
     work.for_each_expansion([&](const Expansion& expansion) {
@@ -231,7 +230,7 @@ void check_steps(benchmark::State& state, const Workload& work) {
 
 // A full Dijkstra, once a seed.
 void shortest_paths(benchmark::State& state, Workload& work) {
-  Planner<Snake> planner;
+  Planner planner;
   work.set_up(planner, work.robot(), 1);
   Regions regions = planner.regions();
   for (auto _ : state) {
@@ -241,7 +240,7 @@ void shortest_paths(benchmark::State& state, Workload& work) {
 
 // The choice of a group in the tree of a whole search, once a seed.
 void select_group(benchmark::State& state, Workload& work) {
-  Planner<Snake> planner;
+  Planner planner;
   work.set_up(planner, work.robot(), 1);
   (void)planner.advance(UINT64_MAX);
   Groups groups = planner.guide();

@@ -44,7 +44,7 @@ class RecordingSnake : public Snake {
 };
 
 // All expansions of a search that is `planner`'s and has begun.
-inline std::vector<Expansion> record(const RecordingSnake& snake, Planner<RecordingSnake>& planner, float dt) {
+inline std::vector<Expansion> record(const RecordingSnake& snake, Planner& planner, float dt) {
   std::vector<Expansion> all;
   (void)snake.take();
   while (planner.status() == Status::searching) {

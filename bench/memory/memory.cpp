@@ -20,8 +20,8 @@ int solved(const krait::Scene& scene, const Snake& robot, std::uint64_t bytes, i
   std::vector<float> start(static_cast<std::size_t>(robot.state_size()));
   const ScenePose pose = scene.start(0);
   robot.rest(pose.position, pose.heading, nullptr, start.data());
-  static Planner<Snake> planner;
-  Limits limits = Planner<Snake>::limits_for(bytes, scene, robot);
+  static Planner planner;
+  Limits limits = Planner::limits_for(bytes, scene, robot);
   limits.iterations = kIterations;
   if (!planner.init(block.data(), bytes, scene, robot, Parameters(), limits).ok()) return 0;
   int count = 0;

@@ -42,7 +42,7 @@ class PeerMotion {
 
   const PeerProblem& problem_;
   const Stop stop_;
-  MotionCheck<Snake> check_;
+  MotionCheck check_;
   Step last_;
   std::uint64_t proven_ = PeerState::kSampled;  // number of the step that check_ goes on from
 };

@@ -122,7 +122,7 @@ nlohmann::ordered_json statistics_of(const host::PlanFile& plan, double seconds,
 
 Snake snake_of(const host::SearchRequest& request) {
   if (request.robot.model != "snake") throw host::InputError("the peers drive a snake, not a " + request.robot.model);
-  return host::with_bodies(Snake(host::chain_parameters(request.robot)), request.robot);
+  return *host::CoreRobot(request.robot).as<Snake>();
 }
 
 }  // namespace

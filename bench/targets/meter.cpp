@@ -51,18 +51,16 @@ struct Costs {
   std::uint64_t placement = 0;  // the dearest of an expansion's placements on average, all in but a Dijkstra
 };
 
-template <Robot R>
-std::uint64_t runge_kutta(const Board& board, const R& robot) {
-  float states[2][R::kMaxState] = {};
-  const float control[R::kMaxControl] = {0.5F, 0.1F};
+std::uint64_t runge_kutta(const Board& board, const Robot& robot) {
+  float states[2][kMaxState] = {};
+  const float control[kMaxControl] = {0.5F, 0.1F};
   const std::uint64_t begin = instructions(board);
   for (std::uint32_t i = 0; i < kSteps; ++i) propagate(robot, states[i % 2], control, 0.01F, states[1 - i % 2]);
   return (instructions(board) - begin) / kSteps;
 }
 
 // One call of advance(1).
-template <Robot R>
-std::uint64_t expand(const Board& board, Planner<R>& planner, Costs& costs) {
+std::uint64_t expand(const Board& board, Planner& planner, Costs& costs) {
   const Statistics before = planner.statistics();
   const std::uint64_t begin = instructions(board);
   (void)planner.advance(1);
@@ -82,8 +80,7 @@ std::uint64_t expand(const Board& board, Planner<R>& planner, Costs& costs) {
 }
 
 // One search. A vertex costs its share of its expansion and of those before it that made none.
-template <Robot R>
-void search(const Board& board, Planner<R>& planner, Costs& costs) {
+void search(const Board& board, Planner& planner, Costs& costs) {
   std::uint64_t unshared = 0;
   while (planner.status() == Status::searching) {
     const std::uint64_t vertices = planner.statistics().vertices;
@@ -96,12 +93,12 @@ void search(const Board& board, Planner<R>& planner, Costs& costs) {
   }
 }
 
-template <Robot R>
-void search_everywhere(const Board& board, const Request& request, const R& robot, Costs& costs) {
-  static Planner<R> planner;
+void search_everywhere(const Board& board, const Robot& robot, Costs& costs) {
+  static Planner planner;
   firmware::for_each_scene(board, [&](const Scene& scene) {
-    float start[R::kMaxState];
-    firmware::rest_at_start(scene, robot, request, start);
+    float start[kMaxState];
+    const ScenePose pose = scene.start(0);
+    (void)robot.rest(pose.position, pose.heading, pose.angles, pose.angle_count, start);
     const Limits limits = planner.limits_for(kBlock, scene, robot);
     (void)planner.init(board.arena, kBlock, scene, robot, Parameters(), limits);
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
@@ -116,9 +113,8 @@ void search_everywhere(const Board& board, const Request& request, const R& robo
 }
 
 // Bytes by pool for the first scene, when the block is `block` bytes.
-template <Robot R>
-void add_pools(firmware::JsonLine& line, const Board& board, const R& robot, std::uint64_t block) {
-  static Planner<R> planner;
+void add_pools(firmware::JsonLine& line, const Board& board, const Robot& robot, std::uint64_t block) {
+  static Planner planner;
   bool first = true;
   firmware::for_each_scene(board, [&](const Scene& scene) {
     if (!first) return;
@@ -134,10 +130,11 @@ void add_pools(firmware::JsonLine& line, const Board& board, const R& robot, std
 int measure(const Board& board, const Request& request) {
   ChainParameters parameters;
   parameters.trailers = request.trailers;
-  static const Snake robot(parameters);
+  static const Snake snake(parameters);
+  const Robot robot(snake);
   static Costs costs;
   costs.runge_kutta = runge_kutta(board, robot);
-  search_everywhere(board, request, robot, costs);
+  search_everywhere(board, robot, costs);
 
   static firmware::JsonLine line;
   line.add("machine", board.name)

@@ -3,8 +3,15 @@
 #include "krait/krait.h"
 
 #include <cstddef>
+#include <optional>
 
 #include "c/model.hpp"
+
+// The front of a block; the robot lies behind it, then the pools.
+struct krait_planner {
+  krait::Planner planner;
+  std::optional<krait::PlanCursor> cursor;  // at the state that was read last
+};
 
 namespace {
 
@@ -54,6 +61,18 @@ krait::Goal goal_of(const krait_goal& from) {
   return turned ? krait::Goal::pose(center, from.radius, facing) : krait::Goal::disc(center, from.radius);
 }
 
+constexpr std::uint64_t aligned(std::uint64_t bytes) {
+  constexpr std::uint64_t kStep = krait::Arena::kAlignment;
+  return (bytes + kStep - 1) / kStep * kStep;
+}
+
+static_assert(alignof(krait_planner) <= krait::Arena::kAlignment);
+
+// Bytes before the pools.
+std::uint64_t front_bytes(const krait_robot& robot) {
+  return aligned(sizeof(krait_planner)) + aligned(robot.model->robot_bytes);
+}
+
 }  // namespace
 
 const char* krait_status_name(krait_status status) {
@@ -99,7 +118,7 @@ krait_parameters krait_default_parameters() {
 }
 
 uint64_t krait_bytes_required(const krait_scene* scene, const krait_robot* robot, const krait_limits* limits) {
-  return robot->model->bytes_required(view(scene), *robot, convert<krait::Limits>(*limits));
+  return front_bytes(*robot) + robot->model->pools(view(scene), *robot, convert<krait::Limits>(*limits));
 }
 
 krait_limits krait_limits_for(uint64_t bytes, const krait_scene* scene, const krait_robot* robot) {
@@ -108,22 +127,28 @@ krait_limits krait_limits_for(uint64_t bytes, const krait_scene* scene, const kr
 
 krait_limits krait_limits_to_improve(uint64_t bytes, const krait_scene* scene, const krait_robot* robot,
                                      uint32_t way_legs) {
-  return convert<krait_limits>(robot->model->limits_for(bytes, view(scene), *robot, way_legs));
+  const std::uint64_t front = front_bytes(*robot);
+  const std::uint64_t pools = bytes < front ? 0 : bytes - front;
+  return convert<krait_limits>(robot->model->limits_for(pools, view(scene), *robot, way_legs));
 }
 
 krait_failure krait_init(krait_planner** planner, void* block, uint64_t bytes, const krait_scene* scene,
                          const krait_robot* robot, const krait_parameters* parameters, const krait_limits* limits) {
   *planner = nullptr;
-  const krait_model& model = *robot->model;
-  if (bytes < model.front_bytes) {
+  const std::uint64_t front = front_bytes(*robot);
+  if (bytes < front) {
     return {KRAIT_ARENA_TOO_SMALL, 0, 0, krait_bytes_required(scene, robot, limits), 0.0F};
   }
   if (block == nullptr || reinterpret_cast<std::uintptr_t>(block) % krait::Arena::kAlignment != 0) {
     return {KRAIT_BAD_ARGUMENT, 0, static_cast<std::uint32_t>(krait::Argument::block), 0, 0.0F};
   }
-  const krait::Failure failure =
-      model.init(block, bytes, view(scene), *robot, parameters_of(*parameters), convert<krait::Limits>(*limits));
-  if (failure.ok()) *planner = std::launder(static_cast<krait_planner*>(block));
+  auto* const place = static_cast<std::byte*>(block);
+  auto* const made = ::new (block) krait_planner;
+  const krait::Robot model_robot = robot->model->make(place + aligned(sizeof(krait_planner)), *robot);
+  krait::Failure failure = made->planner.init(place + front, bytes - front, view(scene), model_robot,
+                                              parameters_of(*parameters), convert<krait::Limits>(*limits));
+  if (failure.status == Status::arena_too_small) failure.bytes_needed += front;
+  if (failure.ok()) *planner = made;
   return failure_of(failure);
 }
 
@@ -137,39 +162,47 @@ krait_goal krait_pose_goal(float x, float y, float radius, float heading, float 
 }
 
 krait_status krait_start(krait_planner* planner, const krait_query* query) {
-  return status_of(planner->model->start(planner, {query->start, goal_of(query->goal), query->seed}));
+  planner->cursor.reset();
+  return status_of(planner->planner.start({query->start, goal_of(query->goal), query->seed}));
 }
 
 krait_status krait_advance(krait_planner* planner, uint64_t iterations) {
-  return status_of(planner->model->advance(planner, iterations));
+  return status_of(planner->planner.advance(iterations));
 }
 
 krait_status krait_improve(krait_planner* planner, uint64_t iterations) {
-  return status_of(planner->model->improve(planner, iterations));
+  planner->cursor.reset();
+  return status_of(planner->planner.improve(iterations));
 }
 
-void krait_stop_for_time(krait_planner* planner) { planner->model->stop_for_time(planner); }
+void krait_stop_for_time(krait_planner* planner) { planner->planner.stop_for_time(); }
 
-krait_failure krait_last_failure(const krait_planner* planner) { return failure_of(planner->model->failure(planner)); }
+krait_failure krait_last_failure(const krait_planner* planner) { return failure_of(planner->planner.failure()); }
 
-krait_contact krait_start_contact(krait_planner* planner) {
-  return convert<krait_contact>(planner->model->contact(planner));
-}
+krait_contact krait_start_contact(krait_planner* planner) { return convert<krait_contact>(planner->planner.contact()); }
 
 krait_bottleneck krait_bottleneck_of(krait_planner* planner) {
-  return convert<krait_bottleneck>(planner->model->bottleneck(planner));
+  return convert<krait_bottleneck>(planner->planner.bottleneck());
 }
 
-krait_effort krait_effort_of(const krait_planner* planner) {
-  return convert<krait_effort>(planner->model->effort(planner));
-}
+krait_effort krait_effort_of(const krait_planner* planner) { return convert<krait_effort>(planner->planner.effort()); }
 
 krait_statistics krait_statistics_of(const krait_planner* planner) {
-  return convert<krait_statistics>(planner->model->statistics(planner));
+  return convert<krait_statistics>(planner->planner.statistics());
 }
 
 bool krait_next(krait_planner* planner, float* state, float* control) {
-  return planner->model->next(planner, state, control);
+  std::optional<krait::PlanCursor>& cursor = planner->cursor;
+  const krait::Plan plan = planner->planner.plan();
+  if (plan.empty() || (cursor && cursor->done())) return false;
+  if (cursor) {
+    cursor->advance();
+  } else {
+    cursor.emplace(plan.cursor());
+  }
+  for (int i = 0; i < plan.state_size(); ++i) state[i] = cursor->state()[i];
+  for (int i = 0; i < plan.control_size(); ++i) control[i] = cursor->done() ? 0.0F : cursor->control()[i];
+  return true;
 }
 
-void krait_rewind(krait_planner* planner) { planner->model->rewind(planner); }
+void krait_rewind(krait_planner* planner) { planner->cursor.reset(); }

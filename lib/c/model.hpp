@@ -4,39 +4,23 @@
 
 #include <cstring>
 #include <new>
-#include <optional>
 #include <type_traits>
 #include <utility>
 
 #include "krait/krait.h"
 #include "krait/krait.hpp"
 
-// The functions of a model; one constant each, so that a program contains the models that it names.
+// What a model does with a robot as C describes it; one constant each, so that a program contains the models that it
+// names.
 struct krait_model {
-  std::size_t front_bytes;  // of a block
-  std::uint32_t (*state_size)(const krait_robot& robot);
-  bool (*rest)(const krait_robot& robot, const krait_pose& pose, float* state);
-  std::uint64_t (*bytes_required)(const krait::Scene& scene, const krait_robot& robot, const krait::Limits& limits);
-  krait::Limits (*limits_for)(std::uint64_t bytes, const krait::Scene& scene, const krait_robot& robot,
+  std::size_t robot_bytes;
+  // Makes the robot at `place`.
+  krait::Robot (*make)(void* place, const krait_robot& from);
+  std::uint32_t (*state_size)(const krait_robot& from);
+  bool (*rest)(const krait_robot& from, const krait_pose& pose, float* state);
+  std::uint64_t (*pools)(const krait::Scene& scene, const krait_robot& from, const krait::Limits& limits);
+  krait::Limits (*limits_for)(std::uint64_t pools, const krait::Scene& scene, const krait_robot& from,
                               std::uint32_t way_legs);
-  krait::Failure (*init)(void* block, std::uint64_t bytes, const krait::Scene& scene, const krait_robot& robot,
-                         const krait::Parameters& parameters, const krait::Limits& limits);
-  krait::Status (*start)(krait_planner* planner, const krait::Query& query);
-  krait::Status (*advance)(krait_planner* planner, std::uint64_t iterations);
-  krait::Status (*improve)(krait_planner* planner, std::uint64_t iterations);
-  void (*stop_for_time)(krait_planner* planner);
-  krait::Failure (*failure)(const krait_planner* planner);
-  krait::Contact (*contact)(krait_planner* planner);
-  krait::Bottleneck (*bottleneck)(krait_planner* planner);
-  krait::Effort (*effort)(const krait_planner* planner);
-  krait::Statistics (*statistics)(const krait_planner* planner);
-  bool (*next)(krait_planner* planner, float* state, float* control);
-  void (*rewind)(krait_planner* planner);
-};
-
-// The front of a block.
-struct krait_planner {
-  const krait_model* model;
 };
 
 namespace krait::c {
@@ -78,17 +62,7 @@ R make_robot(const krait_robot& from) {
 // The functions of krait_model for the robot R.
 template <class R>
 struct Model {
-  // The front of a block; the pools lie behind it.
-  struct alignas(Arena::kAlignment) Session : krait_planner {
-    explicit Session(const krait_robot& from) : krait_planner{from.model}, robot(make_robot<R>(from)) {}
-    R robot;
-    Planner<R> planner;
-    std::optional<PlanCursor<R>> cursor;  // at the state that was read last
-  };
-
-  static Session& session(krait_planner* front) { return *static_cast<Session*>(front); }
-  static Planner<R>& planner(krait_planner* front) { return static_cast<Session*>(front)->planner; }
-  static const Planner<R>& planner(const krait_planner* front) { return static_cast<const Session*>(front)->planner; }
+  static Robot make(void* place, const krait_robot& from) { return Robot(*::new (place) R(make_robot<R>(from))); }
 
   static std::uint32_t state_size(const krait_robot& from) {
     const R robot = make_robot<R>(from);
@@ -98,86 +72,22 @@ struct Model {
   static bool rest(const krait_robot& from, const krait_pose& pose, float* state) {
     const R robot = make_robot<R>(from);
     if (!robot.sound()) return false;
-    const Vec2 position{pose.x, pose.y};
-    if constexpr (std::is_base_of_v<Chain, R>) {
-      const auto trailers = static_cast<std::uint32_t>(robot.body_count() - 1);
-      const bool straight = pose.angle_count == 0 || trailers == 0;
-      if (!straight && pose.angle_count != trailers) return false;
-      robot.rest(position, pose.heading, straight ? nullptr : pose.angles, state);
-    } else {
-      robot.rest(position, pose.heading, state);
-    }
-    return true;
+    return krait::rest(robot, {pose.x, pose.y}, pose.heading, pose.angles, pose.angle_count, state);
   }
 
-  static std::uint64_t bytes_required(const Scene& scene, const krait_robot& from, const Limits& limits) {
-    return sizeof(Session) + Planner<R>::bytes_required(scene, make_robot<R>(from), limits);
+  static std::uint64_t pools(const Scene& scene, const krait_robot& from, const Limits& limits) {
+    const R robot = make_robot<R>(from);
+    return Planner::bytes_required(scene, robot, limits);
   }
 
-  static Limits limits_for(std::uint64_t bytes, const Scene& scene, const krait_robot& from, std::uint32_t way_legs) {
-    const std::uint64_t pools = bytes < sizeof(Session) ? 0 : bytes - sizeof(Session);
-    return Planner<R>::limits_for(pools, scene, make_robot<R>(from), way_legs);
+  static Limits limits_for(std::uint64_t pools, const Scene& scene, const krait_robot& from, std::uint32_t way_legs) {
+    const R robot = make_robot<R>(from);
+    return Planner::limits_for(pools, scene, robot, way_legs);
   }
-
-  // `block` has room for the front at least.
-  static Failure init(void* block, std::uint64_t bytes, const Scene& scene, const krait_robot& from,
-                      const Parameters& parameters, const Limits& limits) {
-    auto* const session = ::new (block) Session(from);
-    Failure failure =
-        session->planner.init(session + 1, bytes - sizeof(Session), scene, session->robot, parameters, limits);
-    if (failure.status == Status::arena_too_small) failure.bytes_needed += sizeof(Session);
-    return failure;
-  }
-
-  static Status start(krait_planner* front, const Query& query) {
-    rewind(front);
-    return planner(front).start(query);
-  }
-  static Status advance(krait_planner* front, std::uint64_t iterations) { return planner(front).advance(iterations); }
-  static Status improve(krait_planner* front, std::uint64_t iterations) {
-    rewind(front);
-    return planner(front).improve(iterations);
-  }
-  static void stop_for_time(krait_planner* front) { planner(front).stop_for_time(); }
-  static Failure failure(const krait_planner* front) { return planner(front).failure(); }
-  static Contact contact(krait_planner* front) { return planner(front).contact(); }
-  static Bottleneck bottleneck(krait_planner* front) { return planner(front).bottleneck(); }
-  static Effort effort(const krait_planner* front) { return planner(front).effort(); }
-  static Statistics statistics(const krait_planner* front) { return planner(front).statistics(); }
-
-  static bool next(krait_planner* front, float* state, float* control) {
-    std::optional<PlanCursor<R>>& cursor = session(front).cursor;
-    const Plan<R> plan = planner(front).plan();
-    if (plan.empty() || (cursor && cursor->done())) return false;
-    if (cursor) {
-      cursor->advance();
-    } else {
-      cursor.emplace(plan.cursor());
-    }
-    for (int i = 0; i < plan.state_size(); ++i) state[i] = cursor->state()[i];
-    for (int i = 0; i < plan.control_size(); ++i) control[i] = cursor->done() ? 0.0F : cursor->control()[i];
-    return true;
-  }
-  static void rewind(krait_planner* front) { session(front).cursor.reset(); }
 };
 
 template <class R>
-inline constexpr krait_model kModel = {sizeof(typename Model<R>::Session),
-                                       Model<R>::state_size,
-                                       Model<R>::rest,
-                                       Model<R>::bytes_required,
-                                       Model<R>::limits_for,
-                                       Model<R>::init,
-                                       Model<R>::start,
-                                       Model<R>::advance,
-                                       Model<R>::improve,
-                                       Model<R>::stop_for_time,
-                                       Model<R>::failure,
-                                       Model<R>::contact,
-                                       Model<R>::bottleneck,
-                                       Model<R>::effort,
-                                       Model<R>::statistics,
-                                       Model<R>::next,
-                                       Model<R>::rewind};
+inline constexpr krait_model kModel = {sizeof(R),      Model<R>::make,  Model<R>::state_size,
+                                       Model<R>::rest, Model<R>::pools, Model<R>::limits_for};
 
 }  // namespace krait::c

@@ -99,4 +99,6 @@ bool DifferentialDrive::travel(StateView s, ControlView u, float dt, StateView, 
   return true;
 }
 
+template class FunctionsOf<DifferentialDrive>;
+
 }  // namespace krait

@@ -45,4 +45,25 @@ Vec2 middle(Polygon body) {
   return (1.0F / static_cast<float>(body.count)) * sum;
 }
 
+Argument first_bad_of_robot(const Robot& robot) {
+  if (!robot.sound()) return Argument::robot_dimensions;
+  if (!robot.fits()) return Argument::robot_sizes;
+  for (int k = 0; k < robot.body_count(); ++k) {
+    if (!usable_body(robot.body(k))) return Argument::robot_polygon;
+  }
+  return Argument::none;
+}
+
+float body_length(Polygon body) {
+  float low = body[0].x;
+  float high = body[0].x;
+  for (int i = 1; i < body.count; ++i) {
+    if (body[i].x < low) low = body[i].x;
+    if (body[i].x > high) high = body[i].x;
+  }
+  return high - low;
+}
+
+float robot_length(const Robot& robot) { return body_length(robot.body(0)); }
+
 }  // namespace krait

@@ -47,4 +47,6 @@ bool Unicycle::travel(StateView, ControlView u, float dt, StateView, Travel* tra
   return true;
 }
 
+template class FunctionsOf<Unicycle>;
+
 }  // namespace krait

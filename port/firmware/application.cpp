@@ -5,6 +5,88 @@
 #include <cstring>
 
 namespace krait::firmware {
+namespace {
+
+// Nanoseconds since it was made or last asked.
+class Stopwatch {
+ public:
+  explicit Stopwatch(const Port& port) : port_(port), last_(now()) {}
+
+  std::uint64_t lap() {
+    const std::uint64_t before = last_;
+    last_ = now();
+    return last_ - before;
+  }
+
+ private:
+  std::uint64_t now() const { return port_.clock(port_.context); }
+
+  const Port& port_;
+  std::uint64_t last_;
+};
+
+Failure bad_argument(Argument argument) { return {Status::bad_argument, 0, static_cast<std::uint32_t>(argument), 0}; }
+
+// A place of the world in the scene's coordinates, to the same bits as on the workstation.
+Vec2 local_of(const Scene& scene, const Triple& place) {
+  const format::Header& header = scene.header();
+  return {static_cast<float>(place.x - header.origin_x), static_cast<float>(place.y - header.origin_y)};
+}
+
+// The pose that is asked for, or the scene's first start.
+ScenePose start_of(const Scene& scene, const Request& request) {
+  if (!request.has_start) return scene.start(0);
+  ScenePose start{};
+  start.position = local_of(scene, request.start);
+  start.heading = static_cast<float>(request.start.third);
+  return start;
+}
+
+// The disc or pose that is asked for, or the scene's first goal.
+Goal goal_of(const Scene& scene, const Request& request) {
+  if (!request.has_goal) return Goal::named(0);
+  const Vec2 center = local_of(scene, request.goal);
+  const auto radius = static_cast<float>(request.goal.third);
+  if (!request.has_heading) return Goal::disc(center, radius);
+  return Goal::pose(center, radius, static_cast<float>(request.heading), static_cast<float>(request.heading_tolerance));
+}
+
+// Everything before the first expansion.
+Failure set_up(const Board& board, const Request& request, const Robot& robot, Scene& scene, Planner& planner) {
+  const Failure opened = open_scene(board, scene);
+  if (!opened.ok()) return opened;
+  float state[kMaxState];
+  const Failure placed = rest_at_start(scene, robot, request, state);
+  if (!placed.ok()) return placed;
+  const std::uint64_t bytes = block_bytes(board, request);
+  if (bytes > board.arena_room) return {Status::arena_too_small, 0, 0, bytes};
+  Limits limits = Planner::limits_for(bytes, scene, robot);
+  limits.iterations = request.iterations;
+  const Failure ready = planner.init(board.arena, bytes, scene, robot, Parameters(), limits);
+  if (!ready.ok()) return ready;
+  (void)planner.start({state, goal_of(scene, request), request.seed});
+  return planner.failure();
+}
+
+void plan(const Board& board, const Request& request, Report& report) {
+  static Scene scene;      // far too large for a small stack
+  static Planner planner;  // likewise
+  Stopwatch watch(board.port);
+  report.failure = set_up(board, request, robot_for(request), scene, planner);
+  report.setup = watch.lap();
+  report.nanoseconds = report.setup;
+  while (report.failure.status == Status::searching) {
+    (void)planner.advance(1);
+    report.failure = planner.failure();
+    const std::uint64_t lap = watch.lap();
+    report.nanoseconds += lap;
+    if (lap > report.slowest) report.slowest = lap;
+  }
+  if (report.failure.status != Status::bad_scene) report.scene = scene.name();
+  report.statistics = planner.statistics();
+}
+
+}  // namespace
 
 Failure open_scene(const Board& board, Scene& scene) {
   std::uint32_t size = 0;  // a scene is aligned to 4 bytes only, its header's type to 8
@@ -20,6 +102,13 @@ std::uint64_t block_bytes(const Board& board, const Request& request) {
   if (request.memory > 0) return request.memory;
   const std::uint64_t wanted = (request.trailers <= kShortRobot ? 128 : 256) * kKilobyte;
   return wanted < board.arena_room ? wanted : board.arena_room;
+}
+
+Failure rest_at_start(const Scene& scene, const Robot& robot, const Request& request, float* state) {
+  if (!request.has_start && scene.start_count() == 0) return bad_argument(Argument::start);
+  const ScenePose start = start_of(scene, request);
+  const bool fits = robot.rest(start.position, start.heading, start.angles, start.angle_count, state);
+  return fits ? Failure{} : bad_argument(Argument::start);
 }
 
 int run(const Board& board, int count, const char* const* words) {

@@ -6,13 +6,19 @@
 
 namespace krait::test {
 
+// A robot that is compiled in this file.
+class OwnUnicycle : public Unicycle {
+ public:
+  using Unicycle::Unicycle;
+};
+
 // "exact" or "bad_arithmetic", by the answer of init, which next finds that the scene was not opened. Inlined: each
 // file has its own flags.
-template <template <class> class AnyPlanner>
+template <class AnyPlanner>
 [[gnu::always_inline]] inline const char* answer() {
-  static AnyPlanner<Unicycle> planner;
+  static AnyPlanner planner;
   static const Scene scene;
-  static const Unicycle robot{UnicycleParameters{}};
+  static const OwnUnicycle robot{UnicycleParameters{}};
   const Failure failure = planner.init(nullptr, 0, scene, robot, {}, {});
   const bool not_opened =
       failure.status == Status::bad_argument && failure.element == static_cast<std::uint32_t>(Argument::scene);

@@ -2,4 +2,4 @@
 // A user's file that must not compile with the flags of its target.
 #include "krait/krait.hpp"
 
-krait::Planner<krait::Unicycle> planner;
+krait::Planner planner;

@@ -21,10 +21,9 @@ std::uint64_t* block(std::uint64_t bytes) {
   return words.data();
 }
 
-template <class R>
-void copy(const Plan<R>& plan, PlanRecord& record) {
+void copy(const Plan& plan, PlanRecord& record) {
   record.dt = plan.dt();
-  PlanCursor<R> at = plan.cursor();
+  PlanCursor at = plan.cursor();
   for (; !at.done(); at.advance()) {
     record.states.insert(record.states.end(), at.state(), at.state() + plan.state_size());
     record.controls.insert(record.controls.end(), at.control(), at.control() + plan.control_size());
@@ -38,8 +37,8 @@ Planned plan_with(R robot, const Scene& scene, const Query& query) {
     const std::vector<Vec2>& body = query.robot.own_bodies[k];
     robot.set_body(static_cast<int>(k), {body.data(), static_cast<int>(body.size())});
   }
-  Planner<R> planner;
-  Limits limits = Planner<R>::limits_for(query.bytes, scene, robot);
+  Planner planner;
+  Limits limits = Planner::limits_for(query.bytes, scene, robot);
   limits.iterations = query.iterations;
   Planned result;
   const Failure ready = planner.init(block(query.bytes), query.bytes, scene, robot, query.parameters, limits);

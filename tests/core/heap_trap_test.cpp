@@ -96,7 +96,7 @@ template <class R, class P>
 void expect_no_heap(const R& robot, const std::vector<float>& start) {
   Bench<R, P> bench(two_rooms(), robot);
   bench.limits.way_legs = 64;
-  std::vector<std::uint64_t> block(P::template Of<R>::bytes_required(bench.open.scene, robot, bench.limits) / 8);
+  std::vector<std::uint64_t> block(P::bytes_required(bench.open.scene, robot, bench.limits) / 8);
   std::vector<float> states(100'000), controls(100'000);
   bench.parameters.kappa = 1;
   Status status = Status::searching;
@@ -109,7 +109,7 @@ void expect_no_heap(const R& robot, const std::vector<float>& start) {
     (void)bench.planner.start({start.data()});
     status = bench.planner.advance(1'000'000);
     if (status == Status::solved) status = bench.planner.improve(200);
-    const Plan<R> plan = bench.planner.plan();
+    const Plan plan = bench.planner.plan();
     if (plan.steps() < 1000) plan.copy(states.data(), controls.data());
   }
   EXPECT_EQ(calls, 0);
@@ -141,7 +141,7 @@ TEST_F(HeapTrap, TruckPlansWithoutTheHeap) {
   p.body_width = 0.3F;
   p.wheelbase = 0.4F;
   p.hitch_length = 0.45F;
-  expect_no_heap<Truck, AdaptivePlanner>(Truck(p), {2, 6, 0, 0, 0, 0});
+  expect_no_heap<Truck, Planner>(Truck(p), {2, 6, 0, 0, 0, 0});
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ std::vector<float> start_of(const R& robot) {
 }
 
 // A planner with a first plan in the winding room.
-template <class R, class P = AdaptivePlanner>
+template <class R, class P = Planner>
 struct Solved : Bench<R, P> {
   explicit Solved(const R& r, std::uint64_t seed = 1, std::uint32_t legs = kLegs) : Bench<R, P>(winding(), r) {
     this->limits.way_legs = legs;
@@ -67,7 +67,7 @@ TYPED_TEST(Improve, PlansOnlyGetBetterAndDo) {
     std::uint64_t improvements = 0;
     for (int i = 0; i < 1500; ++i) {
       ASSERT_EQ(bench.planner.improve(1), Status::solved);
-      const Plan<Car> plan = bench.planner.plan();
+      const Plan plan = bench.planner.plan();
       const Statistics statistics = bench.planner.statistics();
       const bool found = statistics.improvements > improvements;
       improvements = statistics.improvements;
@@ -204,10 +204,10 @@ TEST(ImproveMemory, IsPartOfTheBytesRequired) {
 TEST(ImproveMemory, LimitsForLeaveRoomForIt) {
   const OpenScene open(winding());
   const Car car = small_car();
-  const Limits limits = Planner<Car>::limits_for(60'000, open.scene, car, kLegs);
+  const Limits limits = Planner::limits_for(60'000, open.scene, car, kLegs);
   EXPECT_EQ(limits.way_legs, kLegs);
-  EXPECT_LE(Planner<Car>::bytes_required(open.scene, car, limits), 60'000U);
-  EXPECT_LT(limits.vertices, Planner<Car>::limits_for(60'000, open.scene, car).vertices);
+  EXPECT_LE(Planner::bytes_required(open.scene, car, limits), 60'000U);
+  EXPECT_LT(limits.vertices, Planner::limits_for(60'000, open.scene, car).vertices);
 }
 
 TEST(ImproveMemory, NothingOutsideTheBlockIsWritten) {

@@ -61,8 +61,8 @@ class Drives {
 
   const R& robot_;
   float dt_;
-  PlanDrive<R> plan_;
-  Drive<R> tree_;
+  PlanDrive plan_;
+  Drive tree_;
   std::vector<Pose> poses_;
   Numbers truth_;
   double path_ = 0;
@@ -329,7 +329,7 @@ class PushedChain {
   std::mt19937 random_;
   std::vector<float> start_;
   std::vector<float> errors_;
-  PlanDrive<R> plan_;
+  PlanDrive plan_;
   Numbers truth_;
   float off_ = 0;
 };

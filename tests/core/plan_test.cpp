@@ -86,7 +86,7 @@ class PlanOf : public ::testing::Test {
 
   Bench<R> bench_{two_rooms(), small_robot<R>()};
   std::vector<float> start_;
-  Plan<R> plan_;
+  Plan plan_;
   std::vector<std::vector<float>> states_, controls_;
 };
 TYPED_TEST_SUITE(PlanOf, Models, ModelNames);
@@ -207,7 +207,7 @@ TEST(PlanFnv, TestsOwnHashGivesTheKnownValue) {
 }
 
 TEST(PlanEmpty, IsHarmless) {
-  const Plan<Unicycle> plan;
+  const Plan plan;
   EXPECT_TRUE(plan.empty());
   EXPECT_EQ(plan.steps(), 0U);
   EXPECT_EQ(plan.state_size(), 0);

@@ -24,38 +24,24 @@ inline Room two_rooms(double door = 2) {
   return room;
 }
 
-struct AdaptivePlanner {
-  template <class R>
-  using Of = Planner<R>;
-};
-struct Prior {
-  template <class R>
-  using Of = PriorPlanner<R>;
-};
-struct Rrt {
-  template <class R>
-  using Of = RrtPlanner<R>;
-};
-using Planners = ::testing::Types<AdaptivePlanner, Prior, Rrt>;
+using Planners = ::testing::Types<Planner, PriorPlanner, RrtPlanner>;
 struct PlannerNames {
   template <class P>
   static std::string GetName(int) {
-    if (std::is_same_v<P, AdaptivePlanner>) return "adaptive";
-    return std::is_same_v<P, Prior> ? "prior" : "rrt";
+    if (std::is_same_v<P, Planner>) return "adaptive";
+    return std::is_same_v<P, PriorPlanner> ? "prior" : "rrt";
   }
 };
 
-template <class R, class P = AdaptivePlanner>
+template <class R, class P = Planner>
 struct Bench {
-  using PlannerType = typename P::template Of<R>;
-
   Bench(const Room& room, const R& r) : open(room), robot(r) {
     limits.vertices = 20'000;
     limits.iterations = 20'000;
   }
 
   // Gives the planner a block that holds its limits exactly.
-  Failure init() { return init(PlannerType::bytes_required(open.scene, robot, limits)); }
+  Failure init() { return init(P::bytes_required(open.scene, robot, limits)); }
   Failure init(std::uint64_t bytes) {
     block.assign((bytes + 7) / 8, 0xA5A5A5A5A5A5A5A5ULL);
     return planner.init(block.data(), bytes, open.scene, robot, parameters, limits);
@@ -70,14 +56,13 @@ struct Bench {
   Parameters parameters;
   Limits limits;
   std::vector<std::uint64_t> block;
-  PlannerType planner;
+  P planner;
 };
 
 // A plan's states and controls, by its cursor.
 struct Path {
-  template <class R>
-  explicit Path(const Plan<R>& plan) {
-    PlanCursor<R> at = plan.cursor();
+  explicit Path(const Plan& plan) {
+    PlanCursor at = plan.cursor();
     for (; !at.done(); at.advance()) {
       states.emplace_back(at.state(), at.state() + plan.state_size());
       controls.emplace_back(at.control(), at.control() + plan.control_size());

@@ -59,7 +59,7 @@ TYPED_TEST(PlannerMemory, NothingOutsideTheBlockIsWritten) {
 TYPED_TEST(PlannerMemory, LimitsForFitAndAreTheMost) {
   const OpenScene open(two_rooms());
   const Unicycle robot = small_unicycle();
-  using P = typename TypeParam::template Of<Unicycle>;
+  using P = TypeParam;
   for (const std::uint64_t bytes : {20'000U, 65'536U, 131'072U, 1'000'003U, 67'108'864U}) {
     Limits limits = P::limits_for(bytes, open.scene, robot);
     EXPECT_LE(P::bytes_required(open.scene, robot, limits), bytes);
@@ -71,7 +71,7 @@ TYPED_TEST(PlannerMemory, LimitsForFitAndAreTheMost) {
 TYPED_TEST(PlannerMemory, MoreBytesNeverMeanFewerVertices) {
   const OpenScene open(two_rooms());
   const Unicycle robot = small_unicycle();
-  using P = typename TypeParam::template Of<Unicycle>;
+  using P = TypeParam;
   std::uint32_t before = 2;
   for (std::uint64_t bytes = 0; bytes < 8'000'000; bytes += 1 + bytes / 97) {
     const std::uint32_t vertices = P::limits_for(bytes, open.scene, robot).vertices;
@@ -84,7 +84,7 @@ TYPED_TEST(PlannerMemory, MoreBytesNeverMeanFewerVertices) {
 TYPED_TEST(PlannerMemory, MoreOfAnythingNeverNeedsFewerBytes) {
   const OpenScene open(two_rooms());
   const Unicycle robot = small_unicycle();
-  using P = typename TypeParam::template Of<Unicycle>;
+  using P = TypeParam;
   std::uint64_t before = 0;
   for (std::uint32_t vertices = 2; vertices < 200'000; vertices += 1 + vertices / 50) {
     Limits limits;
@@ -101,10 +101,11 @@ TYPED_TEST(PlannerMemory, MoreOfAnythingNeverNeedsFewerBytes) {
 }
 
 TYPED_TEST(PlannerMemory, LimitsForAHugeBlockAreTheMostThatAPlannerTakes) {
-  typename TypeParam::template Of<Unicycle> planner;
+  TypeParam planner;
   const OpenScene open(two_rooms());
+  const Unicycle robot = small_unicycle();
   for (const std::uint64_t bytes : {std::uint64_t{1} << 34U, ~std::uint64_t{0}}) {
-    const Limits limits = planner.limits_for(bytes, open.scene, small_unicycle());
+    const Limits limits = planner.limits_for(bytes, open.scene, robot);
     EXPECT_EQ(limits.vertices, MotionTree::kMostExpansions);
     EXPECT_EQ(limits.first_bad(), Argument::none);
   }
@@ -138,7 +139,7 @@ TYPED_TEST(PlannerMemory, BytesUsedGrowWithTheTreeUpToAllOfThem) {
 TYPED_TEST(PlannerMemory, LimitsForABlockThatIsTooSmallAreTheLeast) {
   const OpenScene open(two_rooms());
   const Unicycle robot = small_unicycle();
-  using P = typename TypeParam::template Of<Unicycle>;
+  using P = TypeParam;
   for (const std::uint64_t bytes : {0U, 1U, 100U}) {
     const Limits limits = P::limits_for(bytes, open.scene, robot);
     EXPECT_EQ(limits.vertices, 2U);
@@ -148,7 +149,7 @@ TYPED_TEST(PlannerMemory, LimitsForABlockThatIsTooSmallAreTheLeast) {
 
 TYPED_TEST(PlannerMemory, BytesGrowWithVerticesAndWithTheRunTimeState) {
   const OpenScene open(two_rooms());
-  using P = typename TypeParam::template Of<Snake>;
+  using P = TypeParam;
   ChainParameters small, large;
   small.trailers = 1;
   large.trailers = 15;
@@ -156,7 +157,8 @@ TYPED_TEST(PlannerMemory, BytesGrowWithVerticesAndWithTheRunTimeState) {
   few.vertices = 1000;
   many.vertices = 2000;
   const auto bytes = [&](const ChainParameters& p, const Limits& limits) {
-    return P::bytes_required(open.scene, Snake(p), limits);
+    const Snake snake(p);
+    return P::bytes_required(open.scene, snake, limits);
   };
   EXPECT_GE(bytes(small, many) - bytes(small, few), 1000U * 4 * 6);
   EXPECT_GE(bytes(large, few) - bytes(small, few), 1000U * 4 * 14);  // 14 floats a vertex more

@@ -29,7 +29,7 @@ struct HallBench : Bench<Unicycle, P> {
 // The expansions of a search, call by call. Each call that begins one selects a group; one that goes on selects none.
 class Expansions {
  public:
-  Expansions(HallBench<AdaptivePlanner>& bench, std::uint64_t seed) : bench_(bench) {
+  Expansions(HallBench<Planner>& bench, std::uint64_t seed) : bench_(bench) {
     EXPECT_EQ(bench.planner.start({kStart, Goal::named(0), seed}), Status::searching);
   }
 
@@ -58,7 +58,7 @@ class Expansions {
     return sum;
   }
 
-  HallBench<AdaptivePlanner>& bench_;
+  HallBench<Planner>& bench_;
   std::vector<Vec2> positions_;
   bool begun_ = false;
   bool not_counted_ = false;
@@ -66,7 +66,7 @@ class Expansions {
 
 // The most steps of an expansion over some searches.
 std::size_t longest_expansion(std::uint32_t open_steps) {
-  HallBench<AdaptivePlanner> bench(open_steps);
+  HallBench<Planner> bench(open_steps);
   std::size_t most = 0;
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     Expansions expansions(bench, seed);
@@ -95,16 +95,16 @@ std::uint64_t hash_with(std::uint32_t open_steps) {
 
 TEST(PlannerOpen, AreNotThePapersNorOfOtherPlanners) {
   EXPECT_EQ(Parameters::paper().open_steps, 0U);
-  EXPECT_EQ(hash_with<Prior>(1000), hash_with<Prior>(0));
-  EXPECT_EQ(hash_with<Rrt>(1000), hash_with<Rrt>(0));
-  EXPECT_NE(hash_with<AdaptivePlanner>(1000), hash_with<AdaptivePlanner>(0));
+  EXPECT_EQ(hash_with<PriorPlanner>(1000), hash_with<PriorPlanner>(0));
+  EXPECT_EQ(hash_with<RrtPlanner>(1000), hash_with<RrtPlanner>(0));
+  EXPECT_NE(hash_with<Planner>(1000), hash_with<Planner>(0));
 }
 
 // Past max_steps no step begins where two portals have been crossed, nor where the last one led away from the target.
 TEST(PlannerOpen, WhatHasCrossedTwoPortalsIsNotInTheOpen) {
   Room room = hall();
   room.spacing = 4;
-  HallBench<AdaptivePlanner> bench(1000, room);
+  HallBench<Planner> bench(1000, room);
   int longer = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     Expansions expansions(bench, seed);
@@ -127,7 +127,7 @@ TEST(PlannerOpen, WhatHasCrossedTwoPortalsIsNotInTheOpen) {
 
 // A long expansion in the open that reaches its target does not count as a selection of its group.
 TEST(PlannerOpen, ALongWayThatReachesItsTargetIsNoSelection) {
-  HallBench<AdaptivePlanner> bench(1000);
+  HallBench<Planner> bench(1000);
   int not_counted = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     Expansions expansions(bench, seed);
@@ -148,7 +148,7 @@ TEST(PlannerOpen, ALongWayThatReachesItsTargetIsNoSelection) {
 // However long an expansion is, it counts once for the tries of a search.
 TEST(PlannerOpen, ALongWayIsOneExpansionOfATry) {
   constexpr std::uint32_t kUnit = 5;
-  HallBench<AdaptivePlanner> bench(1000);
+  HallBench<Planner> bench(1000);
   bench.parameters.restart_unit = kUnit;
   ASSERT_TRUE(bench.init().ok());
   Expansions expansions(bench, 1);

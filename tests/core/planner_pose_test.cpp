@@ -29,7 +29,7 @@ struct Silent : Unicycle {
   void turning_radius() const {}
   void top_speed() const {}
 };
-static_assert(Robot<Silent>);
+static_assert(RobotModel<Silent>);
 
 template <class R>
 std::vector<float> standing(const R& robot, Vec2 at) {
@@ -208,7 +208,7 @@ TEST(PlannerPose, AStartThatIsThePoseIsThePlan) {
 
 template <class P>
 class RivalsPose : public ::testing::Test {};
-using Rivals = ::testing::Types<Prior, Rrt>;
+using Rivals = ::testing::Types<PriorPlanner, RrtPlanner>;
 TYPED_TEST_SUITE(RivalsPose, Rivals, PlannerNames);
 
 TYPED_TEST(RivalsPose, RefuseOtherHeadings) {

@@ -15,7 +15,7 @@ template <class P>
 class PlannerRecycling : public ::testing::Test {
  protected:
   using TestBench = Bench<Unicycle, P>;
-  static constexpr bool kRecycles = !std::is_same_v<P, Rrt>;
+  static constexpr bool kRecycles = !std::is_same_v<P, RrtPlanner>;
 
   // That a solved search has a plan from the start to the goal, driven without touching anything.
   static void expect_plan(const TestBench& bench) {
@@ -81,7 +81,7 @@ TYPED_TEST(PlannerRecycling, TheSmallestPoolsNeitherCrashNorHangNorLie) {
 // RRT keeps every state.
 template <class P>
 class PlannerGivingUp : public PlannerRecycling<P> {};
-using Grouped = ::testing::Types<AdaptivePlanner, Prior>;
+using Grouped = ::testing::Types<Planner, PriorPlanner>;
 TYPED_TEST_SUITE(PlannerGivingUp, Grouped, PlannerNames);
 
 TYPED_TEST(PlannerGivingUp, GoesOnWhereStoppingWouldEnd) {

@@ -107,8 +107,8 @@ float end_of_rival() {
 
 TEST(PlannerRest, IsNotThePapersNorOfOtherPlanners) {
   EXPECT_EQ(Parameters::paper().end_speed, kInfinity);
-  EXPECT_GT(end_of_rival<Prior>(), 1.0F);
-  EXPECT_GT(end_of_rival<Rrt>(), 1.0F);
+  EXPECT_GT(end_of_rival<PriorPlanner>(), 1.0F);
+  EXPECT_GT(end_of_rival<RrtPlanner>(), 1.0F);
 }
 
 TEST(PlannerRest, AStartInTheGoalIsAPlanWhereItIsSlowEnough) {

@@ -107,8 +107,8 @@ TEST(PlannerRestarts, AreNotThePapersNorOfOtherPlanners) {
     EXPECT_EQ(bench.solve({kStart}), Status::solved);
     return bench.planner.statistics().restarts;
   };
-  EXPECT_EQ(restarts_of(Bench<Unicycle, Prior>(two_rooms(), small_unicycle())), 0U);
-  EXPECT_EQ(restarts_of(Bench<Unicycle, Rrt>(two_rooms(), small_unicycle())), 0U);
+  EXPECT_EQ(restarts_of(Bench<Unicycle, PriorPlanner>(two_rooms(), small_unicycle())), 0U);
+  EXPECT_EQ(restarts_of(Bench<Unicycle, RrtPlanner>(two_rooms(), small_unicycle())), 0U);
 }
 
 }  // namespace

@@ -192,7 +192,7 @@ TYPED_TEST(PlannerStatus, SceneNotOpened) {
   const Scene scene;
   const Unicycle robot = small_unicycle();
   alignas(Arena::kAlignment) std::byte block[1000];
-  typename TestFixture::TestBench::PlannerType planner;
+  decltype(TestFixture::TestBench::planner) planner;
   const Failure failure = planner.init(block, sizeof block, scene, robot, {}, {});
   EXPECT_EQ(failure.status, Status::bad_argument);
   EXPECT_EQ(failure.element, blame(Argument::scene));

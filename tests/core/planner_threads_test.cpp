@@ -46,7 +46,7 @@ TYPED_TEST(PlannerThreads, PlanAsTheyDoAlone) {
 TYPED_TEST(PlannerThreads, ShareASceneAndARobot) {
   const OpenScene open(two_rooms());
   const Unicycle robot = small_unicycle();
-  using P = typename TypeParam::template Of<Unicycle>;
+  using P = TypeParam;
   Limits limits;
   limits.vertices = 20'000;
   std::uint64_t hashes[3] = {};

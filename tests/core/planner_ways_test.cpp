@@ -27,9 +27,9 @@ TEST(PlannerWays, AreNotThePapersNorOfOtherPlanners) {
   EXPECT_EQ(Parameters::paper().sight_tries, 0U);
   EXPECT_EQ(Parameters::paper().candidates, 0U);
   EXPECT_EQ(Parameters::paper().slowest, kRivalsSlowest);
-  EXPECT_EQ(hash_with<Prior>({}), hash_with<Prior>(without_looks()));
-  EXPECT_EQ(hash_with<Rrt>({}), hash_with<Rrt>(without_looks()));
-  EXPECT_NE(hash_with<AdaptivePlanner>({}), hash_with<AdaptivePlanner>(without_looks()));
+  EXPECT_EQ(hash_with<PriorPlanner>({}), hash_with<PriorPlanner>(without_looks()));
+  EXPECT_EQ(hash_with<RrtPlanner>({}), hash_with<RrtPlanner>(without_looks()));
+  EXPECT_NE(hash_with<Planner>({}), hash_with<Planner>(without_looks()));
 }
 
 // Over some searches of a train through a door.
@@ -87,7 +87,7 @@ TEST(PlannerWays, AtTheEndsOfTheirRangesStillFindPlans) {
       parameters.sight_tries = tries;
       parameters.candidates = candidates;
       parameters.least_sketch = 0;
-      EXPECT_NE(hash_with<AdaptivePlanner>(parameters), 0U);
+      EXPECT_NE(hash_with<Planner>(parameters), 0U);
     }
   }
 }

@@ -12,8 +12,8 @@
 namespace krait::test {
 namespace {
 
-using OfUnicycle = PriorPlanner<Unicycle>;
-using PriorBench = Bench<Unicycle, Prior>;
+using OfUnicycle = PriorPlanner;
+using PriorBench = Bench<Unicycle, PriorPlanner>;
 
 constexpr float kStart[] = {1, 6.6F, 0};
 
@@ -146,7 +146,7 @@ TEST(PriorPlanner, PlansAlongACorridorWhereNearlyAllIsObstacle) {
   room.bounds = {0, 0, 12, 8};
   room.boxes = {{0, 0.75, 11.25, 8}};
   room.goals = {{11.25, 7, 12, 8}};
-  Bench<Unicycle, Prior> bench(room, small_unicycle());
+  Bench<Unicycle, PriorPlanner> bench(room, small_unicycle());
   bench.parameters.prior.path_share = 0.5F;
   bench.parameters.prior.goal_share = 0.0F;
   ASSERT_TRUE(bench.init().ok());

@@ -15,9 +15,9 @@ template <class P>
 constexpr bool kStaysInPlace =
     !std::is_copy_constructible_v<P> && !std::is_copy_assignable_v<P> && !std::is_move_constructible_v<P> &&
     !std::is_move_assignable_v<P> && std::is_default_constructible_v<P>;
-static_assert(kStaysInPlace<Planner<Car>>);
-static_assert(kStaysInPlace<PriorPlanner<Car>>);
-static_assert(kStaysInPlace<RrtPlanner<Car>>);
+static_assert(kStaysInPlace<Planner>);
+static_assert(kStaysInPlace<PriorPlanner>);
+static_assert(kStaysInPlace<RrtPlanner>);
 
 // Whether a planner can be initialised with a scene and a robot of these value categories.
 template <class P, class S, class R>
@@ -29,18 +29,18 @@ constexpr bool kKeepsNoTemporary =
     Initialises<P, const Scene&, const Car&>&& Initialises<P, Scene&, Car&> && !Initialises<P, Scene, Car&> &&
     !Initialises<P, const Scene, const Car&> && !Initialises<P, Scene&, Car> && !Initialises<P, Scene&, const Car> &&
     !Initialises<P, Scene, Car>;
-static_assert(kKeepsNoTemporary<Planner<Car>>);
-static_assert(kKeepsNoTemporary<PriorPlanner<Car>>);
-static_assert(kKeepsNoTemporary<RrtPlanner<Car>>);
+static_assert(kKeepsNoTemporary<Planner>);
+static_assert(kKeepsNoTemporary<PriorPlanner>);
+static_assert(kKeepsNoTemporary<RrtPlanner>);
 
 template <class S, class R>
-concept Checks = requires(MotionCheck<Car> check, S&& scene, R&& robot) {
+concept Checks = requires(MotionCheck check, S&& scene, R&& robot) {
   check.assign(std::forward<R>(robot), std::forward<S>(scene), 0.0F, 1, true);
 };
 static_assert(Checks<Scene&, Car&> && !Checks<Scene, Car&> && !Checks<Scene&, Car>);
 
 template <class R>
-concept Drives = requires(Drive<Car> drive, PlanDrive<Car> plan_drive, R&& robot, const float* state) {
+concept Drives = requires(Drive drive, PlanDrive plan_drive, R&& robot, const float* state) {
   drive.assign(std::forward<R>(robot), 0.1F);
   plan_drive.begin(std::forward<R>(robot), 0.1F, state);
 };

@@ -29,7 +29,7 @@ class RobotDynamics : public ::testing::Test {
 TYPED_TEST_SUITE(RobotDynamics, Models, ModelNames);
 
 TYPED_TEST(RobotDynamics, SatisfiesTheConcept) {
-  static_assert(Robot<TypeParam>);
+  static_assert(RobotModel<TypeParam>);
   for (const TypeParam& robot : instances<TypeParam>()) {
     EXPECT_LE(robot.state_size(), TypeParam::kMaxState);
     EXPECT_LE(robot.control_size(), TypeParam::kMaxControl);

@@ -95,7 +95,7 @@ TEST(RobotKeepsLimits, NoHitchPassesItsLimitInAStepThatIsFree) {
   Room room;
   room.bounds = {-10, -10, 10, 10};
   const OpenScene open(room);
-  MotionCheck<Snake> check;
+  MotionCheck check;
   check.assign(snake, open.scene, 0.0F, 16, true);
   int by_parts = 0;
   const auto is_free = [&](const auto& s, const auto& u, const auto& next) {

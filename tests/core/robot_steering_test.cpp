@@ -47,7 +47,7 @@ TEST(RobotSteering, ADifferentialDriveSlowsDownToTurn) {
 template <class R>
 std::vector<float> stopped(const R& robot, std::vector<float> state, Vec2 toward) {
   const int size = robot.state_size();
-  Drive<R> drive;
+  Drive drive;
   drive.assign(robot, 0.1F);
   drive.begin(state.data());
   Target target;

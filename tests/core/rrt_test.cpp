@@ -9,8 +9,8 @@
 namespace krait::test {
 namespace {
 
-using OfUnicycle = RrtPlanner<Unicycle>;
-using RrtBench = Bench<Unicycle, Rrt>;
+using OfUnicycle = RrtPlanner;
+using RrtBench = Bench<Unicycle, RrtPlanner>;
 
 Vec2 position(const OfUnicycle& planner, Index vertex) {
   return {planner.tree().state(vertex)[0], planner.tree().state(vertex)[1]};

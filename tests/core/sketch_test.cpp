@@ -94,7 +94,7 @@ TEST(SketchOfAChain, KeepsItsFramesTurned) {
 template <class R>
 std::uint32_t free_steps(const Room& room, const R& robot, const std::vector<float>& state, const Target& target) {
   const OpenScene open(room);
-  Sketcher<R> sketcher;
+  Sketcher sketcher;
   sketcher.assign(robot, open.scene, kStep, 0.5F);
   return sketcher.free_steps(state.data(), target);
 }
@@ -118,12 +118,12 @@ TYPED_TEST(SketcherOf, FindsAWayFreeUpToTheWall) {
   Room walled = hall();
   walled.boxes = {{21.5, 0, 22, 20}};
   const Target ahead{{30, 10}, 1.0F, 0.1F, 1.0F};
-  EXPECT_EQ(free_steps(hall(), robot, state, ahead), Sketcher<TypeParam>::kSteps);
+  EXPECT_EQ(free_steps(hall(), robot, state, ahead), Sketcher::kSteps);
   const std::uint32_t steps = free_steps(walled, robot, state, ahead);
   EXPECT_GE(steps, 2U);
   EXPECT_LT(steps, 10U);
   // What is reached before the wall is free.
-  EXPECT_EQ(free_steps(walled, robot, state, {{20.7F, 10}, 1.0F, 0.1F, 1.0F}), Sketcher<TypeParam>::kSteps);
+  EXPECT_EQ(free_steps(walled, robot, state, {{20.7F, 10}, 1.0F, 0.1F, 1.0F}), Sketcher::kSteps);
 }
 
 TEST(SketcherOfATrain, SeesThatATrailerHits) {
@@ -134,16 +134,16 @@ TEST(SketcherOfATrain, SeesThatATrailerHits) {
   robot.rest({20, 10}, 0, nullptr, state.data());
   Room room = hall();
   room.boxes = {{16.6, 10.4, 18.9, 13}};  // beside the last trailers: a turn away from it drags them into it
-  EXPECT_EQ(free_steps(room, robot, state, {{30, 10}, 1.0F, 0.1F, 1.0F}), Sketcher<Snake>::kSteps);
-  EXPECT_LT(free_steps(room, robot, state, {{20, 3}, 1.0F, 0.1F, 1.0F}), Sketcher<Snake>::kSteps);
-  EXPECT_EQ(free_steps(room, robot, state, {{20, 17}, 1.0F, 0.1F, 1.0F}), Sketcher<Snake>::kSteps);
+  EXPECT_EQ(free_steps(room, robot, state, {{30, 10}, 1.0F, 0.1F, 1.0F}), Sketcher::kSteps);
+  EXPECT_LT(free_steps(room, robot, state, {{20, 3}, 1.0F, 0.1F, 1.0F}), Sketcher::kSteps);
+  EXPECT_EQ(free_steps(room, robot, state, {{20, 17}, 1.0F, 0.1F, 1.0F}), Sketcher::kSteps);
 }
 
 TEST(SketcherOfAUsersRobot, GoesByItsDerivative) {
   const Slider robot(0.5F, 1.5F);
   Room room = hall();
   room.boxes = {{22, 0, 22.5, 20}};
-  EXPECT_EQ(free_steps(room, robot, {20, 10}, {{20, 16}, 1.0F, 0.1F, 1.0F}), Sketcher<Slider>::kSteps);
+  EXPECT_EQ(free_steps(room, robot, {20, 10}, {{20, 16}, 1.0F, 0.1F, 1.0F}), Sketcher::kSteps);
   const std::uint32_t steps = free_steps(room, robot, {20, 10}, {{30, 10}, 1.0F, 0.1F, 1.0F});
   EXPECT_EQ(steps, 5U);  // 0.3 m each, until 0.27 m before the wall
 }

@@ -2,7 +2,7 @@
 // Must not compile: every result that says what went wrong is thrown away.
 #include "krait/krait.hpp"
 
-void plan(krait::Planner<krait::Unicycle>& planner, const krait::Scene& scene, const krait::Unicycle& robot) {
+void plan(krait::Planner& planner, const krait::Scene& scene, const krait::Unicycle& robot) {
   krait::Scene opened;
   krait::Scene::open(nullptr, 0, opened);
   planner.init(nullptr, 0, scene, robot, krait::Parameters(), krait::Limits());

@@ -9,7 +9,7 @@
 namespace krait::test {
 namespace {
 
-static_assert(Robot<Slider>);
+static_assert(RobotModel<Slider>);
 
 template <class P>
 class UserRobot : public ::testing::Test {};
@@ -44,20 +44,29 @@ TEST(UserRobotDefaults, MayBeLeftOut) {
   EXPECT_EQ(first_bad_of_robot(slider), Argument::none);
 }
 
+// Of a robot that need not last.
+template <RobotModel R>
+Argument first_bad(const R& robot) {
+  return first_bad_of_robot(robot);
+}
+
 TEST(UserRobotDefaults, UnusableBodyIsRefused) {
-  EXPECT_EQ(first_bad_of_robot(Slider(0.0F, 1)), Argument::robot_polygon);
-  EXPECT_EQ(first_bad_of_robot(Slider(-1.0F, 1)), Argument::none);  // mirrored twice it is the same square
+  EXPECT_EQ(first_bad(Slider(0.0F, 1)), Argument::robot_polygon);
+  EXPECT_EQ(first_bad(Slider(-1.0F, 1)), Argument::none);  // mirrored twice it is the same square
 }
 
 // A robot that lies about its sizes.
 class Oversized : public Slider {
  public:
   using Slider::Slider;
-  int state_size() const { return 3; }
+  int state_size() const { return size_; }
+
+ private:
+  int size_ = 3;
 };
 
 TEST(UserRobotDefaults, SizesBeyondTheMaximaAreRefused) {
-  EXPECT_EQ(first_bad_of_robot(Oversized(0.5F, 1)), Argument::robot_sizes);
+  EXPECT_EQ(first_bad(Oversized(0.5F, 1)), Argument::robot_sizes);
 }
 
 // One of any sizes, whose maxima are 3 states, 2 controls and 4 bodies.
@@ -79,7 +88,7 @@ TEST(UserRobotDefaults, EachSizeIsHeldToItsRange) {
     for (int controls = -1; controls <= 4; ++controls) {
       for (int bodies = -1; bodies <= 6; ++bodies) {
         const bool fits = 2 <= states && states <= 3 && 1 <= controls && controls <= 2 && 1 <= bodies && bodies <= 4;
-        ASSERT_EQ(first_bad_of_robot(Sized(states, controls, bodies)), fits ? Argument::none : Argument::robot_sizes)
+        ASSERT_EQ(first_bad(Sized(states, controls, bodies)), fits ? Argument::none : Argument::robot_sizes)
             << states << " " << controls << " " << bodies;
       }
     }

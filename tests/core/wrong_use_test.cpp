@@ -23,11 +23,11 @@ bool ended(Status status) {
 
 // Every number of the plan is finite and every step free, by code of the tests' own.
 template <class R>
-void expect_holds(const R& robot, const Scene& scene, const Plan<R>& plan, int parts) {
+void expect_holds(const R& robot, const Scene& scene, const Plan& plan, int parts) {
   ASSERT_FALSE(plan.empty());
   const auto row = [](const float* values, int count) { return std::vector<float>(values, values + count); };
   std::uint32_t step = 0;
-  for (PlanCursor<R> at = plan.cursor(); !at.done(); at.advance()) {
+  for (PlanCursor at = plan.cursor(); !at.done(); at.advance()) {
     const auto state = row(at.state(), plan.state_size()), control = row(at.control(), plan.control_size());
     for (const float value : state) ASSERT_TRUE(finite(value));
     for (const float value : control) ASSERT_TRUE(finite(value));
@@ -112,7 +112,7 @@ TYPED_TEST(WrongUse, ABudgetOfOneLessAndOfOneMore) {
 TYPED_TEST(WrongUse, ASceneThatWasNeverOpenedHoldsNoStart) {
   const Scene scene;
   const Unicycle robot = small_unicycle();
-  using P = typename TypeParam::template Of<Unicycle>;
+  using P = TypeParam;
   P planner;
   Limits limits;
   limits.vertices = 100;
@@ -259,9 +259,9 @@ TYPED_TEST(WrongUse, ARobotThatBreaksItsWordGetsNoPlanThroughTheFault) {
     } else {
       EXPECT_TRUE(status == Status::budget_used || status == Status::tree_full) << name(status);
     }
-    const Plan<Faulty> plan = bench.planner.plan();
+    const Plan plan = bench.planner.plan();
     if (plan.empty()) continue;
-    for (PlanCursor<Faulty> at = plan.cursor(); !at.done(); at.advance()) {
+    for (PlanCursor at = plan.cursor(); !at.done(); at.advance()) {
       ASSERT_TRUE(finite(Vec2{at.state()[0], at.state()[1]}));
     }
   }

@@ -189,7 +189,7 @@ TEST_P(ReferencePlanner, AgreesWithThePapers) {
 }
 
 TEST_P(ReferencePlanner, AgreesWithPriorWork) {
-  Bench<Unicycle, Prior> bench(GetParam().room(), small_unicycle());
+  Bench<Unicycle, PriorPlanner> bench(GetParam().room(), small_unicycle());
   bench.parameters.max_steps = 24;
   bench.parameters.prune_portals = false;
   Rules rules = rules_of_prior(bench.parameters, 0.5, 0.2);

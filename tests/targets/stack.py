@@ -22,8 +22,11 @@ import sys
 
 RESET = "krait_reset"
 
-# What an indirect call can reach: the folder of the source line that calls, and the targets by their C++ names.
+# What an indirect call can reach: the folder or file of the source line that calls, and the targets by their C++ names,
+# in which CALLED stands for the member that the line calls.
 INDIRECT_CALLS = [
+    ("krait/robot/robot.hpp", r"krait::FunctionsOf<.*>::CALLED\("),
+    ("krait/search/watch.hpp", r"no such function"),  # a firmware's search has nobody who watches
     ("port/firmware/", r"krait::bare_metal::(\(anonymous namespace\)::(clock|log|fault)|stack_bytes)\("),
     ("port/bare_metal/memory.cpp", r"_GLOBAL__sub_I_"),  # static constructors
 ]
@@ -192,7 +195,8 @@ class Graph:
             listed = [pattern for folder, pattern in INDIRECT_CALLS if folder in place]
             if not listed:
                 raise Unbounded(f"{self.plain[name]}: the indirect call at {place} is not listed")
-            targets |= {target for target, plain in self.plain.items() if re.match(listed[0], plain)}
+            wanted = re.compile(listed[0].replace("CALLED", called_at(place)))
+            targets |= {target for target, plain in self.plain.items() if wanted.match(plain)}
         return targets
 
     def depth(self, name, chain=()):
@@ -206,6 +210,13 @@ class Graph:
             deepest, path = max(below, key=lambda each: each[0], default=(0, []))
             self.depths[name] = (self.frame(name) + deepest, [name] + path)
         return self.depths[name]
+
+
+def called_at(place):
+    """The member that is called through a pointer at FILE:LINE:COLUMN."""
+    file, line, _ = place.rsplit(":", 2)
+    source = pathlib.Path(file).read_text().splitlines()[int(line) - 1]
+    return re.search(r"->(\w+)\(", source).group(1) if "->" in source else ""
 
 
 def output_of_filter(tool, lines):

@@ -30,21 +30,12 @@ struct PlanMeasures {
 class PlanMeter {
  public:
   // One step; arrays of state_size and control_size floats.
-  void add(const float* state, int state_size, const float* control, int control_size, const float* next) {
-    hash_.add(state, state_size);
-    hash_.add(control, control_size);
-    ++measures_.steps;
-    measures_.length += krait::length(Vec2{next[0], next[1]} - Vec2{state[0], state[1]});
-  }
+  void add(const float* state, int state_size, const float* control, int control_size, const float* next);
 
   float length() const { return measures_.length; }  // metres, so far
 
   // The measures of the plan that ends with `state`.
-  PlanMeasures end(const float* state, int state_size) {
-    hash_.add(state, state_size);
-    measures_.hash = hash_.value();
-    return measures_;
-  }
+  PlanMeasures end(const float* state, int state_size);
 
  private:
   PlanMeasures measures_;
@@ -60,10 +51,7 @@ class PlanPath {
   PlanPath(const Way& way, const TargetGrid& grid) : way_(&way), grid_(&grid), first_(way.count() > 0 ? 0 : kNone) {}
 
   Index first() const { return first_; }  // kNone: no leg
-  Index next(Index leg) const {
-    if (tree_ != nullptr) return tree_->next_of_path(leg);
-    return leg + 1 < way_->count() ? leg + 1 : kNone;
-  }
+  Index next(Index leg) const;
   Target target(Index leg) const { return tree_ != nullptr ? tree_->target(leg) : grid_->unpack((*way_)[leg].target); }
   std::uint32_t steps(Index leg) const { return tree_ != nullptr ? tree_->steps(leg) : (*way_)[leg].steps; }
 
@@ -75,18 +63,13 @@ class PlanPath {
 };
 
 // Walks along a plan: s0 u0 s1 u1 … sL. Its memory is its own.
-template <Robot R>
 class PlanCursor {
  public:
   PlanCursor() = default;
-  PlanCursor(const R& robot, const PlanPath& path, const float* start, float dt)
-      : robot_(&robot), path_(path), leg_(path.first()) {
-    drive_.begin(robot, dt, start);
-    enter();
-  }
+  PlanCursor(const Robot& robot, const PlanPath& path, const float* start, float dt);
 
-  int state_size() const { return robot_->state_size(); }
-  int control_size() const { return robot_->control_size(); }
+  int state_size() const { return robot_.state_size(); }
+  int control_size() const { return robot_.control_size(); }
 
   // Whether this is the last state.
   bool done() const { return leg_ == kNone; }
@@ -98,57 +81,36 @@ class PlanCursor {
   const float* next() const { return drive_.next(); }
 
   // On to the next state; not when done. Work: one control and the Runge-Kutta steps of a time step.
-  void advance() {
-    drive_.go();
-    if (++step_ == path_.steps(leg_)) {
-      leg_ = path_.next(leg_);
-      enter();
-    } else {
-      step();
-    }
-  }
+  void advance();
 
  private:
-  void enter() {
-    step_ = 0;
-    if (leg_ == kNone) return;
-    drive_.aim(path_.target(leg_));
-    step();
-  }
+  void enter();
 
-  void step() {
-    Pose poses[R::kMaxBodies];
-    robot_->place(StateView(drive_.state(), state_size()), poses);
-    drive_.step(poses);
-  }
+  void step();
 
-  const R* robot_ = nullptr;
+  Robot robot_;
   PlanPath path_;
   Index leg_ = kNone;
   std::uint32_t step_ = 0;
-  PlanDrive<R> drive_;
+  PlanDrive drive_;
 };
 
 // What a search found, in the planner's memory: valid until its next start or improve.
-template <Robot R>
 class Plan {
  public:
   Plan() = default;
   // `start` is robot.state_size() floats.
-  Plan(const R& robot, const PlanPath& path, const float* start, float dt)
-      : robot_(&robot), path_(path), start_(start), dt_(dt) {
-    for (Index leg = path.first(); leg != kNone; leg = path.next(leg)) steps_ += path.steps(leg);
-  }
+  Plan(const Robot& robot, const PlanPath& path, const float* start, float dt);
 
   bool empty() const { return start_ == nullptr; }
   std::uint32_t steps() const { return steps_; }
-  int state_size() const { return empty() ? 0 : robot_->state_size(); }
-  int control_size() const { return empty() ? 0 : robot_->control_size(); }
+  int state_size() const { return empty() ? 0 : robot_.state_size(); }
+  int control_size() const { return empty() ? 0 : robot_.control_size(); }
   float dt() const { return dt_; }                                     // seconds
   float duration() const { return dt_ * static_cast<float>(steps_); }  // seconds
 
   // From the first state; not of an empty plan.
-  PlanCursor<R> cursor() const { return {*robot_, path_, start_, dt_}; }
+  PlanCursor cursor() const { return {robot_, path_, start_, dt_}; }
 
   // Metres, of the line through the positions; 0 for no plan. O(steps).
   float length() const { return empty() ? 0.0F : measures().length; }
@@ -157,25 +119,12 @@ class Plan {
   std::uint64_t hash() const { return empty() ? 0 : measures().hash; }
 
   // (steps() + 1) * state_size() and steps() * control_size() floats into the caller's arrays. O(steps).
-  void copy(float* states, float* controls) const {
-    if (empty()) return;
-    PlanCursor<R> at = cursor();
-    for (; !at.done(); at.advance()) {
-      for (int i = 0; i < state_size(); ++i) *states++ = at.state()[i];
-      for (int i = 0; i < control_size(); ++i) *controls++ = at.control()[i];
-    }
-    for (int i = 0; i < state_size(); ++i) *states++ = at.state()[i];
-  }
+  void copy(float* states, float* controls) const;
 
  private:
-  PlanMeasures measures() const {
-    PlanMeter meter;
-    PlanCursor<R> at = cursor();
-    for (; !at.done(); at.advance()) meter.add(at.state(), state_size(), at.control(), control_size(), at.next());
-    return meter.end(at.state(), state_size());
-  }
+  PlanMeasures measures() const;
 
-  const R* robot_ = nullptr;
+  Robot robot_;
   PlanPath path_;
   const float* start_ = nullptr;
   float dt_ = 0.0F;

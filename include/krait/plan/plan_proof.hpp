@@ -15,62 +15,32 @@ struct EndDepth {
   float most = 0.0F;
 };
 
-template <Robot R>
 class PlanProof {
  public:
   // Whatever is given must outlive this. The start is state_size() floats, copied. Before the first step: place().
-  void begin(const R& robot, const Scene& scene, const Parameters& parameters, MotionCheck<R>& check,
-             const float* start) {
-    robot_ = &robot;
-    parameters_ = &parameters;
-    check_ = &check;
-    step_ = ProvenStep<R>(robot, scene, parameters, check);
-    meter_ = {};
-    turned_ = 0.0F;
-    strayed_ = 0.0F;
-    for (int i = 0; i < robot.state_size(); ++i) errors_[i] = 0.0F;
-    drive_.begin(robot, parameters.dt, start);
-  }
+  void begin(const Robot& robot, const Scene& scene, const Parameters& parameters, MotionCheck& check,
+             const float* start);
 
   // Places the robot at the start.
-  void place() {
-    keep();
-    check_->begin(drive_.state());
-  }
+  void place();
 
   // The next steps are toward this target, with a fresh controller.
   void aim(const Target& target) { drive_.aim(target); }
 
   // From now on the check keeps the margin that the way so far asks for. O(bodies).
-  void keep() {
-    allowed_ = kSpare * strayed_ > kDriveError ? kSpare * strayed_ : kDriveError;
-    check_->keep(parameters_->clearance + error(), longest_plan_step(*robot_, parameters_->dt));
-  }
+  void keep();
 
   // Drives a step. False when it is not proven, or when the states would be too far from where the controls lead.
-  bool step() {
-    const SinCos heading = check_->poses()[0].heading;
-    drive_.step(check_->poses());
-    if (!carry_errors_on()) return false;
-    if (!step_.holds(drive_.state(), drive_.control(), drive_.next())) return false;
-    meter_.add(drive_.state(), robot_->state_size(), drive_.control(), robot_->control_size(), drive_.next());
-    drive_.go();
-    const SinCos after = check_->poses()[0].heading;
-    turned_ += length(Vec2{after.cos - heading.cos, after.sin - heading.sin});
-    return true;
-  }
+  bool step();
 
   // How deep inside the goal the plan that ends here must do so.
-  float end_depth(const EndDepth& depth) const {
-    const float off = error() < depth.most ? error() : depth.most;
-    return off > depth.least ? off : depth.least;
-  }
+  float end_depth(const EndDepth& depth) const;
 
   const float* state() const { return drive_.state(); }
   // The tree's state beside it.
   const float* tree_state() const { return drive_.tree_state(); }
   // Of the plan that ends here.
-  PlanMeasures measures() { return meter_.end(drive_.state(), robot_->state_size()); }
+  PlanMeasures measures() { return meter_.end(drive_.state(), robot_.state_size()); }
 
  private:
   static constexpr float kDriveError = 1e-4F;  // metres: how far the driven states may be off, and
@@ -80,32 +50,22 @@ class PlanProof {
   static constexpr float kSpare = 2.0F;        // of the errors' growth, before the check keeps more
 
   // Metres: how far the states so far may be from where the controls lead.
-  float error() const { return allowed_ + kDriftShare * (meter_.length() + turned_ * robot_length(*robot_)); }
+  float error() const { return allowed_ + kDriftShare * (meter_.length() + turned_ * robot_length(robot_)); }
 
   // Carries the errors on over the step that drive_ found, and has the check keep more where they outgrow what it
   // keeps. False where one is too large.
-  bool carry_errors_on() {
-    const int size = robot_->state_size();
-    const float* const next = drive_.next();
-    strayed_ = krait::carry_errors(*robot_, StateView(drive_.state(), size), check_->poses(),
-                                   ControlView(drive_.control(), robot_->control_size()), parameters_->dt, errors_);
-    for (int i = 0; i < size; ++i) {
-      if (!(absolute(errors_[i]) <= kMostError * (1.0F + absolute(next[i]) / kLarge))) return false;
-    }
-    if (strayed_ > allowed_) place();
-    return finite(strayed_);
-  }
+  bool carry_errors_on();
 
-  const R* robot_ = nullptr;
+  Robot robot_;
   const Parameters* parameters_ = nullptr;
-  MotionCheck<R>* check_ = nullptr;
-  ProvenStep<R> step_;
-  PlanDrive<R> drive_;
+  MotionCheck* check_ = nullptr;
+  ProvenStep step_;
+  PlanDrive drive_;
   PlanMeter meter_;
   float turned_ = 0.0F;          // radians, of body 0 so far, as chords
   float strayed_ = 0.0F;         // metres: how far a body may be from where the controls lead, by errors that grew
   float allowed_ = kDriveError;  // metres: how far the check allows for
-  float errors_[R::kMaxState];   // of the state's components
+  float errors_[kMaxState];      // of the state's components
 };
 
 }  // namespace krait

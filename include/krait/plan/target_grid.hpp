@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "krait/robot/robot.hpp"
+#include "krait/robot/robot_model.hpp"
 
 namespace krait {
 

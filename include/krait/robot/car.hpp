@@ -28,4 +28,7 @@ class Car : public Truck {
 template <>
 inline constexpr bool kAnswersProven<Car> = true;
 
+// Compiled in the library, with its arithmetic.
+extern template class FunctionsOf<Car>;
+
 }  // namespace krait

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-#include "krait/robot/robot.hpp"
+#include "krait/robot/robot_functions.hpp"
 
 namespace krait {
 

@@ -74,4 +74,7 @@ class DifferentialDrive : public PlanarBody {
 template <>
 inline constexpr bool kAnswersProven<DifferentialDrive> = true;
 
+// Compiled in the library, with its arithmetic.
+extern template class FunctionsOf<DifferentialDrive>;
+
 }  // namespace krait

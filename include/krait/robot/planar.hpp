@@ -3,7 +3,7 @@
 #pragma once
 
 #include "krait/robot/box.hpp"
-#include "krait/robot/robot.hpp"
+#include "krait/robot/robot_functions.hpp"
 
 namespace krait {
 

@@ -18,30 +18,12 @@ float inner_radius(Polygon body, Vec2 center);
 Vec2 middle(Polygon body);
 
 // Argument::none, or what makes the robot unusable.
-template <Robot R>
-Argument first_bad_of_robot(const R& robot) {
-  if (!sound(robot)) return Argument::robot_dimensions;
-  const bool sizes = robot.state_size() >= 2 && robot.state_size() <= R::kMaxState && robot.control_size() >= 1 &&
-                     robot.control_size() <= R::kMaxControl && robot.body_count() >= 1 &&
-                     robot.body_count() <= R::kMaxBodies;
-  if (!sizes) return Argument::robot_sizes;
-  for (int k = 0; k < robot.body_count(); ++k) {
-    if (!usable_body(robot.body(k))) return Argument::robot_polygon;
-  }
-  return Argument::none;
-}
+Argument first_bad_of_robot(const Robot& robot);
+
+// Length of a body along its x axis, metres.
+float body_length(Polygon body);
 
 // Length of body 0 along its x axis, metres: the unit of parameters given in robot lengths.
-template <Robot R>
-float robot_length(const R& robot) {
-  const Polygon body = robot.body(0);
-  float low = body[0].x;
-  float high = body[0].x;
-  for (int i = 1; i < body.count; ++i) {
-    if (body[i].x < low) low = body[i].x;
-    if (body[i].x > high) high = body[i].x;
-  }
-  return high - low;
-}
+float robot_length(const Robot& robot);
 
 }  // namespace krait

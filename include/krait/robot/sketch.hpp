@@ -2,13 +2,13 @@
 // A rough step of a robot, cheap and near enough to tell where a target leads.
 #pragma once
 
-#include "krait/robot/robot.hpp"
+#include "krait/robot/robot_model.hpp"
 
 namespace krait {
 
 // Moves the state s and its frames `poses` by dt under u. False where it leaves the robot's limits. A robot may have it
 // as sketch(s, poses, u, dt); else it is a step by the midpoint rule.
-template <Robot R>
+template <RobotModel R>
 bool sketch(const R& robot, StateRef s, Pose* poses, ControlView u, float dt) {
   if constexpr (requires {
                   { robot.sketch(s, poses, u, dt) } -> std::same_as<bool>;

@@ -14,4 +14,7 @@ class Snake : public Chain {
 template <>
 inline constexpr bool kAnswersProven<Snake> = true;
 
+// Compiled in the library, with its arithmetic.
+extern template class FunctionsOf<Snake>;
+
 }  // namespace krait

@@ -2,7 +2,7 @@
 // What models have in common that follow a reference motion which they are very near to.
 #pragma once
 
-#include "krait/robot/robot.hpp"
+#include "krait/robot/robot_model.hpp"
 
 namespace krait {
 

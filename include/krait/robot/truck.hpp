@@ -15,4 +15,7 @@ class Truck : public Chain {
 template <>
 inline constexpr bool kAnswersProven<Truck> = true;
 
+// Compiled in the library, with its arithmetic.
+extern template class FunctionsOf<Truck>;
+
 }  // namespace krait

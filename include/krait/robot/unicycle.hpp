@@ -59,4 +59,7 @@ class Unicycle : public PlanarBody {
 template <>
 inline constexpr bool kAnswersProven<Unicycle> = true;
 
+// Compiled in the library, with its arithmetic.
+extern template class FunctionsOf<Unicycle>;
+
 }  // namespace krait

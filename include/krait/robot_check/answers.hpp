@@ -27,7 +27,7 @@ struct TravelAnswer {
   std::vector<Travel> bodies;
 };
 
-template <Robot R>
+template <RobotModel R>
 TravelAnswer travel_of(const R& robot, const Sample& sample, const std::vector<float>& next, float fill) {
   TravelAnswer answer;
   answer.bodies.assign(static_cast<std::size_t>(robot.body_count()), Travel{fill, fill, fill, fill});
@@ -43,12 +43,12 @@ inline std::vector<float> numbers_of(const TravelAnswer& answer) {
   return numbers;
 }
 
-template <Robot R>
+template <RobotModel R>
 QuickBound quick_bound_of(const R& robot, const Sample& sample, const std::vector<float>& next) {
   return quick_bound(robot, view(sample.state), view(sample.control), sample.dt, view(next));
 }
 
-template <Robot R>
+template <RobotModel R>
 std::vector<float> steer_of(const R& robot, const std::vector<float>& state, const Target& target, Steering& steering,
                             float fill) {
   std::vector<float> control(static_cast<std::size_t>(robot.control_size()), fill);
@@ -57,7 +57,7 @@ std::vector<float> steer_of(const R& robot, const std::vector<float>& state, con
 }
 
 // Asks twice, about the other state in between. ask(state, fill) returns numbers.
-template <Robot R, class Ask>
+template <RobotModel R, class Ask>
 void check_repeats(const Case<R>& c, const char* function, Ask ask) {
   const std::vector<float> first = ask(c.sample.state, kFills[0]);
   ask(c.other, kFills[0]);
@@ -75,7 +75,7 @@ void check_repeats(const Case<R>& c, const char* function, Ask ask) {
           "It must depend on nothing but its arguments: no counter, no clock, no memory that was not written.");
 }
 
-template <Robot R>
+template <RobotModel R>
 bool check_finite(const Case<R>& c, const char* function, const std::vector<float>& numbers) {
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     if (finite(numbers[i])) continue;
@@ -88,7 +88,7 @@ bool check_finite(const Case<R>& c, const char* function, const std::vector<floa
 }
 
 // False where nothing else can be checked of the sample.
-template <Robot R>
+template <RobotModel R>
 bool check_derivative(const Case<R>& c) {
   check_repeats(c, "derivative", [&](const std::vector<float>& state, float fill) {
     return derivative_of(c.robot, state, c.sample.control, fill);
@@ -96,7 +96,7 @@ bool check_derivative(const Case<R>& c) {
   return check_finite(c, "derivative", derivative_of(c.robot, c.sample.state, c.sample.control, kFills[0]));
 }
 
-template <Robot R>
+template <RobotModel R>
 void check_within_limits(const Case<R>& c) {
   check_repeats(c, "within_limits", [&](const std::vector<float>& state, float) {
     return std::vector<float>{c.robot.within_limits(view(state)) ? 1.0F : 0.0F};
@@ -114,7 +114,7 @@ void check_within_limits(const Case<R>& c) {
   }
 }
 
-template <Robot R>
+template <RobotModel R>
 bool check_headings(const Case<R>& c, const std::vector<Pose>& poses) {
   constexpr double kUnit = 1e-5;
   for (std::size_t k = 0; k < poses.size(); ++k) {
@@ -139,7 +139,7 @@ bool check_headings(const Case<R>& c, const std::vector<Pose>& poses) {
 }
 
 // False where nothing else can be checked of the sample.
-template <Robot R>
+template <RobotModel R>
 bool check_place(const Case<R>& c) {
   check_repeats(c, "place", [&](const std::vector<float>& state, float fill) {
     return numbers_of(poses_of(c.robot, state, fill));
@@ -163,7 +163,7 @@ inline bool same_polygon(Polygon a, Polygon b) {
   return same;
 }
 
-template <Robot R>
+template <RobotModel R>
 void check_bodies(const Case<R>& c) {
   for (int k = 0; k < c.robot.body_count(); ++k) {
     const Polygon body = c.robot.body(k);

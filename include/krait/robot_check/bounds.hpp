@@ -21,7 +21,7 @@ inline double strayed(const std::vector<Point>& way) {
 }
 
 // By every other of the frames, since each adds a rounding to the path.
-template <Robot R>
+template <RobotModel R>
 Moved moved(const Case<R>& c, std::size_t body) {
   Moved result;
   std::vector<Point> origins;
@@ -35,7 +35,7 @@ Moved moved(const Case<R>& c, std::size_t body) {
 }
 
 // How far a vertex of the body strays from the line between its places.
-template <Robot R>
+template <RobotModel R>
 double strayed_of_vertex(const Case<R>& c, std::size_t body, Vec2 vertex) {
   std::vector<Point> way;
   for (const auto& at : c.frames) way.push_back(placed(at[body], vertex));
@@ -48,7 +48,7 @@ struct Bound {
   std::size_t body;
 };
 
-template <Robot R>
+template <RobotModel R>
 void check_part(const Case<R>& c, const Bound& bound, const char* part, double motion, float allowed, const char* unit,
                 const char* remedy) {
   const double tolerance = rounding_at(c.motion.end()) + 1e-4 * static_cast<double>(allowed);
@@ -62,7 +62,7 @@ void check_part(const Case<R>& c, const Bound& bound, const char* part, double m
 }
 
 // What floats leave of a twist over the length of a body is no fault of it.
-template <Robot R>
+template <RobotModel R>
 void check_twist(const Case<R>& c, const Bound& bound) {
   const Polygon body = c.robot.body(static_cast<int>(bound.body));
   for (int i = 0; i < body.count; ++i) {
@@ -77,7 +77,7 @@ void check_twist(const Case<R>& c, const Bound& bound) {
 
 inline bool usable(const Travel& t) { return t.path >= 0 && t.turn >= 0 && t.bend >= 0 && t.twist >= 0; }
 
-template <Robot R>
+template <RobotModel R>
 void check_bound(const Case<R>& c, const Bound& bound) {
   if (!usable(bound.travel)) {
     c.fault(
@@ -100,7 +100,7 @@ void check_bound(const Case<R>& c, const Bound& bound) {
   if (moved.bend <= static_cast<double>(bound.travel.bend) + rounding_at(c.motion.end())) check_twist(c, bound);
 }
 
-template <Robot R>
+template <RobotModel R>
 void check_limits_hold(const Case<R>& c, const char* function) {
   const int beyond = beyond_limits(c.robot, c.motion);
   if (beyond < 0) return;
@@ -111,7 +111,7 @@ void check_limits_hold(const Case<R>& c, const char* function) {
           "Answer false unless it is proven that within_limits is true at every time in between.");
 }
 
-template <Robot R>
+template <RobotModel R>
 void check_travel(const Case<R>& c) {
   check_repeats(c, "travel", [&](const std::vector<float>& state, float fill) {
     return numbers_of(travel_of(c.robot, {state, c.sample.control, c.sample.dt}, c.next, fill));
@@ -122,7 +122,7 @@ void check_travel(const Case<R>& c) {
 }
 
 // The least distance, over the step, of two origins whose bodies are tested against each other.
-template <Robot R>
+template <RobotModel R>
 double least_separation(const Case<R>& c) {
   double least = kInfinite;
   const auto gap = static_cast<std::size_t>(self_collision_gap(c.robot));
@@ -134,7 +134,7 @@ double least_separation(const Case<R>& c) {
   return least;
 }
 
-template <Robot R>
+template <RobotModel R>
 void check_quick_bound(const Case<R>& c) {
   check_repeats(c, "quick_bound", [&](const std::vector<float>& state, float) {
     const QuickBound quick = quick_bound_of(c.robot, {state, c.sample.control, c.sample.dt}, c.next);
@@ -162,7 +162,7 @@ inline double leap(const Frame& a, const Frame& b) { return distance(origin(a), 
 
 // Looks again, sixteen times as finely, at the part of the step in which a frame moves most: what is continuous moves a
 // sixteenth there.
-template <Robot R>
+template <RobotModel R>
 void check_place_follows(const Case<R>& c) {
   constexpr double kLeast = 1e-3;
   for (std::size_t k = 0; k < c.frames[0].size(); ++k) {

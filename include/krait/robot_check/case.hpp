@@ -13,7 +13,7 @@ namespace krait::checking {
 // What stands in memory before a robot's function writes there: twice another, so that what it leaves shows.
 inline constexpr float kFills[] = {12345.0F, -54321.0F};
 
-template <Robot R>
+template <RobotModel R>
 struct Case {
   const R& robot;
   const RobotRanges& ranges;
@@ -35,7 +35,7 @@ inline constexpr double kInfinite = std::numeric_limits<double>::infinity();
 inline std::string body_number(std::size_t body) { return "body " + std::to_string(body); }
 
 // Whether a state is within the limits in spite of what rounding may make of one of its components.
-template <Robot R>
+template <RobotModel R>
 bool nearly_within_limits(const R& robot, const std::vector<float>& state) {
   if (robot.within_limits(view(state))) return true;
   for (std::size_t i = 0; i < state.size(); ++i) {
@@ -50,7 +50,7 @@ bool nearly_within_limits(const R& robot, const std::vector<float>& state) {
 }
 
 // The last in time of a motion's states that lies beyond the limits, or -1.
-template <Robot R>
+template <RobotModel R>
 int beyond_limits(const R& robot, const Motion33& motion) {
   for (int i = Motion33::kParts; i >= 0; --i) {
     if (!nearly_within_limits(robot, rounded(motion.states[static_cast<std::size_t>(i)]))) return i;

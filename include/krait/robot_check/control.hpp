@@ -12,7 +12,7 @@ struct SteeredSteps {
   int leaving = 0;
 };
 
-template <Robot R>
+template <RobotModel R>
 void check_control(const Case<R>& c, const Sample& at) {
   for (std::size_t i = 0; i < at.control.size(); ++i) {
     const RobotRange range = c.ranges.control[i];
@@ -27,7 +27,7 @@ void check_control(const Case<R>& c, const Sample& at) {
 }
 
 // The same control when asked again, and from known frames.
-template <Robot R>
+template <RobotModel R>
 void check_steer_repeats(const Case<R>& c, const Sample& at, const Target& target, const Steering& before) {
   Steering steering = before;
   const std::vector<float> again = steer_of(c.robot, at.state, target, steering, kFills[1]);
@@ -46,7 +46,7 @@ void check_steer_repeats(const Case<R>& c, const Sample& at, const Target& targe
 }
 
 // Steers from the sample's state toward the target until a step leaves the limits, `steps` at most.
-template <Robot R>
+template <RobotModel R>
 void check_steer(const Case<R>& c, const Target& target, int steps, SteeredSteps& counted) {
   Steering steering;
   Sample at = c.sample;

@@ -34,7 +34,7 @@ inline std::vector<float> moved(const std::vector<float>& state, const Move& mov
 constexpr const char* kAlike =
     "The robot must move alike there; if it need not, RobotRanges::anywhere and headings say so.";
 
-template <Robot R>
+template <RobotModel R>
 void check_derivative_moved(const Case<R>& c, const Move& move, const std::vector<float>& there) {
   const std::vector<float> here = derivative_of(c.robot, c.sample.state, c.sample.control);
   const std::vector<float> got = derivative_of(c.robot, there, c.sample.control);
@@ -52,7 +52,7 @@ void check_derivative_moved(const Case<R>& c, const Move& move, const std::vecto
   }
 }
 
-template <Robot R>
+template <RobotModel R>
 void check_place_moved(const Case<R>& c, const Move& move, const std::vector<float>& there) {
   const std::vector<Frame> here = c.frames[0];
   const std::vector<Frame> got = frames_of(c.robot, there);
@@ -69,7 +69,7 @@ void check_place_moved(const Case<R>& c, const Move& move, const std::vector<flo
   }
 }
 
-template <Robot R>
+template <RobotModel R>
 void check_travel_moved(const Case<R>& c, const Move& move, const std::vector<float>& there) {
   const Sample sample{there, c.sample.control, c.sample.dt};
   const std::vector<float> next = moved(c.next, move, move.angle != 0 ? c.ranges.headings : std::vector<int>{});
@@ -88,7 +88,7 @@ void check_travel_moved(const Case<R>& c, const Move& move, const std::vector<fl
   }
 }
 
-template <Robot R>
+template <RobotModel R>
 void check_moved(const Case<R>& c, const Move& move) {
   const std::vector<float> there =
       moved(c.sample.state, move, move.angle != 0 ? c.ranges.headings : std::vector<int>{});
@@ -101,7 +101,7 @@ void check_moved(const Case<R>& c, const Move& move) {
   if (!c.next.empty()) check_travel_moved(c, move, there);
 }
 
-template <Robot R>
+template <RobotModel R>
 void check_invariance(const Case<R>& c, double angle) {
   if (c.ranges.anywhere) check_moved(c, Move{"anywhere", 0, 3.5, -2.25});
   if (!c.ranges.headings.empty()) check_moved(c, Move{"direction", angle});

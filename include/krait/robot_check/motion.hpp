@@ -19,7 +19,7 @@ inline std::vector<float> rounded(const Numbers& numbers) {
 }
 
 // Of a state or its leading components. `fill` is there before.
-template <Robot R>
+template <RobotModel R>
 std::vector<float> derivative_of(const R& robot, const std::vector<float>& state, const std::vector<float>& control,
                                  float fill = 0.0F) {
   std::vector<float> rates(state.size(), fill);
@@ -28,7 +28,7 @@ std::vector<float> derivative_of(const R& robot, const std::vector<float>& state
 }
 
 // One Runge-Kutta step of the derivative, summed in double precision.
-template <Robot R>
+template <RobotModel R>
 Numbers runge_kutta_step(const R& robot, const Numbers& state, const std::vector<float>& control, double dt) {
   const auto rates = [&](const std::vector<float>& slope, double after) {
     Numbers at = state;
@@ -63,7 +63,7 @@ struct Motion33 {
   const Numbers& end() const { return states.back(); }
 };
 
-template <Robot R>
+template <RobotModel R>
 std::vector<Numbers> integrated(const R& robot, const Sample& sample, double dt, int steps_a_part) {
   std::vector<Numbers> states{Numbers(sample.state.begin(), sample.state.end())};
   for (int part = 0; part < Motion33::kParts; ++part) {
@@ -76,7 +76,7 @@ std::vector<Numbers> integrated(const R& robot, const Sample& sample, double dt,
 }
 
 // Halves the steps until it makes no difference.
-template <Robot R>
+template <RobotModel R>
 Motion33 fine_motion(const R& robot, const Sample& sample, double dt) {
   constexpr double kSame = 2e-6;
   constexpr int kMostSteps = 64;  // a part
@@ -97,14 +97,14 @@ struct Frame {
 };
 
 // `fill` is there before.
-template <Robot R>
+template <RobotModel R>
 std::vector<Pose> poses_of(const R& robot, const std::vector<float>& state, float fill = 0.0F) {
   std::vector<Pose> poses(static_cast<std::size_t>(robot.body_count()), Pose{{fill, fill}, {fill, fill}});
   robot.place(view(state), poses.data());
   return poses;
 }
 
-template <Robot R>
+template <RobotModel R>
 std::vector<Frame> frames_of(const R& robot, const std::vector<float>& state) {
   std::vector<Frame> frames;
   for (const Pose& pose : poses_of(robot, state)) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Holds a robot of one's own to what the Robot concept asks of it (krait/robot/robot.hpp), before it plans: against its
-// own derivative, integrated finely in double precision. For hosts: not part of krait.hpp, with the standard library.
+// Holds a robot of one's own to what the RobotModel concept asks of it (krait/robot/robot_model.hpp), before it plans:
+// against its own derivative, integrated finely in double precision. For hosts: not part of krait.hpp, with the
+// standard library.
 #pragma once
 
 #include <optional>
@@ -14,7 +15,7 @@
 namespace krait {
 namespace checking {
 
-template <Robot R>
+template <RobotModel R>
 class RobotCheck {
  public:
   RobotCheck(const R& robot, const RobotRanges& ranges, std::uint64_t seed, RobotReport& report)
@@ -147,7 +148,7 @@ class RobotCheck {
 // Draws so many states and controls from the ranges and names every promise of the concept that the robot breaks at
 // one, in the worst case found. The same for the same seed. What it does not find is not proven: samples are no proof.
 // Work: some thousand derivatives a sample.
-template <Robot R>
+template <RobotModel R>
 RobotReport check_robot(const R& robot, const RobotRanges& ranges, int samples = 1000, std::uint64_t seed = 1) {
   RobotReport report;
   checking::RobotCheck<R>(robot, ranges, seed, report).run(samples);

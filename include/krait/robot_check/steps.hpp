@@ -14,7 +14,7 @@ inline std::vector<float> leading(const std::vector<float>& state, int count) {
   return part;
 }
 
-template <Robot R>
+template <RobotModel R>
 bool check_leading_size(const Case<R>& c) {
   const int size = leading_size(c.robot);
   if (size >= 2 && size <= c.robot.state_size()) return true;
@@ -23,7 +23,7 @@ bool check_leading_size(const Case<R>& c) {
   return false;
 }
 
-template <Robot R>
+template <RobotModel R>
 void check_leading(const Case<R>& c) {
   if (!check_leading_size(c) || leading_size(c.robot) == c.robot.state_size()) return;
   const int size = leading_size(c.robot);
@@ -94,7 +94,7 @@ void check_lead_alone(const Case<R>& c) {
           "It must take a state of leading_size() components, and add the same to the bit.");
 }
 
-template <Robot R>
+template <RobotModel R>
 void check_integration(const Case<R>& c) {
   if constexpr (LeadingRobot<R>) {
     if (!check_leading_size(c)) return;
@@ -107,7 +107,7 @@ void check_integration(const Case<R>& c) {
 }
 
 // A step as long as the library makes them of a robot that says how fast it is.
-template <Robot R>
+template <RobotModel R>
 void check_fastest_rate(const Case<R>& c) {
   if constexpr (requires {
                   { c.robot.fastest_rate(c.sample.dt) } -> std::same_as<float>;

@@ -13,9 +13,9 @@ struct Effort {
   std::uint32_t tries = 0;  // expansions from there since the search last began anew; 0: none
 };
 
-template <class Derived, Robot R>
-class GroupedSearch : public Search<Derived, R, Groups> {
-  using Base = Search<Derived, R, Groups>;
+template <class Derived>
+class GroupedSearch : public Search<Derived, Groups> {
+  using Base = Search<Derived, Groups>;
 
  public:
   // Puts the state into its region's group, if the group's sample has a place for it and there is room. False when the

@@ -7,7 +7,7 @@
 
 #include "krait/collision/sight.hpp"
 #include "krait/decomposition/goal.hpp"
-#include "krait/robot/robot.hpp"
+#include "krait/robot/robot_model.hpp"
 #include "krait/search/dubins.hpp"
 
 namespace krait {

@@ -8,11 +8,10 @@
 
 namespace krait {
 
-template <Robot R>
-class Planner : public GroupedSearch<Planner<R>, R> {
-  using Base = GroupedSearch<Planner<R>, R>;
+class Planner : public GroupedSearch<Planner> {
+  using Base = GroupedSearch<Planner>;
   using Expansion = typename Base::Expansion;
-  template <class, Robot, class>
+  template <class, class>
   friend class Search;
 
   static constexpr float kSketchTime = 2.0F;   // of a sketched step, in time steps, at most
@@ -25,13 +24,13 @@ class Planner : public GroupedSearch<Planner<R>, R> {
     this->guide_.clear({parameters.alpha, parameters.beta, parameters.epsilon}, parameters.group_sample);
     raised_ = false;
     goes_on_ = false;
-    sketcher_.assign(*this->robot_, *this->scene_, sketched_step(), parameters.near_radius * this->robot_length_);
+    sketcher_.assign(this->robot_, *this->scene_, sketched_step(), parameters.near_radius * this->robot_length_);
     sight_ = Sight(*this->scene_, kSightRoom * sketcher_.radius(), kSightStep * this->robot_length_);
   }
   // Seconds.
   float sketched_step() const {
     const float step = kSketchTime * this->parameters_.dt;
-    const float longest = longest_step(*this->robot_, this->parameters_.dt, kSketchRate);
+    const float longest = longest_step(this->robot_, this->parameters_.dt, kSketchRate);
     return step < longest ? step : longest;
   }
   std::uint32_t restart_unit() const { return this->parameters_.restart_unit; }
@@ -42,8 +41,7 @@ class Planner : public GroupedSearch<Planner<R>, R> {
   static bool shoots() { return true; }
 
   // Algorithm 1, lines 4 to 13.
-  template <class Watch>
-  void iterate(Watch watch) {
+  void iterate(const Watch& watch) {
     if (goes_on_) {
       heed(this->go_on(watch));
     } else {
@@ -53,8 +51,7 @@ class Planner : public GroupedSearch<Planner<R>, R> {
     if (this->statistics_.iterations % update_interval() == 0) update_costs();
   }
 
-  template <class Watch>
-  void begin_expansion(Watch watch) {
+  void begin_expansion(const Watch& watch) {
     if (!this->room_for_expansion()) return;
     if (this->parameters_.plain) this->guide_.weigh(this->regions_);
     group_ = this->guide_.select(this->regions_);
@@ -105,7 +102,7 @@ class Planner : public GroupedSearch<Planner<R>, R> {
     }
     std::uint32_t best = 0;
     std::uint32_t longest = 0;
-    for (std::uint32_t i = 0; i < count && longest < Sketcher<R>::kSteps; ++i) {
+    for (std::uint32_t i = 0; i < count && longest < Sketcher::kSteps; ++i) {
       const std::uint32_t steps = sketcher_.free_steps(this->tree_.state(ways_[i].vertex), ways_[i].target);
       if (steps <= longest) continue;
       longest = steps;
@@ -167,8 +164,12 @@ class Planner : public GroupedSearch<Planner<R>, R> {
   bool goes_on_ = false;  // whether the last expansion is a long one that has not ended
   Index group_ = kNone;   // that it grows from
   Sight sight_;
-  Sketcher<R> sketcher_;
+  Sketcher sketcher_;
   Way ways_[Parameters::kMostCandidates];
 };
+
+// Compiled once, in the library.
+extern template class Search<Planner, Groups>;
+extern template class GroupedSearch<Planner>;
 
 }  // namespace krait

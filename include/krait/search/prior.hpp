@@ -9,10 +9,9 @@ namespace krait {
 
 // A group's weight is (epsilon + (1 - epsilon) (h_max - h) / (h_max - h_min))^alpha beta^selections. h_min is the
 // goal's 0, and 1 - epsilon is 1 in float: Eqn 7 with another epsilon.
-template <Robot R>
-class PriorPlanner : public GroupedSearch<PriorPlanner<R>, R> {
-  using Base = GroupedSearch<PriorPlanner<R>, R>;
-  template <class, Robot, class>
+class PriorPlanner : public GroupedSearch<PriorPlanner> {
+  using Base = GroupedSearch<PriorPlanner>;
+  template <class, class>
   friend class Search;
 
   static constexpr int kMaxTries = 16;  // at a point outside obstacles
@@ -30,8 +29,7 @@ class PriorPlanner : public GroupedSearch<PriorPlanner<R>, R> {
   }
 
   // An expansion also looks at every vertex of its group.
-  template <class Watch>
-  void iterate(Watch watch) {
+  void iterate(const Watch& watch) {
     if (!this->room_for_expansion()) return;
     const Index group = this->guide_.select(this->regions_);
     const Vec2 point = choose_point(group);
@@ -80,5 +78,9 @@ class PriorPlanner : public GroupedSearch<PriorPlanner<R>, R> {
     return best;
   }
 };
+
+// Compiled once, in the library.
+extern template class Search<PriorPlanner, Groups>;
+extern template class GroupedSearch<PriorPlanner>;
 
 }  // namespace krait

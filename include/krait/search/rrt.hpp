@@ -9,9 +9,8 @@
 
 namespace krait {
 
-template <Robot R>
-class RrtPlanner : public Search<RrtPlanner<R>, R, NearestPoints> {
-  using Base = Search<RrtPlanner<R>, R, NearestPoints>;
+class RrtPlanner : public Search<RrtPlanner, NearestPoints> {
+  using Base = Search<RrtPlanner, NearestPoints>;
   using Expansion = typename Base::Expansion;
   friend Base;
 
@@ -38,8 +37,7 @@ class RrtPlanner : public Search<RrtPlanner<R>, R, NearestPoints> {
 
   // A connection longer than one expansion goes on in the next iteration. It also searches the nearest vertex,
   // O(vertices) at worst.
-  template <class Watch>
-  void iterate(Watch watch) {
+  void iterate(const Watch& watch) {
     if (this->tree_.expansions_full()) {
       this->finish(Status::tree_full);
       return;
@@ -67,5 +65,8 @@ class RrtPlanner : public Search<RrtPlanner<R>, R, NearestPoints> {
   Index connecting_ = kNone;  // the vertex that a connection goes on from, or none
   Index newest_ = kNone;
 };
+
+// Compiled once, in the library.
+extern template class Search<RrtPlanner, NearestPoints>;
 
 }  // namespace krait

@@ -22,6 +22,7 @@
 #include "krait/search/last_metres.hpp"
 #include "krait/search/restarts.hpp"
 #include "krait/search/statistics.hpp"
+#include "krait/search/watch.hpp"
 
 namespace krait {
 
@@ -43,7 +44,7 @@ struct Query {
 //   iterate(watch)                 one expansion
 //   keep(region, branch, state)    hears of every new state that is not doomed, and may keep it as a vertex; false when
 //                                  it cannot go on
-template <class Derived, Robot R, class Guide>
+template <class Derived, class Guide>
 class Search {
  public:
   Search() = default;
@@ -52,19 +53,19 @@ class Search {
   Search& operator=(const Search&) = delete;
 
   // Bytes of the block that init needs. The same on every target. O(1).
-  static std::uint64_t bytes_required(const Scene& scene, const R& robot, const Limits& limits) {
+  static std::uint64_t bytes_required(const Scene& scene, const Robot& robot, const Limits& limits) {
     Arena counting;
     Regions regions;
     MotionTree tree;
     Guide guide;
-    Improver<R> improver;
+    Improver improver;
     take_pools(counting, scene, robot, limits, regions, tree, guide, improver);
     return counting.needed();
   }
 
   // The limits that spend a block of `bytes` best: as many vertices and expansions as fit beside `way_legs` legs, at
   // least 2. O(1).
-  static Limits limits_for(std::uint64_t bytes, const Scene& scene, const R& robot, std::uint32_t way_legs = 0) {
+  static Limits limits_for(std::uint64_t bytes, const Scene& scene, const Robot& robot, std::uint32_t way_legs = 0) {
     Limits limits;
     limits.way_legs = way_legs;
     std::uint32_t fits = 2;
@@ -80,7 +81,7 @@ class Search {
   // Uses the block, aligned to Arena::kAlignment, which like robot and scene must outlive the planner and stay where
   // it is; copies parameters and limits. Returns ok, or why not: bad_arithmetic, bad_argument (a scene that was not
   // opened, too), bad_robot, arena_too_small. May be called again.
-  [[nodiscard]] Failure init(void* block, std::uint64_t bytes, const Scene& scene, const R& robot,
+  [[nodiscard]] Failure init(void* block, std::uint64_t bytes, const Scene& scene, const Robot& robot,
                              const Parameters& parameters, const Limits& limits) {
     ready_ = false;
     if (!check_setup(robot, scene, parameters, limits).ok()) return failure_;
@@ -97,8 +98,7 @@ class Search {
     return {};
   }
   // Temporaries would not outlive the planner.
-  Failure init(void*, std::uint64_t, const Scene&&, const R&, const Parameters&, const Limits&) = delete;
-  Failure init(void*, std::uint64_t, const Scene&, const R&&, const Parameters&, const Limits&) = delete;
+  Failure init(void*, std::uint64_t, const Scene&&, const Robot&, const Parameters&, const Limits&) = delete;
 
   // Begins a search, ending any other. Returns searching; or solved, when a plan may end with the start; or no_route,
   // goal_in_obstacle, start_outside, start_in_collision, bad_argument; bad_scene, when the scene is found to be another
@@ -117,14 +117,11 @@ class Search {
   // call, and it goes on where they lead to nothing. A way that has reached the goal is driven once more before it is
   // returned as a plan: up to max_steps steps of it count as one of `iterations` here, but not in Statistics and
   // Limits. The result does not depend on how a search is cut into calls.
-  [[nodiscard]] Status advance(std::uint64_t iterations) {
-    return advance(iterations, [](const float*, const float*) {});
-  }
+  [[nodiscard]] Status advance(std::uint64_t iterations) { return advance(iterations, Watch()); }
 
   // The same, and calls watch(from, to), states, for every step that the tree grows by; before an expansion
   // watch.expands(vertex, target), where there is such a member.
-  template <class Watch>
-  [[nodiscard]] Status advance(std::uint64_t iterations, Watch watch) {
+  [[nodiscard]] Status advance(std::uint64_t iterations, const Watch& watch) {
     for (; iterations > 0 && status() == Status::searching; --iterations) {
       if (driving()) {
         drive_plan();
@@ -199,9 +196,9 @@ class Search {
   }
 
   // Empty unless solved. Valid until the next start or improve.
-  Plan<R> plan() const {
+  Plan plan() const {
     if (status() != Status::solved) return {};
-    return {*robot_, improving_ ? improver_.plan() : found_path(), tree_.state(kRoot), parameters_.dt};
+    return {robot_, improving_ ? improver_.plan() : found_path(), tree_.state(kRoot), parameters_.dt};
   }
 
   Statistics statistics() const {
@@ -228,21 +225,19 @@ class Search {
 
   // Algorithm 2, lines 4 to 15: from a vertex, which lies in `region` (or kNone: not known), toward the target. The
   // tree must have room for an expansion. Where it goes_on, that is for go_on.
-  template <class Watch>
-  Expanded expand(Index vertex, Index region, const Target& toward, Watch watch) {
+  Expanded expand(Index vertex, Index region, const Target& toward, const Watch& watch) {
     const Index expansion = tree_.begin_expansion(tree_.branch(vertex), toward);
     drive_.begin(tree_.state(vertex));
     check_.begin(drive_.state());
     drive_.aim(tree_.target(expansion));
-    if constexpr (requires { watch.expands(vertex, toward); }) watch.expands(vertex, drive_.target());
+    watch.expands(vertex, drive_.target());
     expanded_ = {Expansion::target_not_reached, region, {expansion, 0}};
     apart_ = kInfinity;
     return drive(expanded_, watch);
   }
 
   // The next max_steps steps of a long expansion.
-  template <class Watch>
-  Expanded go_on(Watch watch) {
+  Expanded go_on(const Watch& watch) {
     restarts_.uncount();
     return drive(expanded_, watch);
   }
@@ -251,7 +246,7 @@ class Search {
   Target any_way_to(Vec2 point, std::uint32_t tries) {
     Target target;
     target.point = point;
-    const bool backward = reversible(*robot_) && random_.unit() < parameters_.reverse_share;
+    const bool backward = robot_.reversible() && random_.unit() < parameters_.reverse_share;
     const float slowest = derived().slowest();
     const float share = slowest + (1.0F - slowest) * random_.unit();
     target.speed = backward ? -share : share;
@@ -265,7 +260,7 @@ class Search {
   // Lets the robot drive to a target in the goal so slowly that it can stop there.
   void slow_for(Target& target, Index from) const {
     if (!ending_.limits_speed()) return;
-    const float way = absolute(stopping_way(*robot_, StateView(tree_.state(from), robot_->state_size())));
+    const float way = absolute(robot_.stopping_way(tree_.state(from)));
     const float distance = length(target.point - position(from));
     if (distance < way) target.speed = target.speed * std::sqrt(distance / way);
   }
@@ -284,7 +279,7 @@ class Search {
     return status;
   }
 
-  const R* robot_ = nullptr;
+  Robot robot_;
   const Scene* scene_ = nullptr;
   Parameters parameters_;
   Limits limits_;
@@ -292,7 +287,7 @@ class Search {
   Regions regions_;
   MotionTree tree_;
   Guide guide_;
-  Drive<R> drive_;
+  Drive drive_;
   Random random_;
   float robot_length_ = 1.0F;
 
@@ -307,7 +302,7 @@ class Search {
 
   struct NewState {
     Index region;
-    float state[R::kMaxState];
+    float state[kMaxState];
   };
 
   static Failure bad_argument(Argument argument) {
@@ -319,8 +314,8 @@ class Search {
     return status();
   }
 
-  static void take_pools(Arena& arena, const Scene& scene, const R& robot, const Limits& limits, Regions& regions,
-                         MotionTree& tree, Guide& guide, Improver<R>& improver) {
+  static void take_pools(Arena& arena, const Scene& scene, const Robot& robot, const Limits& limits, Regions& regions,
+                         MotionTree& tree, Guide& guide, Improver& improver) {
     regions.take(arena, scene);
     tree.take(arena, limits.vertices, limits.kept_expansions(), robot.state_size());
     guide.take(arena, scene, limits.vertices);
@@ -331,12 +326,12 @@ class Search {
   const Derived& derived() const { return static_cast<const Derived&>(*this); }
 
   // The arguments that do not change between queries. Returns solved, or what is wrong.
-  Failure check_setup(const R& robot, const Scene& scene, const Parameters& parameters, const Limits& limits) {
-    robot_ = &robot;
+  Failure check_setup(const Robot& robot, const Scene& scene, const Parameters& parameters, const Limits& limits) {
+    robot_ = robot;
     scene_ = &scene;
     parameters_ = parameters;
     limits_ = limits;
-    if (!exact_arithmetic()) return failure_ = {Status::bad_arithmetic};
+    if (!exact_arithmetic() || !robot.exact()) return failure_ = {Status::bad_arithmetic};
     if (scene.bytes() == 0) return failure_ = bad_argument(Argument::scene);
     const Argument bad_robot = first_bad_of_robot(robot);
     if (bad_robot != Argument::none) return failure_ = {Status::bad_robot, 0, static_cast<std::uint32_t>(bad_robot)};
@@ -363,9 +358,9 @@ class Search {
     braking_ = kNone;
     shooting_ = false;
     random_ = Random(query.seed);
-    check_.assign(*robot_, *scene_, tree_clearance(), static_cast<int>(parameters_.max_substeps), !parameters_.plain);
+    check_.assign(robot_, *scene_, tree_clearance(), static_cast<int>(parameters_.max_substeps), !parameters_.plain);
     keep_for_tree();
-    ending_.assign(*robot_, *scene_, query.goal, derived().end_speed());
+    ending_.assign(robot_, *scene_, query.goal, derived().end_speed());
     tree_.clear(scene_->bounds(), spare_expansions());
     failure_ = check_query(query);
     if (status() != Status::searching) return status();
@@ -389,12 +384,12 @@ class Search {
   }
 
   Nimbleness nimbleness() const {
-    const R& robot = *robot_;
+    const Robot& robot = robot_;
     return {robot_length_,
-            turning_radius(robot, robot_length_),
-            top_speed(robot, robot_length_),
+            robot.turning_radius(robot_length_),
+            robot.top_speed(robot_length_),
             inner_radius(robot.body(0), {}),
-            reversible(robot) && robot.body_count() == 1,
+            robot.reversible() && robot.body_count() == 1,
             parameters_.dt};
   }
 
@@ -418,13 +413,13 @@ class Search {
 
   Failure check_query(const Query& query) {
     if (query.start == nullptr) return bad_argument(Argument::start);
-    for (int i = 0; i < robot_->state_size(); ++i) {
+    for (int i = 0; i < robot_.state_size(); ++i) {
       if (!finite(query.start[i])) return bad_argument(Argument::start);
     }
     drive_.begin(query.start);
     if (!ending_.goal().valid(*scene_)) return bad_argument(Argument::goal);
     if (!scene_->inside_bounds({query.start[0], query.start[1]})) return {Status::start_outside};
-    if (!robot_->within_limits(StateView(query.start, robot_->state_size()))) return bad_argument(Argument::start);
+    if (!robot_.within_limits(query.start)) return bad_argument(Argument::start);
     if (!check_.free(query.start)) return {Status::start_in_collision};
     return {Status::searching};
   }
@@ -455,7 +450,7 @@ class Search {
 
   // Around the middle of body 0.
   InnerDisc body_disc() {
-    const Polygon body = robot_->body(0);
+    const Polygon body = robot_.body(0);
     const Vec2 center = middle(body);
     check_.begin(drive_.state());
     const Pose& pose = check_.poses()[0];
@@ -465,12 +460,12 @@ class Search {
 
   // Around the position: smaller, but where the position is.
   InnerDisc position_disc() const {
-    return {start_position(), inner_radius(robot_->body(0), {}) + parameters_.clearance, 0.0F};
+    return {start_position(), inner_radius(robot_.body(0), {}) + parameters_.clearance, 0.0F};
   }
 
   // No obstacle comes nearer to the position than the disc around it that lies in body 0, if there is one.
   float least_portal_width() const {
-    const float inner = inner_radius(robot_->body(0), {});
+    const float inner = inner_radius(robot_.body(0), {});
     return parameters_.prune_portals && inner > 0.0F ? 2.0F * (inner + parameters_.clearance) : 0.0F;
   }
 
@@ -501,8 +496,7 @@ class Search {
   }
 
   // At most max_steps steps, and what becomes of the expansion.
-  template <class Watch>
-  Expanded drive(Expanded& expanded, Watch watch) {
+  Expanded drive(Expanded& expanded, const Watch& watch) {
     bool goes = true;
     for (std::uint32_t left = parameters_.max_steps; goes && left > 0; --left) {
       expanded.result = take_turn(expanded, watch);
@@ -530,8 +524,7 @@ class Search {
   // Whether the expansion waits for what may end the way from its last state.
   bool aside() const { return braking() || shooting_; }
 
-  template <class Watch>
-  Expansion take_turn(Expanded& expanded, Watch watch) {
+  Expansion take_turn(Expanded& expanded, const Watch& watch) {
     if (shooting_) return shoot(expanded, watch);
     return braking() ? brake(expanded, watch) : grow(expanded, watch);
   }
@@ -548,8 +541,7 @@ class Search {
   }
 
   // One step, and what becomes of it.
-  template <class Watch>
-  Expansion grow(Expanded& expanded, Watch watch) {
+  Expansion grow(Expanded& expanded, const Watch& watch) {
     if (!take_step(drive_)) return Expansion::collision;
     watch(drive_.state(), drive_.next());
     drive_.go();
@@ -582,8 +574,7 @@ class Search {
   }
 
   // One step of a shot. Where none ends in the goal, the expansion goes on from where they began.
-  template <class Watch>
-  Expansion shoot(Expanded& expanded, Watch watch) {
+  Expansion shoot(Expanded& expanded, const Watch& watch) {
     const bool aimed = brake_steps_ < LastMetres::kHold || begin_shot_leg(expanded.last);
     if (aimed && take_step(brake_)) {
       watch(brake_.state(), brake_.next());
@@ -599,10 +590,10 @@ class Search {
 
   // Each leg is an expansion of its own, which the tree has slots for.
   bool begin_shot_leg(Branch from) {
-    const StateView state(brake_.state(), robot_->state_size());
+    const float* const state = brake_.state();
     Target target;
-    const float speed = speed_of(*robot_, state);
-    const bool aims = last_metres_.aim(check_.poses()[0], speed, stopping_way(*robot_, state), target);
+    const float speed = robot_.speed(state);
+    const bool aims = last_metres_.aim(check_.poses()[0], speed, robot_.stopping_way(state), target);
     if (!aims || shot_legs_ == spare_expansions()) return false;
     const Index before = braking_;
     braking_ = tree_.begin_expansion(before == kNone ? from : Branch{before, brake_steps_}, target);
@@ -635,17 +626,16 @@ class Search {
   }
 
   // One step of the brake. Where it cannot end in the goal, the expansion goes on from where the brake began.
-  template <class Watch>
-  Expansion brake(const Expanded& expanded, Watch watch) {
+  Expansion brake(const Expanded& expanded, const Watch& watch) {
     if (take_step(brake_)) {
       watch(brake_.state(), brake_.next());
-      const float before = speed_of(*robot_, StateView(brake_.state(), robot_->state_size()));
+      const float before = robot_.speed(brake_.state());
       brake_.go();
       ++statistics_.vertices;
       ++brake_steps_;
       const float* const state = brake_.state();
       if (ending_.holds(state, goal_depth_)) return end_braking();
-      const bool slower = speed_of(*robot_, StateView(state, robot_->state_size())) < before;
+      const bool slower = robot_.speed(state) < before;
       if (slower && !ending_.slow(state) && brake_steps_ < MotionTree::kMostSteps) return Expansion::target_not_reached;
     }
     tree_.end_expansion(braking_, 0);
@@ -662,7 +652,7 @@ class Search {
   void remember(std::uint32_t step, Index region) {
     NewState& recent = recent_[step % kRecent];
     recent.region = region;
-    for (int i = 0; i < robot_->state_size(); ++i) recent.state[i] = drive_.state()[i];
+    for (int i = 0; i < robot_.state_size(); ++i) recent.state[i] = drive_.state()[i];
   }
 
   // Has the state `back` steps before the expansion's last kept, if there is one.
@@ -674,7 +664,7 @@ class Search {
   }
 
   // CONTROLLER, MOTION and COLLISION (lines 5 and 6). False when the step is not free or leaves the robot's limits.
-  bool take_step(Drive<R>& drive) { return ProvenStep<R>(*robot_, *scene_, parameters_, check_).take(drive); }
+  bool take_step(Drive& drive) { return ProvenStep(robot_, *scene_, parameters_, check_).take(drive); }
 
   // The region of a position; where no triangle contains it (a reference point outside the body may stand on an
   // obstacle), the last state's.
@@ -685,7 +675,7 @@ class Search {
 
   float tree_clearance() const { return parameters_.clearance + kTreeSlack * robot_length_; }
 
-  void keep_for_tree() { check_.keep(tree_clearance(), longest_tree_step(*robot_, parameters_.dt)); }
+  void keep_for_tree() { check_.keep(tree_clearance(), longest_tree_step(robot_, parameters_.dt)); }
 
   // The way to `last`, and on by the brake if it brakes, has reached the goal. It is driven once more from the start,
   // expansion by expansion, as the plan's controls alone would drive the robot, and every step is proven again: what
@@ -696,7 +686,7 @@ class Search {
     path_ = end.expansion == kNone ? kNone : tree_.turn_path(end);
     driven_ = path_;
     steps_left_ = 0;
-    proof_.begin(*robot_, *scene_, parameters_, check_, tree_.state(kRoot));
+    proof_.begin(robot_, *scene_, parameters_, check_, tree_.state(kRoot));
     if (driven_ == kNone) return finish_plan();
     proof_.place();
   }
@@ -719,7 +709,7 @@ class Search {
   // not the same as when it grew.
   void finish_plan() {
     const float* const end = proof_.state();
-    for (int i = 0; i < robot_->state_size(); ++i) {
+    for (int i = 0; i < robot_.state_size(); ++i) {
       if (proof_.tree_state()[i] == drive_.state()[i]) continue;
       finish(Status::internal);
       return;
@@ -734,7 +724,7 @@ class Search {
     statistics_.plan_steps = measures.steps;
     statistics_.plan_length = measures.length;
     statistics_.plan_duration = parameters_.dt * static_cast<float>(measures.steps);
-    statistics_.plan_end_speed = speed_of(*robot_, StateView(proof_.state(), robot_->state_size()));
+    statistics_.plan_end_speed = robot_.speed(proof_.state());
     statistics_.hash = measures.hash;
   }
 
@@ -755,8 +745,8 @@ class Search {
     improving_ = true;
     find_paths();
     const TargetGrid grid(scene_->bounds());
-    const WayTools<R> tools{robot_,  scene_, &parameters_, &check_,     &drive_,
-                            &brake_, grid,   &ending_,     goal_depth_, tree_.state(kRoot)};
+    const WayTools tools{robot_,  scene_, &parameters_, &check_,     &drive_,
+                         &brake_, grid,   &ending_,     goal_depth_, tree_.state(kRoot)};
     improver_.begin(tools, proof_, regions_, found_path(), end_depth_, random_);
   }
 
@@ -766,8 +756,8 @@ class Search {
   std::uint32_t fingerprint_ = 0;                    // the scene's at init
   Failure failure_ = bad_argument(Argument::block);  // until init has one
   Arena arena_;
-  MotionCheck<R> check_;
-  Ending<R> ending_;
+  MotionCheck check_;
+  Ending ending_;
   float goal_depth_ = 0.0F;  // metres: how deep inside the goal the tree's ways end
   EndDepth end_depth_;       // and plans
   Restarts restarts_;
@@ -781,13 +771,13 @@ class Search {
   Branch reached_;                // the state of the way that reached the goal, or where it began to brake
   Index braking_ = kNone;         // the expansion that brakes for the goal; kNone: none does
   std::uint32_t brake_steps_ = 0;
-  Drive<R> brake_;
+  Drive brake_;
   bool shooting_ = false;        // whether the last metres are driven; braking_ is their last leg
   std::uint32_t shot_legs_ = 0;  // of this shot
   LastMetres last_metres_;
-  PlanProof<R> proof_;
+  PlanProof proof_;
   bool improving_ = false;  // since the first call of improve
-  Improver<R> improver_;
+  Improver improver_;
 };
 
 }  // namespace krait

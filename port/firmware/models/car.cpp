@@ -6,16 +6,9 @@ namespace krait::firmware {
 const char* const kModel = "car";
 const bool kHasTrailers = false;
 
-namespace {
-
-// In a function of its own: what making it needs does not lie on the stack while it plans.
-[[gnu::noinline]] const Car& robot() {
-  static const Car car(Car::defaults());
-  return car;
+Robot robot_for(const Request&) {
+  static const Car robot(Car::defaults());
+  return robot;
 }
-
-}  // namespace
-
-void plan(const Board& board, const Request& request, Report& report) { plan_for(board, request, robot(), report); }
 
 }  // namespace krait::firmware

@@ -6,9 +6,9 @@ namespace krait::firmware {
 const char* const kModel = "diff_drive";
 const bool kHasTrailers = false;
 
-void plan(const Board& board, const Request& request, Report& report) {
+Robot robot_for(const Request&) {
   static const DifferentialDrive robot{DifferentialDriveParameters()};
-  plan_for(board, request, robot, report);
+  return robot;
 }
 
 }  // namespace krait::firmware

@@ -6,11 +6,11 @@ namespace krait::firmware {
 const char* const kModel = "snake";
 const bool kHasTrailers = true;
 
-void plan(const Board& board, const Request& request, Report& report) {
+Robot robot_for(const Request& request) {
   ChainParameters parameters;
   parameters.trailers = request.trailers;
   static const Snake robot(parameters);
-  plan_for(board, request, robot, report);
+  return robot;
 }
 
 }  // namespace krait::firmware

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The template behind Session. Every pair of robot and planner is compiled once, each robot in a file of its own.
+// The template behind Session, for each planner.
 #pragma once
 
 #include <memory>
 #include <string>
-#include <utility>
 
 #include "host/run/session.hpp"
 #include "krait/search/planner.hpp"
@@ -21,11 +20,11 @@ void refuse(const Failure& failure, const SearchRequest& request);
 // Limits::way_legs: none where nothing is to be improved, else one a kilobyte of the block, up to those of long plans.
 std::uint32_t way_legs(const SearchRequest& request);
 
-template <class R, class P>
+template <class P>
 class PlannerSession : public Session {
  public:
-  PlannerSession(R robot, const krait::Scene& scene, const SearchRequest& request, Block& block)
-      : robot_(std::move(robot)), query_(resolve(scene, robot_, request)) {
+  PlannerSession(const krait::Scene& scene, const SearchRequest& request, Block& block)
+      : core_(request.robot), robot_(core_.view()), query_(resolve(scene, robot_, request)) {
     Limits limits = P::limits_for(request.memory, scene, robot_, way_legs(request));
     limits.iterations = request.iterations;
     refuse(planner_.init(block.data(), request.memory, scene, robot_, request.parameters, limits), request);
@@ -59,9 +58,9 @@ class PlannerSession : public Session {
     });
   }
   void copy_plan(PlanFile& file) const override {
-    const Plan<R> plan = planner_.plan();
+    const Plan plan = planner_.plan();
     if (plan.empty()) return;
-    PlanCursor<R> at = plan.cursor();
+    PlanCursor at = plan.cursor();
     for (; !at.done(); at.advance()) {
       file.states.emplace_back(at.state(), at.state() + plan.state_size());
       file.controls.emplace_back(at.control(), at.control() + plan.control_size());
@@ -71,24 +70,10 @@ class PlannerSession : public Session {
   const ResolvedQuery& query() const override { return query_; }
 
  private:
-  R robot_;
+  CoreRobot core_;
+  Robot robot_;
   ResolvedQuery query_;
   P planner_;
 };
-
-template <class R>
-std::unique_ptr<Session> robot_session(R robot, const krait::Scene& scene, const SearchRequest& request, Block& block) {
-  robot = with_bodies(std::move(robot), request.robot);
-  if (request.planner == "adaptive") {
-    return std::make_unique<PlannerSession<R, Planner<R>>>(std::move(robot), scene, request, block);
-  }
-  if (request.planner == "prior") {
-    return std::make_unique<PlannerSession<R, PriorPlanner<R>>>(std::move(robot), scene, request, block);
-  }
-  if (request.planner == "rrt") {
-    return std::make_unique<PlannerSession<R, RrtPlanner<R>>>(std::move(robot), scene, request, block);
-  }
-  throw InputError("no planner '" + request.planner + "' (there is: adaptive, prior, rrt)");
-}
 
 }  // namespace krait::host

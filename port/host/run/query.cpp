@@ -121,4 +121,18 @@ PlanFile plan_form(const krait::Scene& scene, const SearchRequest& request, cons
   return form;
 }
 
+std::vector<float> state_at(const Robot& robot, const krait::Scene& scene, const Start& start) {
+  std::vector<float> state(static_cast<std::size_t>(robot.state_size()));
+  const std::vector<float> angles(start.angles.begin(), start.angles.end());
+  robot.rest(local_of(scene, start.position), static_cast<float>(start.heading), angles.data(),
+             static_cast<std::uint32_t>(angles.size()), state.data());
+  return state;
+}
+
+ResolvedQuery resolve(const krait::Scene& scene, const Robot& robot, const SearchRequest& request) {
+  const Start start = resolve_start(scene, request);
+  const krait::Goal goal = resolve_goal(scene, request);
+  return {state_at(robot, scene, start), goal, asked_of(scene, request, start, goal), plan_form(scene, request, goal)};
+}
+
 }  // namespace krait::host

@@ -31,25 +31,8 @@ inline Vec2 local_of(const krait::Scene& scene, Point p) {
 }
 
 // The robot standing still at a start; trailers at the start's angles or all at its heading.
-template <class R>
-std::vector<float> state_at(const R& robot, const krait::Scene& scene, const Start& start) {
-  std::vector<float> state(static_cast<std::size_t>(robot.state_size()));
-  const Vec2 at = local_of(scene, start.position);
-  const auto heading = static_cast<float>(start.heading);
-  if constexpr (requires { robot.rest(at, heading, nullptr, state.data()); }) {
-    const std::vector<float> angles(start.angles.begin(), start.angles.end());
-    robot.rest(at, heading, angles.empty() ? nullptr : angles.data(), state.data());
-  } else {
-    robot.rest(at, heading, state.data());
-  }
-  return state;
-}
+std::vector<float> state_at(const Robot& robot, const krait::Scene& scene, const Start& start);
 
-template <class R>
-ResolvedQuery resolve(const krait::Scene& scene, const R& robot, const SearchRequest& request) {
-  const Start start = resolve_start(scene, request);
-  const krait::Goal goal = resolve_goal(scene, request);
-  return {state_at(robot, scene, start), goal, asked_of(scene, request, start, goal), plan_form(scene, request, goal)};
-}
+ResolvedQuery resolve(const krait::Scene& scene, const Robot& robot, const SearchRequest& request);
 
 }  // namespace krait::host

@@ -152,7 +152,7 @@ std::vector<Ring> bodies_in(const SteadyTurn& turn, const RobotSpec& robot) {
 
 RobotFacts facts_of(const std::string& name, const RobotSpec& robot, const Parameters& parameters) {
   RobotFacts facts;
-  with_core_robot(robot, [&](const auto& core) {
+  CoreRobot(robot).visit([&](const auto& core) {
     if (const Argument bad = first_bad_of_robot(core); bad != Argument::none) {
       throw InputError("robot " + name + ": " + krait::name(bad) +
                        (bad == Argument::robot_polygon
@@ -165,7 +165,6 @@ RobotFacts facts_of(const std::string& name, const RobotSpec& robot, const Param
     facts.fastest_rate = static_cast<double>(fastest_rate(core, parameters.dt));
     facts.longest_time_step = static_cast<double>(
         can_integrate(core, parameters.dt) ? parameters.dt : krait::longest_time_step(core, parameters.dt));
-    return 0;
   });
   turn_facts(robot, facts);
   stop_facts(robot, facts);

@@ -6,8 +6,6 @@ namespace {
 
 float number(const RobotSpec& spec, const char* name) { return static_cast<float>(spec.parameters.at(name)); }
 
-}  // namespace
-
 ChainParameters chain_parameters(const RobotSpec& spec) {
   ChainParameters p;
   p.trailers = spec.links;
@@ -35,8 +33,34 @@ DifferentialDriveParameters differential_drive_parameters(const RobotSpec& spec)
           number(spec, "track_width"), number(spec, "max_wheel_speed"), number(spec, "max_wheel_acceleration")};
 }
 
+// The robot with the specification's bodies.
+template <class R>
+R with_bodies(R robot, const RobotSpec& spec) {
+  for (std::size_t k = 0; k < spec.bodies.size(); ++k) {
+    Vec2 vertices[kMaxVertices];
+    int count = 0;
+    for (const Point& p : spec.bodies[k]) {
+      if (count < kMaxVertices) vertices[count++] = {static_cast<float>(p.x), static_cast<float>(p.y)};
+    }
+    robot.set_body(static_cast<int>(k), {vertices, count});
+  }
+  return robot;
+}
+
+std::variant<Snake, Truck, Car, Unicycle, DifferentialDrive> robot_of(const RobotSpec& spec) {
+  if (spec.model == "unicycle") return with_bodies(Unicycle(unicycle_parameters(spec)), spec);
+  if (spec.model == "diff_drive") return with_bodies(DifferentialDrive(differential_drive_parameters(spec)), spec);
+  if (spec.model == "car") return with_bodies(Car(chain_parameters(spec)), spec);
+  if (spec.model == "truck") return with_bodies(Truck(chain_parameters(spec)), spec);
+  return with_bodies(Snake(chain_parameters(spec)), spec);
+}
+
+}  // namespace
+
+CoreRobot::CoreRobot(const RobotSpec& spec) : robot_(robot_of(spec)) {}
+
 RobotExtent extent_of(const RobotSpec& spec, const Parameters& parameters) {
-  return with_core_robot(spec, [&](const auto& robot) { return extent(robot, parameters); });
+  return CoreRobot(spec).visit([&](const auto& robot) { return extent(robot, parameters); });
 }
 
 }  // namespace krait::host

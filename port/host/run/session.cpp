@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "host/run/planner_session.hpp"
-#include "host/run/sessions.hpp"
 #include "host/run/why.hpp"
 #include "host/workspace/printed.hpp"
 
@@ -74,12 +73,10 @@ std::uint32_t way_legs(const SearchRequest& request) {
 }
 
 std::unique_ptr<Session> start_session(const krait::Scene& scene, const SearchRequest& request, Block& block) {
-  const std::string& model = request.robot.model;
-  if (model == "snake") return snake_session(scene, request, block);
-  if (model == "truck") return truck_session(scene, request, block);
-  if (model == "car") return car_session(scene, request, block);
-  if (model == "unicycle") return unicycle_session(scene, request, block);
-  return differential_drive_session(scene, request, block);
+  if (request.planner == "adaptive") return std::make_unique<PlannerSession<Planner>>(scene, request, block);
+  if (request.planner == "prior") return std::make_unique<PlannerSession<PriorPlanner>>(scene, request, block);
+  if (request.planner == "rrt") return std::make_unique<PlannerSession<RrtPlanner>>(scene, request, block);
+  throw InputError("no planner '" + request.planner + "' (there is: adaptive, prior, rrt)");
 }
 
 }  // namespace krait::host

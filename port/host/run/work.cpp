@@ -124,7 +124,7 @@ Work work_bound(const krait::Scene& scene, const RobotExtent& robot, const Param
       (2 * robot.bodies * judged + parameters.max_steps) * work.pieces_near + judged * pairs(robot);
   const std::uint64_t candidates = std::max(parameters.candidates, 1U);
   const std::uint64_t lines = candidates * std::max(parameters.sight_tries, 1U) - candidates;
-  work.sketched_steps = std::uint64_t{parameters.candidates} * Sketcher<Unicycle>::kSteps;
+  work.sketched_steps = std::uint64_t{parameters.candidates} * Sketcher::kSteps;
   work.discs = lines * Sight::kMostLooks + work.sketched_steps * robot.bodies;
   work.heap_operations = 2 * (std::uint64_t{scene.triangle_count()} + scene.portal_count());
   return work;

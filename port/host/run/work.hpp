@@ -38,7 +38,7 @@ float longest_travel(const DifferentialDrive& robot, float dt);
 
 float largest_radius(Polygon body);
 
-template <Robot R>
+template <RobotModel R>
 RobotExtent extent(const R& robot, const Parameters& parameters) {
   RobotExtent extent;
   extent.bodies = static_cast<std::uint64_t>(robot.body_count());

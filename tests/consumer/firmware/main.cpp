@@ -18,7 +18,7 @@ void write_hash(std::uint64_t hash) {
 }
 
 template <class R>
-krait::Status plan(krait::Planner<R>& planner, const R& robot, const float* start) {
+krait::Status plan(krait::Planner& planner, const R& robot, const float* start) {
   const krait::Limits limits = planner.limits_for(sizeof block, scene, robot);
   const krait::Failure ready = planner.init(block, sizeof block, scene, robot, krait::Parameters(), limits);
   if (!ready.ok()) return ready.status;
@@ -29,7 +29,7 @@ krait::Status plan(krait::Planner<R>& planner, const R& robot, const float* star
 
 template <class R>
 int report(const char* name, const R& robot, const float* start) {
-  static krait::Planner<R> planner;
+  static krait::Planner planner;
   const krait::Status status = plan(planner, robot, start);
   write_text(name);
   write_text(" ");

@@ -30,8 +30,8 @@ TEST_P(SmallBlock, HoldsEverySearch) {
     ChainParameters parameters;
     parameters.trailers = links;
     const Snake snake(parameters);
-    Planner<Snake> planner;
-    Limits limits = Planner<Snake>::limits_for(kBlock, scene, snake);
+    Planner planner;
+    Limits limits = Planner::limits_for(kBlock, scene, snake);
     limits.iterations = kIterations;
     ASSERT_TRUE(planner.init(block.data(), kBlock, scene, snake, Parameters(), limits).ok());
     std::vector<float> start(static_cast<std::size_t>(snake.state_size()));

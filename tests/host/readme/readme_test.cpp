@@ -52,13 +52,13 @@ TEST(Readme, OwnRobotKeepsItsPromises) {
 }
 
 TEST(Readme, OwnRobotPlans) {
-  static_assert(krait::Robot<Hoverer>);
+  static_assert(krait::RobotModel<Hoverer>);
   const SceneFile bytes = compiled("openings");
   krait::Scene scene;
   ASSERT_TRUE(krait::Scene::open(bytes.words.data(), bytes.size, scene).ok());
   const Hoverer robot;
   std::vector<std::uint64_t> memory(1U << 20U);
-  const auto planner = std::make_unique<krait::Planner<Hoverer>>();
+  const auto planner = std::make_unique<krait::Planner>();
   const std::size_t size = memory.size() * sizeof memory[0];
   const krait::Limits limits = planner->limits_for(size, scene, robot);
   ASSERT_TRUE(planner->init(memory.data(), size, scene, robot, krait::Parameters(), limits).ok());

@@ -53,7 +53,7 @@ TEST(RobotFacts, WhatTurnsOnTheSpotSweepsADisc) {
 
 // Drives the core's robot with its steering held until no hitch angle changes any more.
 std::vector<double> driven_hitch_angles(const RobotSpec& spec, double radius) {
-  return with_core_robot(spec, [&](const auto& robot) {
+  return CoreRobot(spec).visit([&](const auto& robot) {
     std::vector<float> state(static_cast<std::size_t>(robot.state_size()), 0.0F);
     std::vector<float> rates(state.size());
     std::vector<double> angles;

@@ -69,16 +69,16 @@ struct SceneFile {
 };
 
 // The most of each that one call of advance(1) did, over the first 400 calls of a search.
-template <Robot R>
+template <RobotModel R>
 Work most_work(const krait::Scene& scene, const R& robot, std::uint64_t seed) {
-  counters[0].function = address_of(&Motion<R>::integrate_lead);
+  counters[0].function = address_of(&Robot::integrate_lead);
   counters[1].function = reinterpret_cast<const void*>(&polygon_distance);
   counters[2].function = address_of(&IndexedHeap::push);
   counters[3].function = address_of(&IndexedHeap::pop);
-  counters[4].function = reinterpret_cast<const void*>(&sketch<R>);
+  counters[4].function = address_of(&Robot::sketch);
   counters[5].function = address_of(&Sight::slack);
   std::vector<std::uint64_t> block(1U << 19U);
-  const auto planner = std::make_unique<Planner<R>>();
+  const auto planner = std::make_unique<Planner>();
   const Limits limits = planner->limits_for(8 * block.size(), scene, robot);
   EXPECT_TRUE(planner->init(block.data(), 8 * block.size(), scene, robot, Parameters(), limits).ok());
   float state[R::kMaxState] = {};
@@ -104,7 +104,7 @@ Work most_work(const krait::Scene& scene, const R& robot, std::uint64_t seed) {
   return most;
 }
 
-template <Robot R>
+template <RobotModel R>
 void expect_bounded(const R& robot) {
   Work counted;
   for (const char* name : {"openings", "rooms", "corridors"}) {

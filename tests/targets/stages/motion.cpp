@@ -10,7 +10,7 @@ constexpr int kSteps = 1500;
 constexpr int kExpansion = 40;  // steps before a new beginning
 constexpr float kStep = 0.1F;   // seconds
 
-template <Robot R>
+template <RobotModel R>
 struct Vehicle {
   const R& robot;
   float state[R::kMaxState] = {};
@@ -29,7 +29,7 @@ struct Vehicle {
   }
 };
 
-template <Robot R>
+template <RobotModel R>
 void runge_kutta(const firmware::Board& board, const char* name, const R& robot) {
   Hash hash;
   Random random(11);
@@ -43,7 +43,7 @@ void runge_kutta(const firmware::Board& board, const char* name, const R& robot)
   report(board, {"rk4", name}, hash);
 }
 
-template <Robot R>
+template <RobotModel R>
 void add_bodies(const Vehicle<R>& vehicle, Hash& hash) {
   const R& robot = vehicle.robot;
   Pose poses[R::kMaxBodies];
@@ -62,7 +62,7 @@ void add_bodies(const Vehicle<R>& vehicle, Hash& hash) {
   }
 }
 
-template <Robot R>
+template <RobotModel R>
 void steering(const firmware::Board& board, const char* name, const R& robot) {
   Hash controls;
   Hash bodies;
@@ -88,9 +88,9 @@ void steering(const firmware::Board& board, const char* name, const R& robot) {
 }
 
 // The motion of a plan.
-template <Robot R>
+template <RobotModel R>
 void driving(const firmware::Board& board, const char* name, const R& robot) {
-  static PlanDrive<R> drive;
+  static PlanDrive drive;
   const float start[R::kMaxState] = {};
   Hash hash;
   Random random(13);
@@ -111,7 +111,7 @@ void driving(const firmware::Board& board, const char* name, const R& robot) {
   report(board, {"drive", name}, hash);
 }
 
-template <Robot R>
+template <RobotModel R>
 void all(const firmware::Board& board, const char* name, const R& robot) {
   runge_kutta(board, name, robot);
   steering(board, name, robot);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Whole searches: every state that was ever placed, in order, then the counts and the plan.
-#include "firmware/application.hpp"
+#include "krait/krait.hpp"
 #include "stages.hpp"
 
 namespace krait::stages {
@@ -10,7 +10,7 @@ constexpr std::uint64_t kBlock = 256 * 1024;
 constexpr std::uint64_t kIterations = 250;
 
 // A robot that hashes each state whose bodies are placed: the tree's and those between them.
-template <Robot R>
+template <RobotModel R>
 class Witness : public R {
  public:
   explicit Witness(const R& robot) : R(robot) {}
@@ -37,22 +37,20 @@ void add_counts(const Statistics& statistics, Hash& hash) {
   hash.add(statistics.bytes_used);
 }
 
-template <Robot R>
-void add_plan(const Plan<R>& plan, Hash& hash) {
+void add_plan(const Plan& plan, Hash& hash) {
   hash.add(plan.hash());
   hash.add(plan.steps());
   hash.add(plan.length());
 }
 
-template <Robot R>
-void search(const firmware::Board& board, const Scene& scene, const char* name, const Witness<R>& robot, int trailers) {
-  static Planner<Witness<R>> planner;
+template <RobotModel R>
+void search(const firmware::Board& board, const Scene& scene, const char* name, const Witness<R>& robot) {
+  static Planner planner;
   Hash tree;
   Hash plan;
-  firmware::Request request;
-  request.trailers = trailers;
   float start[R::kMaxState];
-  firmware::rest_at_start(scene, robot, request, start);
+  const ScenePose pose = scene.start(0);
+  (void)rest(robot, pose.position, pose.heading, pose.angles, pose.angle_count, start);
   Limits limits = planner.limits_for(kBlock, scene, robot);
   limits.iterations = kIterations;
   robot.forget();
@@ -78,12 +76,12 @@ void searches(const firmware::Board& board, const Scene& scene) {
   static const Witness car{Car(Car::defaults())};
   static const Witness unicycle{Unicycle(UnicycleParameters{})};
   static const Witness drive{DifferentialDrive(DifferentialDriveParameters{})};
-  search(board, scene, "unicycle", unicycle, 0);
-  search(board, scene, "diff_drive", drive, 0);
-  search(board, scene, "car", car, 0);
-  search(board, scene, "truck:2", towing, 2);
-  search(board, scene, "snake:5", short_snake, 5);
-  search(board, scene, "snake:15", long_snake, 15);
+  search(board, scene, "unicycle", unicycle);
+  search(board, scene, "diff_drive", drive);
+  search(board, scene, "car", car);
+  search(board, scene, "truck:2", towing);
+  search(board, scene, "snake:5", short_snake);
+  search(board, scene, "snake:15", long_snake);
 }
 
 }  // namespace krait::stages

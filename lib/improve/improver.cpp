@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "krait/improve/improver.hpp"
+
+namespace krait {
+
+void Improver::take(Arena& arena, std::uint32_t legs, int state_size) {
+  for (Way& way : ways_) way.take(arena, legs, state_size);
+  best_.take(arena, legs, 0);
+  for (Route& route : routes_) route.take(arena, larger(legs / 4, kLeastVias));
+  line_.take(arena, larger(legs, kLeastPoints));
+}
+
+void Improver::begin(const WayTools& tools, PlanProof& proof, const Regions& regions, const PlanPath& plan,
+                     const EndDepth& depth, const Random& random) {
+  tools_ = tools;
+  proof_ = &proof;
+  regions_ = &regions;
+  take_plan(plan);
+  depth_ = depth;
+  random_ = random;
+  robot_length_ = robot_length(tools.robot);
+  half_width_ = inner_radius(tools.robot.body(0), middle(tools.robot.body(0)));
+  stride_ = 0.0F;
+  share_ = 0;
+  round_ = 0;
+  stage_ = Stage::turning;
+}
+
+bool Improver::iterate() {
+  switch (stage_) {
+    case Stage::turning:
+      measure_turn();
+      break;
+    case Stage::tracing:
+      trace();
+      break;
+    case Stage::pulling:
+      pull();
+      break;
+    case Stage::driving:
+      drive();
+      break;
+    case Stage::proving:
+      return prove();
+  }
+  return false;
+}
+
+void Improver::take_plan(const PlanPath& plan) {
+  plan_ = plan;
+  plan_steps_ = 0;
+  for (Index leg = plan.first(); leg != kNone; leg = plan.next(leg)) plan_steps_ += plan.steps(leg);
+}
+
+float Improver::step_in_void(Pose& after) {
+  Drive& drive = *tools_.drive;
+  Pose poses[kMaxBodies];
+  tools_.robot.place(drive.state(), poses);
+  const Vec2 before = poses[0].position;
+  drive.lead(poses);
+  drive.follow(poses);
+  drive.go();
+  tools_.robot.place(drive.state(), poses);
+  after = poses[0];
+  return length(after.position - before);
+}
+
+void Improver::measure_turn() {
+  tools_.drive->begin(tools_.start);
+  Pose pose[kMaxBodies];
+  tools_.robot.place(tools_.start, pose);
+  float path = 0.0F;
+  float turned = 0.0F;
+  for (std::uint32_t step = 0; step < kRunUp + kTurning; ++step) {
+    if (step % kHold == 0) aim_aside(pose[0], step >= kRunUp);
+    const SinCos before = pose[0].heading;
+    const float made = step_in_void(pose[0]);
+    if (made > stride_) stride_ = made;
+    if (step < kRunUp + kTurning - kMeasured) continue;
+    path += made;
+    turned += length(Vec2{pose[0].heading.cos - before.cos, pose[0].heading.sin - before.sin});
+  }
+  const float most = 20.0F * robot_length_;
+  turns_.radius[share_] = path < most * turned ? path / turned : most;
+  if (++share_ < Turns::kShares) return;
+  turns_.unit = 0.5F * robot_length_ + 2.0F * stride_;
+  begin_round();
+}
+
+void Improver::aim_aside(const Pose& pose, bool left) {
+  const Vec2 ahead{pose.heading.cos, pose.heading.sin};
+  const Vec2 aside{-ahead.y, ahead.x};
+  Target target;
+  target.point = pose.position + 100.0F * robot_length_ * (left ? aside : ahead);
+  target.turn = Turns::kShare[share_];
+  tools_.drive->aim(target);
+}
+
+void Improver::begin_round() {
+  ++round_;
+  line_.clear(0.5F * turns_.unit);
+  if (round_ % 2 == 1 && trace_regions()) return begin_pull();
+  stage_ = Stage::tracing;
+  tools_.drive->begin(tools_.start);
+  leg_ = plan_.first();
+  step_ = 0;
+  line_.add({tools_.start[0], tools_.start[1]});
+}
+
+bool Improver::trace_regions() {
+  const Scene& scene = *tools_.scene;
+  const Vec2 start{tools_.start[0], tools_.start[1]};
+  Index triangle = locate(scene, start);
+  if (triangle == kNone || regions_->cost(regions_->region(triangle)) == kInfinity) return false;
+  line_.add(start);
+  while (!regions_->is_goal(regions_->region(triangle))) {
+    const Index next = regions_->next(triangle);
+    for (int edge = 0; edge < 3; ++edge) {
+      const Index neighbor = scene.neighbor(triangle, edge);
+      if (neighbor == kNone || regions_->region(neighbor) != next) continue;
+      line_.add(0.5F * (scene.corner(triangle, edge) + scene.corner(triangle, (edge + 1) % 3)));
+      triangle = neighbor;
+      break;
+    }
+  }
+  const Goal& goal = regions_->goal();
+  line_.end(goal.is_disc() ? goal.center() : scene.centroid(triangle));
+  return true;
+}
+
+void Improver::trace() {
+  for (std::uint32_t left = tools_.parameters->max_steps; left > 0; --left) {
+    if (step_ == 0) tools_.drive->aim(plan_.target(leg_));
+    Pose pose;
+    step_in_void(pose);
+    const Vec2 at{tools_.drive->state()[0], tools_.drive->state()[1]};
+    if (++step_ == plan_.steps(leg_)) {
+      step_ = 0;
+      leg_ = plan_.next(leg_);
+    }
+    if (leg_ == kNone) {
+      line_.end(at);
+      return begin_pull();
+    }
+    line_.add(at);
+  }
+}
+
+void Improver::begin_pull() {
+  const float radius = half_width_ * (1.15F + 1.1F * random_.unit());
+  line_.pull(Sight(*tools_.scene, radius, 0.5F * half_width_));
+  stage_ = Stage::pulling;
+}
+
+void Improver::pull() {
+  if (line_.step()) return;
+  if (line_.count() < 2 || line_.count() > route().capacity()) return begin_round();
+  dress();
+  begin_search();
+}
+
+void Improver::dress() {
+  Via via{};
+  vary(via, turns_, random_);
+  route().clear();
+  for (std::uint32_t i = 0; i < line_.count(); ++i) {
+    via.at = line_[i];
+    route().add(via);
+  }
+  if (random_.unit() < kRounded) {
+    for (std::uint32_t i = 1; i + 1 < line_.count(); ++i) {
+      round_corner(line_[i - 1], route()[i], line_[i + 1], turns_, random_);
+    }
+  }
+  route().measure();
+}
+
+void Improver::begin_search() {
+  current().clear();
+  reaches_ = false;
+  left_ = kInfinity;
+  vain_ = 0;
+  const std::uint32_t hold = larger(plan_steps_ / current().capacity() + 1, kHold);
+  const float near = 0.5F * regions_->goal().size(*tools_.scene);
+  drives_.assign(tools_, {hold, stride_, kReach * turns_.unit, near});
+  changed().copy(route());
+  begin_drive(0);
+}
+
+void Improver::begin_drive(std::uint32_t leg) {
+  const Parameters& parameters = *tools_.parameters;
+  tools_.check->keep(parameters.clearance + kTreeSlack * robot_length_, longest_tree_step(tools_.robot, parameters.dt));
+  drives_.begin(trial(), current(), leg, changed(), reaches_ ? current().steps() + 1 : plan_steps_);
+  stage_ = Stage::driving;
+}
+
+void Improver::drive() {
+  const Outcome outcome = drives_.advance(tools_.parameters->max_steps);
+  if (outcome == Outcome::drives) return;
+  ++vain_;
+  if (outcome == Outcome::reached) {
+    learn_reached();
+  } else if (outcome == Outcome::blocked && !reaches_) {
+    learn_blocked();
+  }
+  if (reaches_ && worth_proof()) return begin_proof();
+  go_on();
+}
+
+void Improver::learn_reached() {
+  if (!reaches_ || trial().steps() < current().steps()) {
+    reaches_ = true;
+    vain_ = 0;
+    accept();
+  } else if (trial().length() < current().length()) {
+    accept();
+  }
+}
+
+void Improver::learn_blocked() {
+  const float left = changed().length() - drives_.arc();
+  if (left < left_ - 0.06F * turns_.unit) {
+    vain_ = 0;
+  } else if (!(left <= left_ + 0.025F * turns_.unit && random_.unit() < 0.3F)) {
+    return;
+  }
+  left_ = left;
+  failed_ = drives_.arc();
+  accept();
+}
+
+void Improver::accept() {
+  here_ = 1 - here_;
+  here_of_routes_ = 1 - here_of_routes_;
+}
+
+bool Improver::worth_proof() {
+  const std::uint32_t steps = current().steps();
+  if (vain_ >= kPolish) return steps < plan_steps_;
+  return static_cast<float>(steps) < kWorthProof * static_cast<float>(plan_steps_);
+}
+
+void Improver::go_on() {
+  const bool hopeless = !reaches_ && left_ == kInfinity;
+  if (hopeless || vain_ >= (reaches_ ? kPolish : kPatience)) return begin_round();
+  changed().copy(route());
+  const std::uint32_t i = spread_around(reaches_ ? 1 + random_.below(route().count() - 1) : via_near_failure());
+  const std::uint32_t leg = first_that_sees(changed()[i - 1].arc);
+  change(changed(), i, turns_, random_);
+  const bool ends_in_goal = regions_->goal().contains(*tools_.scene, changed().last().at, 0.0F);
+  if (!ends_in_goal) changed()[changed().count() - 1].at = route().last().at;
+  changed().measure();
+  begin_drive(leg);
+  const std::uint32_t after = i + 2 < changed().count() ? i + 2 : changed().count() - 1;
+  if (reaches_) drives_.race(current(), route().length(), changed()[after].arc);
+}
+
+std::uint32_t Improver::via_near_failure() {
+  const float at = clamp(failed_ + (8.0F * random_.unit() - 6.0F) * turns_.unit, 0.0F, route().length());
+  const std::uint32_t next = changed().stretch(at);
+  const float before = at - changed()[next - 1].arc;
+  const float after = changed()[next].arc - at;
+  const float near = 2.0F * turns_.unit;
+  if (before > near && after > near && !changed().full()) return changed().divide(at);
+  return before < after && next > 1 ? next - 1 : next;
+}
+
+std::uint32_t Improver::spread_around(std::uint32_t i) {
+  const float arc = changed()[i].arc;
+  const float near = 4.0F * turns_.unit;
+  if (arc - changed()[i - 1].arc > 1.5F * near && !changed().full()) {
+    changed().divide(arc - near);
+    ++i;
+  }
+  const bool far = i + 1 < changed().count() && changed()[i + 1].arc - arc > 1.5F * near;
+  if (far && !changed().full()) changed().divide(arc + near);
+  return i;
+}
+
+std::uint32_t Improver::first_that_sees(float from) {
+  const std::uint32_t count = current().count();
+  const float reach = kReach * turns_.unit;
+  for (std::uint32_t leg = 0; leg < count; ++leg) {
+    const float arc = current()[leg].arc;
+    const float look = route()[route().stretch(arc)].look;
+    if (!(arc + (look > reach ? look : reach) < from)) return leg;
+  }
+  return count > 0 ? count - 1 : 0;
+}
+
+void Improver::begin_proof() {
+  stage_ = Stage::proving;
+  leg_ = 0;
+  step_ = 0;
+  proof_->begin(tools_.robot, *tools_.scene, *tools_.parameters, *tools_.check, tools_.start);
+  proof_->place();
+}
+
+bool Improver::prove() {
+  for (std::uint32_t left = tools_.parameters->max_steps; left > 0; --left) {
+    if (leg_ == current().count()) return finish_proof();
+    const Leg& leg = current()[leg_];
+    if (step_ == 0) proof_->aim(tools_.grid.unpack(leg.target));
+    if (!proof_->step()) {
+      begin_round();
+      return false;
+    }
+    if (++step_ < leg.steps) continue;
+    step_ = 0;
+    ++leg_;
+  }
+  proof_->keep();
+  return false;
+}
+
+bool Improver::finish_proof() {
+  const bool holds = tools_.ending->holds(proof_->state(), proof_->end_depth(depth_));
+  if (holds) {
+    measures_ = proof_->measures();
+    best_.copy(current(), current().count());
+    take_plan(PlanPath(best_, tools_.grid));
+  }
+  if (holds && vain_ < kPolish) {
+    go_on();
+  } else {
+    begin_round();
+  }
+  return holds;
+}
+
+}  // namespace krait

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "krait/improve/way_drive.hpp"
+
+namespace krait {
+
+void WayDrive::assign(const WayTools& tools, const Manner& manner) {
+  tools_ = &tools;
+  manner_ = manner;
+  step_ = ProvenStep(tools.robot, *tools.scene, *tools.parameters, *tools.check);
+}
+
+void WayDrive::begin(Way& way, const Way& from, std::uint32_t legs, const Route& route, std::uint32_t bound) {
+  way_ = &way;
+  route_ = &route;
+  bound_ = bound;
+  const std::uint32_t first = legs - legs % Way::kLegsAState;
+  const bool known = first < from.count();
+  tools_->drive->begin(known ? from.state(first) : tools_->start);
+  for (std::uint32_t i = first; i < legs; ++i) drive_again(from[i]);
+  way.copy(from, legs);
+  tools_->check->begin(tools_->drive->state());
+  arc_ = legs < from.count() ? from[legs].arc : 0.0F;
+  furthest_ = arc_;
+  stuck_ = 0;
+  left_ = 0;
+  braking_ = false;
+  rival_ = nullptr;
+}
+
+void WayDrive::race(const Way& rival, float length, float from) {
+  rival_ = &rival;
+  rival_length_ = length;
+  rival_leg_ = 0;
+  rival_steps_ = 0;
+  from_ = from;
+}
+
+WayDrive::Outcome WayDrive::advance(std::uint32_t steps) {
+  for (; steps > 0; --steps) {
+    if (left_ == 0 && !braking_) {
+      const Outcome outcome = begin_leg();
+      if (outcome != Outcome::drives) return outcome;
+    }
+    if (braking_) {
+      if (brake()) return Outcome::reached;
+      continue;
+    }
+    if (!take_step(*tools_->drive)) return Outcome::blocked;
+    --left_;
+    const float* const state = tools_->drive->state();
+    if (tools_->ending->holds(state, tools_->depth)) return Outcome::reached;
+    if (way_->steps() + 1 >= bound_) return Outcome::too_long;
+    if (!way_->full() && tools_->ending->stops_inside(state, tools_->check->poses()[0])) begin_braking();
+  }
+  return Outcome::drives;
+}
+
+void WayDrive::drive_again(const Leg& leg) {
+  Drive& drive = *tools_->drive;
+  Pose poses[kMaxBodies];
+  drive.aim(tools_->grid.unpack(leg.target));
+  for (std::uint32_t step = 0; step < leg.steps; ++step) {
+    tools_->robot.place(drive.state(), poses);
+    drive.lead(poses);
+    drive.follow(poses);
+    drive.go();
+  }
+}
+
+bool WayDrive::take_step(Drive& drive) {
+  if (!step_.take(drive)) return false;
+  const float* const from = drive.state();
+  const float* const to = drive.next();
+  way_->step(length(Vec2{to[0] - from[0], to[1] - from[1]}));
+  drive.go();
+  return true;
+}
+
+void WayDrive::begin_braking() {
+  const float* const state = tools_->drive->state();
+  Target target = tools_->drive->target();
+  target.speed = 0.0F;
+  const PackedTarget packed = tools_->grid.pack(target);
+  way_->add(packed, route_->project({state[0], state[1]}, arc_, manner_.reach), state);
+  tools_->brake->begin(state);
+  tools_->brake->aim(tools_->grid.unpack(packed));
+  braking_ = true;
+}
+
+bool WayDrive::brake() {
+  Drive& drive = *tools_->brake;
+  const float before = tools_->robot.speed(drive.state());
+  if (take_step(drive)) {
+    if (tools_->ending->holds(drive.state(), tools_->depth)) return true;
+    const float after = tools_->robot.speed(drive.state());
+    if (after < before && !tools_->ending->slow(drive.state()) && way_->steps() + 1 < bound_) return false;
+  }
+  way_->remove_last();
+  tools_->check->begin(tools_->drive->state());
+  braking_ = false;
+  return false;
+}
+
+float WayDrive::slow_share(const float* state) const {
+  if (!tools_->ending->limits_speed()) return 1.0F;
+  const float way = absolute(tools_->robot.stopping_way(state));
+  const float distance = length(route_->last().at - Vec2{state[0], state[1]});
+  return distance < way ? std::sqrt(distance / way) : 1.0F;
+}
+
+WayDrive::Outcome WayDrive::begin_leg() {
+  if (way_->full()) return Outcome::full;
+  const float* const state = tools_->drive->state();
+  arc_ = route_->project({state[0], state[1]}, arc_, manner_.reach);
+  if (arc_ > furthest_ + kFurther * manner_.reach) {
+    furthest_ = arc_;
+    stuck_ = 0;
+  } else if (++stuck_ > kMostStuck) {
+    return Outcome::blocked;
+  }
+  const float rest = kLeastShare * (route_->length() - arc_ - manner_.near) / manner_.stride;
+  if (static_cast<float>(way_->steps()) + rest >= static_cast<float>(bound_)) return Outcome::too_long;
+  if (rival_ != nullptr && arc_ > from_ && later()) return Outcome::too_long;
+  const Via& via = (*route_)[route_->stretch(arc_)];
+  Target target;
+  target.point = route_->point(arc_ + via.look);
+  target.turn = via.turn;
+  target.speed = slow_share(state);
+  const PackedTarget packed = tools_->grid.pack(target);
+  way_->add(packed, arc_, state);
+  tools_->drive->aim(tools_->grid.unpack(packed));
+  left_ = manner_.hold;
+  return Outcome::drives;
+}
+
+bool WayDrive::later() {
+  const float arc = rival_length_ - (route_->length() - arc_);
+  const Way& rival = *rival_;
+  while (rival_leg_ + 1 < rival.count() && rival[rival_leg_ + 1].arc <= arc) rival_steps_ += rival[rival_leg_++].steps;
+  const Leg& leg = rival[rival_leg_];
+  if (rival_leg_ + 1 == rival.count()) return false;
+  const float whole = rival[rival_leg_ + 1].arc - leg.arc;
+  const float share = whole > 0.0F ? (arc - leg.arc) / whole : 0.0F;
+  const float steps = static_cast<float>(rival_steps_) + share * static_cast<float>(leg.steps);
+  return static_cast<float>(way_->steps()) > steps + kLater;
+}
+
+}  // namespace krait

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "krait/search/rrt.hpp"
+
+namespace krait {
+
+template class Search<RrtPlanner, NearestPoints>;
+
+}  // namespace krait

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "krait/search/sketcher.hpp"
+
+namespace krait {
+
+void Sketcher::assign(const Robot& robot, const Scene& scene, float dt, float near) {
+  robot_ = robot;
+  dt_ = dt;
+  squared_near_ = near * near;
+  radius_ = kInfinity;
+  for (int k = 0; k < robot.body_count(); ++k) {
+    const Polygon body = robot.body(k);
+    const Box box = bounding_box(body);
+    centers_[k] = 0.5F * (box.min + box.max);
+    const float radius = inner_radius(body, centers_[k]);
+    if (radius < radius_) radius_ = radius;
+  }
+  sight_ = Sight(scene, kRoom * radius_, 1.0F);
+}
+
+std::uint32_t Sketcher::free_steps(const float* state, const Target& toward) {
+  begin(state);
+  Target target = toward;
+  target.dt = dt_;
+  float control[kMaxControl];
+  for (std::uint32_t step = 0; step < kSteps; ++step) {
+    robot_.steer(state_, poses_, target, steering_, control);
+    if (!robot_.sketch(state_, poses_, control, dt_) || !free()) return step;
+    const Vec2 apart = target.point - Vec2{state_[0], state_[1]};
+    if (dot(apart, apart) <= squared_near_) return kSteps;
+  }
+  return kSteps;
+}
+
+void Sketcher::begin(const float* state) {
+  for (int i = 0; i < robot_.state_size(); ++i) state_[i] = state[i];
+  robot_.place(state_, poses_);
+  steering_ = {};
+  for (int k = 0; k < robot_.body_count(); ++k) looks_[k] = {{}, -1.0F};
+}
+
+bool Sketcher::free() {
+  for (int k = 0; k < robot_.body_count(); ++k) {
+    const Vec2 center = poses_[k].position + turned(poses_[k].heading, centers_[k]);
+    Look& look = looks_[k];
+    const Vec2 moved = center - look.center;
+    if (dot(moved, moved) <= look.squared_slack) continue;
+    const float slack = sight_.slack(center);
+    if (slack < 0.0F) return false;
+    look = {center, slack * slack};
+  }
+  return true;
+}
+
+}  // namespace krait
