@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* krait in C: the adaptive planner and its five robots behind plain structs. Nothing allocates; all memory is the
-   caller's. The program needs no special compiler flags and no C++ run-time library: link krait::c (-lkrait_c -lkrait).
+/* krait in C: the adaptive planner, its five robots and your own behind plain structs. Nothing allocates; all memory is
+   the caller's. The program needs no C++ run-time library, and no special compiler flags but for a robot of your own:
+   link krait::c (-lkrait_c -lkrait).
    Metres, radians, seconds. What a function returns or refuses is that of the C++ member of the same name. */
 #ifndef KRAIT_KRAIT_H
 #define KRAIT_KRAIT_H
@@ -26,8 +27,10 @@ extern "C" {
 
 #define KRAIT_NONE UINT32_MAX
 #define KRAIT_MAX_TRAILERS 25
-#define KRAIT_MAX_STATE (5 + KRAIT_MAX_TRAILERS) /* floats of a state, any robot's */
-#define KRAIT_CONTROL 2                          /* floats of a control, every robot's */
+#define KRAIT_MAX_STATE 32  /* floats of a state, any robot's */
+#define KRAIT_MAX_CONTROL 8 /* floats of a control, any robot's */
+#define KRAIT_MAX_BODIES 32
+#define KRAIT_CONTROL 2 /* floats of a control of the library's robots */
 
 /* ---- Answers: krait/status.hpp says what each means ---- */
 
@@ -133,6 +136,72 @@ typedef struct krait_polygon {
   int count;
 } krait_polygon;
 
+/* Where an expansion steers to. */
+typedef struct krait_target {
+  float x, y;
+  float speed; /* share of the top speed in (0, 1]; in [-1, 0): backwards; 0: to rest */
+  float dt;    /* seconds that the control will be held */
+  float turn;  /* share of the sharpest turn in (0, 1] */
+} krait_target;
+
+/* A body's frame in the workspace: its origin and the sine and cosine of its heading. */
+typedef struct krait_frame {
+  float x, y;
+  float sin, cos;
+} krait_frame;
+
+/* How a body can have moved during a step: krait/robot/robot_model.hpp says what each bounds. */
+typedef struct krait_travel {
+  float path, turn, bend, twist;
+} krait_travel;
+
+/* Whether this file's flags keep float arithmetic as it is written, which the same plan on every machine needs
+   (-ffp-contract=off, no -ffast-math): the member `exact` of your own robot's functions. */
+static inline bool krait_exact(void) {
+  const volatile float factor = 1.0F + 0x1p-12F, product = 1.0F + 0x1p-11F, large = 0x1p26F, one = 1.0F, five = 5.0F;
+  const volatile float third = 5.0F / 3.0F;
+  const float a = factor;
+  const float residue = a * a - product;
+  const float b = large;
+  const float absorbed = (one + b) - b;
+  return residue == 0.0F && absorbed == 0.0F && five / 3.0F == third;
+}
+
+/* A robot of your own: pure functions of their arguments and of what lies at `self`, which krait_own_robot is given and
+   which must outlive the planner. What each must do is said of the member of its name in krait/robot/robot_model.hpp;
+   on a workstation, check_robot of krait/robot_check/robot_check.hpp says where one breaks it. State components 0 and 1
+   are the position in metres. */
+typedef struct krait_functions {
+  bool (*exact)(void); /* krait_exact, of the file that the functions stand in */
+  int state_size;      /* 2 to KRAIT_MAX_STATE */
+  int control_size;    /* 1 to KRAIT_MAX_CONTROL */
+  int body_count;      /* 1 to KRAIT_MAX_BODIES */
+
+  void (*derivative)(const void* self, const float* s, const float* u, float* ds);
+  void (*steer)(const void* self, const float* s, const krait_target* target, float* u);
+  bool (*within_limits)(const void* self, const float* s);
+  krait_polygon (*body)(const void* self, int k); /* 3 to 8 corners, which stay where they are */
+  void (*place)(const void* self, const float* s, krait_frame* frames);
+  bool (*travel)(const void* self, const float* s, const float* u, float dt, const float* next, krait_travel* travel);
+
+  /* Each of these may be NULL. */
+  float (*speed)(const void* self, const float* s);
+  float (*stopping_way)(const void* self, const float* s);
+  float (*turning_radius)(const void* self);
+  float (*top_speed)(const void* self);
+  float (*fastest_rate)(const void* self, float dt);
+  void (*track)(const void* self, const float* s, const float* reference, float dt, float* u);
+  bool (*keeps_reserve)(const void* self, const float* s);
+  bool (*reversible)(const void* self);
+  int (*self_collision_gap)(const void* self);
+} krait_functions;
+
+/* krait_own_robot's. */
+typedef struct krait_own {
+  const krait_functions* functions;
+  const void* self;
+} krait_own;
+
 typedef struct krait_model krait_model;
 
 /* A robot is made by one of the functions below; change its parameters before krait_init. A program contains the models
@@ -143,8 +212,10 @@ typedef struct krait_robot {
     krait_chain_parameters chain;
     krait_unicycle_parameters unicycle;
     krait_diff_drive_parameters diff_drive;
+    krait_own own;
   } parameters;
-  const krait_polygon* bodies; /* one a body, that is 1 + trailers; NULL for boxes of body_length by body_width */
+  const krait_polygon* bodies; /* one a body, that is 1 + trailers; NULL for boxes of body_length by body_width; not
+                                  looked at for a robot of your own */
 } krait_robot;
 
 krait_robot krait_snake(
@@ -154,11 +225,15 @@ krait_robot krait_car(void);           /* chain; likewise */
 krait_robot krait_unicycle(void);      /* unicycle; state x y theta, control speed, turn rate */
 krait_robot krait_diff_drive(void);    /* diff_drive; state x y theta left right, control wheel accelerations */
 
+/* own; functions and what lies at `self` must stay. krait_init refuses it as KRAIT_BAD_ROBOT where a function that it
+   needs is NULL or a size is out of range, and as KRAIT_BAD_ARITHMETIC where `exact` is not true. */
+krait_robot krait_own_robot(const krait_functions* functions, const void* self);
+
 /* Floats of a state, at most KRAIT_MAX_STATE; 0 where the robot's parameters cannot be used. */
 uint32_t krait_state_size(const krait_robot* robot);
 
 /* Writes the state of the robot standing still there. False, and nothing written, where the robot's parameters cannot
-   be used, or a robot with trailers is given another number of angles. */
+   be used, or a robot with trailers is given another number of angles; nor for a robot of your own. */
 KRAIT_NODISCARD bool krait_rest(const krait_robot* robot, krait_pose pose, float* state);
 
 /* ---- Planning ---- */

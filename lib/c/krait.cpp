@@ -19,7 +19,8 @@ using krait::Status;
 using krait::c::convert;
 
 static_assert(sizeof(krait_scene) >= sizeof(krait::Scene) && alignof(krait_scene) >= alignof(krait::Scene));
-static_assert(KRAIT_MAX_TRAILERS == krait::kMaxTrailers && KRAIT_MAX_STATE == krait::Snake::kMaxState);
+static_assert(KRAIT_MAX_TRAILERS == krait::kMaxTrailers && KRAIT_MAX_STATE == krait::kMaxState);
+static_assert(KRAIT_MAX_CONTROL == krait::kMaxControl && KRAIT_MAX_BODIES == krait::kMaxBodies);
 static_assert(KRAIT_NONE == krait::kNone);
 
 // The C enumeration numbers as the C++ one does; first, last and one between them stand for all.

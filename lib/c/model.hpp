@@ -46,6 +46,11 @@ Parameters parameters_of(const krait_robot& robot) {
 }
 
 template <class R>
+requires std::constructible_from<R, const krait_own&> R make_robot(const krait_robot& from) {
+  return R(from.parameters.own);
+}
+
+template <class R>
 R make_robot(const krait_robot& from) {
   R robot(parameters_of<std::decay_t<decltype(std::declval<R>().parameters())>>(from));
   for (int k = 0; from.bodies != nullptr && k < robot.body_count() && k < R::kMaxBodies; ++k) {

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: Apache-2.0
+// A robot of the user's in C has the plans of the same robot in C++, bit for bit, and one that cannot be used is
+// refused.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <vector>
+
+#include "krait/krait.h"
+#include "planner_fixture.hpp"
+
+namespace krait::test {
+namespace {
+
+// A truck with trailers as a robot of one's own has it: only what one needs.
+class Bare {
+ public:
+  static constexpr int kMaxState = Truck::kMaxState, kMaxControl = 2, kMaxBodies = Truck::kMaxBodies;
+
+  explicit Bare(int trailers) : truck_(parameters(trailers)) {}
+
+  int state_size() const { return truck_.state_size(); }
+  int control_size() const { return 2; }
+  int body_count() const { return truck_.body_count(); }
+  void derivative(StateView s, ControlView u, StateRef ds) const { truck_.derivative(s, u, ds); }
+  void steer(StateView s, const Target& target, Steering&, ControlRef u) const {
+    Steering fresh;  // in C it has no memory
+    truck_.steer(s, target, fresh, u);
+  }
+  bool within_limits(StateView s) const { return truck_.within_limits(s); }
+  Polygon body(int k) const { return truck_.body(k); }
+  void place(StateView s, Pose* poses) const { truck_.place(s, poses); }
+  bool travel(StateView s, ControlView u, float dt, StateView next, Travel* travel) const {
+    return truck_.travel(s, u, dt, next, travel);
+  }
+
+ protected:
+  const Truck& truck() const { return truck_; }
+
+ private:
+  static ChainParameters parameters(int trailers) {
+    ChainParameters p;
+    p.trailers = trailers;
+    p.body_length = 0.4F;
+    p.body_width = 0.3F;
+    p.wheelbase = 0.4F;
+    p.hitch_length = 0.5F;
+    p.min_speed = -1.0F;
+    return p;
+  }
+
+  Truck truck_;
+};
+
+// With what it may have besides.
+class Whole : public Bare {
+ public:
+  using Bare::Bare;
+  float speed(StateView s) const { return truck().speed(s); }
+  float stopping_way(StateView s) const { return truck().stopping_way(s); }
+  float turning_radius() const { return truck().turning_radius(); }
+  float top_speed() const { return truck().top_speed(); }
+  float fastest_rate(float dt) const { return truck().fastest_rate(dt); }
+  void track(StateView s, StateView reference, float dt, ControlRef u) const { truck().track(s, reference, dt, u); }
+  bool keeps_reserve(StateView s) const { return truck().keeps_reserve(s); }
+  bool reversible() const { return truck().reversible(); }
+  int self_collision_gap() const { return 1; }
+};
+
+const Whole& of(const void* self) { return *static_cast<const Whole*>(self); }
+StateView view(const void* self, const float* s) { return {s, of(self).state_size()}; }
+
+// The functions of Bare, by an object of Whole.
+krait_functions bare(int trailers) {
+  krait_functions f{};
+  f.exact = krait_exact;
+  f.state_size = 5 + trailers;
+  f.control_size = 2;
+  f.body_count = 1 + trailers;
+  f.derivative = [](const void* self, const float* s, const float* u, float* ds) {
+    of(self).derivative(view(self, s), ControlView(u, 2), StateRef(ds, of(self).state_size()));
+  };
+  f.steer = [](const void* self, const float* s, const krait_target* target, float* u) {
+    Steering none;
+    of(self).steer(view(self, s), {{target->x, target->y}, target->speed, target->dt, target->turn}, none,
+                   ControlRef(u, 2));
+  };
+  f.within_limits = [](const void* self, const float* s) { return of(self).within_limits(view(self, s)); };
+  f.body = [](const void* self, int k) {
+    const Polygon body = of(self).body(k);
+    return krait_polygon{reinterpret_cast<const krait_point*>(body.vertices), body.count};
+  };
+  f.place = [](const void* self, const float* s, krait_frame* frames) {
+    Pose poses[kMaxBodies];
+    of(self).place(view(self, s), poses);
+    for (int k = 0; k < of(self).body_count(); ++k) {
+      frames[k] = {poses[k].position.x, poses[k].position.y, poses[k].heading.sin, poses[k].heading.cos};
+    }
+  };
+  f.travel = [](const void* self, const float* s, const float* u, float dt, const float* next, krait_travel* travel) {
+    Travel most[kMaxBodies];
+    const bool limited = of(self).travel(view(self, s), ControlView(u, 2), dt, view(self, next), most);
+    for (int k = 0; k < of(self).body_count(); ++k) {
+      travel[k] = {most[k].path, most[k].turn, most[k].bend, most[k].twist};
+    }
+    return limited;
+  };
+  return f;
+}
+
+krait_functions whole(int trailers) {
+  krait_functions f = bare(trailers);
+  f.speed = [](const void* self, const float* s) { return of(self).speed(view(self, s)); };
+  f.stopping_way = [](const void* self, const float* s) { return of(self).stopping_way(view(self, s)); };
+  f.turning_radius = [](const void* self) { return of(self).turning_radius(); };
+  f.top_speed = [](const void* self) { return of(self).top_speed(); };
+  f.fastest_rate = [](const void* self, float dt) { return of(self).fastest_rate(dt); };
+  f.track = [](const void* self, const float* s, const float* reference, float dt, float* u) {
+    of(self).track(view(self, s), view(self, reference), dt, ControlRef(u, 2));
+  };
+  f.keeps_reserve = [](const void* self, const float* s) { return of(self).keeps_reserve(view(self, s)); };
+  f.reversible = [](const void* self) { return of(self).reversible(); };
+  f.self_collision_gap = [](const void* self) { return of(self).self_collision_gap(); };
+  return f;
+}
+
+constexpr krait_limits kLimits = {5000, 0, 20'000, KRAIT_RECYCLE, 0};
+
+// A planner in C for the robot, in a block of its own.
+class InC {
+ public:
+  explicit InC(const krait_functions& functions, int trailers)
+      : whole_(trailers), functions_(functions), robot_(krait_own_robot(&functions_, &whole_)) {
+    bytes_ = data_of(two_rooms()).bytes();
+    EXPECT_EQ(krait_open(&scene_, bytes_.data(), bytes_.size()).status, KRAIT_OK);
+    const krait_parameters parameters = krait_default_parameters();
+    failure_ = krait_init(&planner_, block_.data(), 8 * block_.size(), &scene_, &robot_, &parameters, &kLimits);
+  }
+
+  const krait_failure& failure() const { return failure_; }
+  const krait_robot& robot() const { return robot_; }
+
+  krait_statistics solve(std::uint64_t seed) {
+    float start[KRAIT_MAX_STATE] = {2, 6, 0};
+    const krait_query query = {start, krait_pose_goal(10.5F, 6.5F, 0.4F, 0, 0.5F), seed};
+    EXPECT_EQ(krait_start(planner_, &query), KRAIT_SEARCHING);
+    EXPECT_EQ(krait_advance(planner_, 20'000), KRAIT_SOLVED);
+    return krait_statistics_of(planner_);
+  }
+
+ private:
+  Whole whole_;
+  krait_functions functions_;
+  krait_robot robot_;
+  SceneBytes bytes_;
+  krait_scene scene_;
+  std::vector<std::uint64_t> block_ = std::vector<std::uint64_t>(100'000);
+  krait_planner* planner_ = nullptr;
+  krait_failure failure_{};
+};
+
+template <class R>
+void expect_same_plans(const krait_functions& functions, int trailers) {
+  InC in_c(functions, trailers);
+  ASSERT_EQ(in_c.failure().status, KRAIT_OK);
+  Bench<R> bench(two_rooms(), R(trailers));
+  bench.limits = {kLimits.vertices, 0, kLimits.iterations, WhenFull::recycle};
+  ASSERT_TRUE(bench.init().ok());
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const std::vector<float> start = {2, 6, 0, 0, 0, 0, 0};
+    const Goal goal = Goal::pose({10.5F, 6.5F}, 0.4F, 0.0F, 0.5F);
+    ASSERT_EQ(bench.solve({start.data(), goal, seed}), Status::solved);
+    const krait_statistics found = in_c.solve(seed);
+    EXPECT_EQ(found.hash, bench.planner.statistics().hash);
+    EXPECT_EQ(found.vertices, bench.planner.statistics().vertices);
+    EXPECT_EQ(found.collision_checks, bench.planner.statistics().collision_checks);
+    EXPECT_EQ(found.plan_end_speed, bench.planner.statistics().plan_end_speed);
+  }
+}
+
+TEST(OwnRobotInC, HasThePlansOfTheSameRobotInCpp) {
+  expect_same_plans<Bare>(bare(0), 0);
+  expect_same_plans<Bare>(bare(2), 2);
+  expect_same_plans<Whole>(whole(0), 0);
+  expect_same_plans<Whole>(whole(2), 2);
+}
+
+// Each function that it may have is asked, for plans differ without it.
+TEST(OwnRobotInC, EveryFunctionThatItMayHaveIsUsed) {
+  const auto hash = [](const krait_functions& functions) { return InC(functions, 2).solve(1).hash; };
+  const std::uint64_t all = hash(whole(2));
+  krait_functions f = whole(2);
+  f.speed = nullptr;
+  EXPECT_NE(hash(f), all) << "speed";
+  f = whole(2);
+  f.track = nullptr;
+  EXPECT_NE(hash(f), all) << "track";
+  f = whole(2);
+  f.reversible = nullptr;
+  EXPECT_NE(hash(f), all) << "reversible";
+  f = whole(2);
+  f.fastest_rate = nullptr;
+  EXPECT_NE(hash(f), all) << "fastest_rate";
+}
+
+template <class Member>
+void expect_refused(Member krait_functions::*member) {
+  krait_functions f = whole(1);
+  f.*member = nullptr;
+  const InC in_c(f, 1);
+  EXPECT_EQ(in_c.failure().status, KRAIT_BAD_ROBOT);
+  EXPECT_STREQ(krait_argument_name(in_c.failure().element), "robot_dimensions");
+}
+
+TEST(OwnRobotInC, WithoutAFunctionThatItNeedsIsRefused) {
+  expect_refused(&krait_functions::derivative);
+  expect_refused(&krait_functions::steer);
+  expect_refused(&krait_functions::within_limits);
+  expect_refused(&krait_functions::body);
+  expect_refused(&krait_functions::place);
+  expect_refused(&krait_functions::travel);
+}
+
+TEST(OwnRobotInC, OfSizesOutOfRangeIsRefused) {
+  const auto status = [](int krait_functions::*member, int size) {
+    krait_functions f = bare(0);
+    f.*member = size;
+    return InC(f, 0).failure().status;
+  };
+  for (const int size : {-1, 0, 1, KRAIT_MAX_STATE + 1}) {
+    EXPECT_EQ(status(&krait_functions::state_size, size), KRAIT_BAD_ROBOT) << size;
+  }
+  for (const int size : {-1, 0, KRAIT_MAX_CONTROL + 1}) {
+    EXPECT_EQ(status(&krait_functions::control_size, size), KRAIT_BAD_ROBOT) << size;
+  }
+  for (const int size : {-1, 0, KRAIT_MAX_BODIES + 1}) {
+    EXPECT_EQ(status(&krait_functions::body_count, size), KRAIT_BAD_ROBOT) << size;
+  }
+}
+
+TEST(OwnRobotInC, InAFileWithOtherArithmeticIsRefused) {
+  krait_functions f = bare(0);
+  f.exact = nullptr;
+  EXPECT_EQ(InC(f, 0).failure().status, KRAIT_BAD_ARITHMETIC);
+  f.exact = [] { return false; };
+  EXPECT_EQ(InC(f, 0).failure().status, KRAIT_BAD_ARITHMETIC);
+}
+
+TEST(OwnRobotInC, HasItsOwnStates) {
+  const InC in_c(bare(2), 2);
+  EXPECT_EQ(krait_state_size(&in_c.robot()), 7U);
+  float state[KRAIT_MAX_STATE];
+  EXPECT_FALSE(krait_rest(&in_c.robot(), {2, 6, 0, nullptr, 0}, state));
+}
+
+}  // namespace
+}  // namespace krait::test
