@@ -7,13 +7,21 @@
 
 #include "c/model.hpp"
 
-// The front of a block; the robot lies behind it, then the pools.
-struct krait_planner {
-  krait::Planner planner;
-  std::optional<krait::PlanCursor> cursor;  // at the state that was read last
+namespace krait::c {
+namespace {
+
+// What a krait_planner is: the front of a block. The robot lies behind it, then the pools.
+struct Front {
+  Planner planner;
+  std::optional<PlanCursor> cursor;  // at the state that was read last
 };
 
+}  // namespace
+}  // namespace krait::c
+
 namespace {
+
+using krait::c::Front;
 
 using krait::Status;
 using krait::c::convert;
@@ -62,16 +70,19 @@ krait::Goal goal_of(const krait_goal& from) {
   return turned ? krait::Goal::pose(center, from.radius, facing) : krait::Goal::disc(center, from.radius);
 }
 
+Front& front_of(krait_planner* planner) { return *std::launder(reinterpret_cast<Front*>(planner)); }
+const Front& front_of(const krait_planner* planner) { return *std::launder(reinterpret_cast<const Front*>(planner)); }
+
 constexpr std::uint64_t aligned(std::uint64_t bytes) {
   constexpr std::uint64_t kStep = krait::Arena::kAlignment;
   return (bytes + kStep - 1) / kStep * kStep;
 }
 
-static_assert(alignof(krait_planner) <= krait::Arena::kAlignment);
+static_assert(alignof(Front) <= krait::Arena::kAlignment);
 
 // Bytes before the pools.
 std::uint64_t front_bytes(const krait_robot& robot) {
-  return aligned(sizeof(krait_planner)) + aligned(robot.model->robot_bytes);
+  return aligned(sizeof(Front)) + aligned(robot.model->robot_bytes);
 }
 
 }  // namespace
@@ -144,12 +155,12 @@ krait_failure krait_init(krait_planner** planner, void* block, uint64_t bytes, c
     return {KRAIT_BAD_ARGUMENT, 0, static_cast<std::uint32_t>(krait::Argument::block), 0, 0.0F};
   }
   auto* const place = static_cast<std::byte*>(block);
-  auto* const made = ::new (block) krait_planner;
-  const krait::Robot model_robot = robot->model->make(place + aligned(sizeof(krait_planner)), *robot);
+  auto* const made = ::new (block) Front;
+  const krait::Robot model_robot = robot->model->make(place + aligned(sizeof(Front)), *robot);
   krait::Failure failure = made->planner.init(place + front, bytes - front, view(scene), model_robot,
                                               parameters_of(*parameters), convert<krait::Limits>(*limits));
   if (failure.status == Status::arena_too_small) failure.bytes_needed += front;
-  if (failure.ok()) *planner = made;
+  if (failure.ok()) *planner = reinterpret_cast<krait_planner*>(made);
   return failure_of(failure);
 }
 
@@ -163,38 +174,44 @@ krait_goal krait_pose_goal(float x, float y, float radius, float heading, float 
 }
 
 krait_status krait_start(krait_planner* planner, const krait_query* query) {
-  planner->cursor.reset();
-  return status_of(planner->planner.start({query->start, goal_of(query->goal), query->seed}));
+  front_of(planner).cursor.reset();
+  return status_of(front_of(planner).planner.start({query->start, goal_of(query->goal), query->seed}));
 }
 
 krait_status krait_advance(krait_planner* planner, uint64_t iterations) {
-  return status_of(planner->planner.advance(iterations));
+  return status_of(front_of(planner).planner.advance(iterations));
 }
 
 krait_status krait_improve(krait_planner* planner, uint64_t iterations) {
-  planner->cursor.reset();
-  return status_of(planner->planner.improve(iterations));
+  front_of(planner).cursor.reset();
+  return status_of(front_of(planner).planner.improve(iterations));
 }
 
-void krait_stop_for_time(krait_planner* planner) { planner->planner.stop_for_time(); }
+void krait_stop_for_time(krait_planner* planner) { front_of(planner).planner.stop_for_time(); }
 
-krait_failure krait_last_failure(const krait_planner* planner) { return failure_of(planner->planner.failure()); }
+krait_failure krait_last_failure(const krait_planner* planner) {
+  return failure_of(front_of(planner).planner.failure());
+}
 
-krait_contact krait_start_contact(krait_planner* planner) { return convert<krait_contact>(planner->planner.contact()); }
+krait_contact krait_start_contact(krait_planner* planner) {
+  return convert<krait_contact>(front_of(planner).planner.contact());
+}
 
 krait_bottleneck krait_bottleneck_of(krait_planner* planner) {
-  return convert<krait_bottleneck>(planner->planner.bottleneck());
+  return convert<krait_bottleneck>(front_of(planner).planner.bottleneck());
 }
 
-krait_effort krait_effort_of(const krait_planner* planner) { return convert<krait_effort>(planner->planner.effort()); }
+krait_effort krait_effort_of(const krait_planner* planner) {
+  return convert<krait_effort>(front_of(planner).planner.effort());
+}
 
 krait_statistics krait_statistics_of(const krait_planner* planner) {
-  return convert<krait_statistics>(planner->planner.statistics());
+  return convert<krait_statistics>(front_of(planner).planner.statistics());
 }
 
 bool krait_next(krait_planner* planner, float* state, float* control) {
-  std::optional<krait::PlanCursor>& cursor = planner->cursor;
-  const krait::Plan plan = planner->planner.plan();
+  std::optional<krait::PlanCursor>& cursor = front_of(planner).cursor;
+  const krait::Plan plan = front_of(planner).planner.plan();
   if (plan.empty() || (cursor && cursor->done())) return false;
   if (cursor) {
     cursor->advance();
@@ -206,4 +223,4 @@ bool krait_next(krait_planner* planner, float* state, float* control) {
   return true;
 }
 
-void krait_rewind(krait_planner* planner) { planner->cursor.reset(); }
+void krait_rewind(krait_planner* planner) { front_of(planner).cursor.reset(); }

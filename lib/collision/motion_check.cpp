@@ -122,7 +122,7 @@ void MotionCheck::place_nowhere(Placement& placement) {
   placement.circle_room[0] = -kInfinity;
 }
 
-void MotionCheck::find_room(Placement& placement, int k) const {
+inline void MotionCheck::find_room(Placement& placement, int k) const {
   const Vec2 at = centered_ ? placement.poses[k].position : center(placement, k);
   const float room = obstacles_.clearance().at(at) - needed_[k];
   placement.circle_room[k] = room > 0.0F ? room : -kInfinity;
@@ -135,7 +135,7 @@ PlacedBody MotionCheck::placed(const Placement& placement, int k, Vec2 at) const
   return body;
 }
 
-void MotionCheck::add_vertices(const Placement& placement, int k, PlacedBody& body) const {
+inline void MotionCheck::add_vertices(const Placement& placement, int k, PlacedBody& body) const {
   const Polygon shape = robot_.body(k);
   const Pose& pose = placement.poses[k];
   const Vec2 shift = pose.position - body.at;
@@ -183,7 +183,7 @@ bool MotionCheck::usable(const Travel& travel) const {
   return travel.path >= 0.0F && travel.turn >= 0.0F && travel.bend >= 0.0F && travel.twist >= 0.0F;
 }
 
-int MotionCheck::next_near(int k) const {
+inline int MotionCheck::next_near(int k) const {
   if (bounded_ || !centered_) {
     while (k < bodies_ && circle_free(k)) ++k;
     return k;

@@ -1,9 +1,123 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "krait/search/planner.hpp"
 
+#include "search/grouped_members.hpp"
+
 namespace krait {
 
 template class Search<Planner, Groups>;
 template class GroupedSearch<Planner>;
+
+void Planner::reset_guide() {
+  guide_.clear({parameters_.alpha, parameters_.beta, parameters_.epsilon}, parameters_.group_sample);
+  raised_ = false;
+  goes_on_ = false;
+  sketcher_.assign(robot_, *scene_, sketched_step(), parameters_.near_radius * robot_length_);
+  sight_ = Sight(*scene_, kSightRoom * sketcher_.radius(), kSightStep * robot_length_);
+}
+
+float Planner::sketched_step() const {
+  const float step = kSketchTime * parameters_.dt;
+  const float longest = longest_step(robot_, parameters_.dt, kSketchRate);
+  return step < longest ? step : longest;
+}
+
+void Planner::iterate(const Watch& watch) {
+  if (goes_on_) {
+    heed(go_on(watch));
+  } else {
+    begin_expansion(watch);
+  }
+  if (status() != Status::searching) return;
+  if (statistics_.iterations % update_interval() == 0) update_costs();
+}
+
+void Planner::begin_expansion(const Watch& watch) {
+  if (!room_for_expansion()) return;
+  if (parameters_.plain) guide_.weigh(regions_);
+  group_ = guide_.select(regions_);
+  const Way way = choose_way(group_);
+  if (way.promising) {
+    heed(expand(way.vertex, group_, way.target, watch));
+  } else {
+    raise_costs(group_);
+  }
+}
+
+std::uint32_t Planner::update_interval() const {
+  const std::uint32_t kappa = parameters_.kappa;
+  if (parameters_.update_regions == 0) return kappa;
+  const std::uint32_t least = scene_->triangle_count() / parameters_.update_regions;
+  return least > kappa ? least : kappa;
+}
+
+void Planner::heed(const Expanded& expanded) {
+  goes_on_ = expanded.result == Expansion::goes_on;
+  const bool long_way = expanded.last.step > parameters_.max_steps;
+  if (long_way && expanded.result == Expansion::target_reached) guide_.unselect(regions_, group_);
+  if (expanded.result == Expansion::collision) raise_costs(expanded.region);
+}
+
+Planner::Way Planner::choose_way(Index group) {
+  const std::uint32_t count = parameters_.candidates;
+  if (count == 0) return any_way(group);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    Way way = any_way(group);
+    if (i == 0 && way.cost == kInfinity) way.cost = -1.0F;
+    std::uint32_t at = i;
+    for (; at > 0 && ways_[at - 1].cost > way.cost; --at) ways_[at] = ways_[at - 1];
+    ways_[at] = way;
+  }
+  std::uint32_t best = 0;
+  std::uint32_t longest = 0;
+  for (std::uint32_t i = 0; i < count && longest < Sketcher::kSteps; ++i) {
+    const std::uint32_t steps = sketcher_.free_steps(tree_.state(ways_[i].vertex), ways_[i].target);
+    if (steps <= longest) continue;
+    longest = steps;
+    best = i;
+  }
+  ways_[best].promising = longest >= parameters_.least_sketch;
+  return ways_[best];
+}
+
+Planner::Way Planner::any_way(Index group) {
+  Way way;
+  way.vertex = guide_.random_vertex(group, random_);
+  const float stray = parameters_.stray_share;
+  const bool strays = stray > 0.0F && random_.unit() < stray;
+  way.cost = kInfinity;
+  const Vec2 point = strays ? random_point_in_bounds() : point_ahead(group, position(way.vertex), way.cost);
+  way.target = any_way_to(point, guide_.selections(group));
+  if (way.cost == 0.0F) slow_for(way.target, way.vertex);
+  return way;
+}
+
+Vec2 Planner::point_ahead(Index group, Vec2 from, float& cost) {
+  for (std::uint32_t tries = 1;; ++tries) {
+    const Index region = regions_.random_ahead(group, parameters_.path_regions, random_);
+    const Vec2 point = regions_.random_point(region, random_);
+    cost = regions_.cost(region);
+    if (tries >= parameters_.sight_tries || sight_.line_free(from, point)) return point;
+  }
+}
+
+void Planner::raise_costs(Index last_region) {
+  const Index next = regions_.next(last_region);
+  if (next == kNone || (regions_.is_goal(next) && !parameters_.raise_goal)) return;
+  regions_.raise_edges(next, {parameters_.gamma, parameters_.cost_length * robot_length_});
+  raised_ = true;
+}
+
+void Planner::update_costs() {
+  if (!raised_) return;
+  raised_ = false;
+  if (parameters_.plain) {
+    regions_.update();
+    ++statistics_.dijkstra_runs;
+  } else {
+    statistics_.regions_repaired += regions_.repair();
+  }
+  guide_.weigh(regions_);
+}
 
 }  // namespace krait

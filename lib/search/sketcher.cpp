@@ -39,7 +39,7 @@ void Sketcher::begin(const float* state) {
   for (int k = 0; k < robot_.body_count(); ++k) looks_[k] = {{}, -1.0F};
 }
 
-bool Sketcher::free() {
+inline bool Sketcher::free() {
   for (int k = 0; k < robot_.body_count(); ++k) {
     const Vec2 center = poses_[k].position + turned(poses_[k].heading, centers_[k]);
     Look& look = looks_[k];

@@ -51,8 +51,9 @@ Goal goal_of(const Scene& scene, const Request& request) {
   return Goal::pose(center, radius, static_cast<float>(request.heading), static_cast<float>(request.heading_tolerance));
 }
 
-// Everything before the first expansion.
-Failure set_up(const Board& board, const Request& request, const Robot& robot, Scene& scene, Planner& planner) {
+// Everything before the first expansion. Not inlined, so that its arrays are not on the stack while the planner plans.
+[[gnu::noinline]] Failure set_up(const Board& board, const Request& request, const Robot& robot, Scene& scene,
+                                 Planner& planner) {
   const Failure opened = open_scene(board, scene);
   if (!opened.ok()) return opened;
   float state[kMaxState];

@@ -216,6 +216,10 @@ TEST(PlanEmpty, IsHarmless) {
   EXPECT_EQ(plan.length(), 0.0F);
   EXPECT_EQ(plan.duration(), 0.0F);
   plan.copy(nullptr, nullptr);
+  const PlanCursor at = plan.cursor();
+  EXPECT_TRUE(at.done());
+  EXPECT_EQ(at.state_size(), 0);
+  EXPECT_EQ(at.control_size(), 0);
 }
 
 // A robot that is no pure function: from its n-th control on it steers a little otherwise.

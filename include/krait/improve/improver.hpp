@@ -36,8 +36,7 @@ class Improver {
   const PlanMeasures& measures() const { return measures_; }
 
  private:
-  using Drives = WayDrive;
-  using Outcome = typename Drives::Outcome;
+  using Outcome = WayDrive::Outcome;
 
   enum class Stage : std::uint8_t { turning, tracing, pulling, driving, proving };
 
@@ -143,7 +142,7 @@ class Improver {
   int here_ = 0;
   Route routes_[2];  // that those ways follow
   int here_of_routes_ = 0;
-  Drives drives_;
+  WayDrive drives_;
   bool reaches_ = false;    // whether the current way reaches the goal
   float left_ = kInfinity;  // metres of the route where it does not
   float failed_ = 0.0F;     // metres along the route where it ends

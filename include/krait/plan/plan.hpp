@@ -109,8 +109,8 @@ class Plan {
   float dt() const { return dt_; }                                     // seconds
   float duration() const { return dt_ * static_cast<float>(steps_); }  // seconds
 
-  // From the first state; not of an empty plan.
-  PlanCursor cursor() const { return {robot_, path_, start_, dt_}; }
+  // From the first state; of an empty plan one that is done and has no state.
+  PlanCursor cursor() const { return empty() ? PlanCursor() : PlanCursor(robot_, path_, start_, dt_); }
 
   // Metres, of the line through the positions; 0 for no plan. O(steps).
   float length() const { return empty() ? 0.0F : measures().length; }

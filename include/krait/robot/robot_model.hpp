@@ -129,18 +129,6 @@ concept LeadingRobot = RobotModel<R> && requires(const R& robot, StateView s, co
   {robot.integrate_rest(s, poses, dt, lead, d)};
 };
 
-struct NoLead {};
-template <class R>
-struct LeadOfRobot {
-  using Type = NoLead;
-};
-template <LeadingRobot R>
-struct LeadOfRobot<R> {
-  using Type = typename R::Lead;
-};
-template <class R>
-using LeadOf = typename LeadOfRobot<R>::Type;
-
 // The control that steers s, whose frames are `poses`, toward the target.
 template <RobotModel R>
 void steer(const R& robot, StateView s, const Pose* poses, const Target& target, Steering& steering, ControlRef u) {

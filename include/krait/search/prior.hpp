@@ -24,52 +24,49 @@ class PriorPlanner : public GroupedSearch<PriorPlanner> {
   static bool shoots() { return false; }
 
   void reset_guide() {
-    const Parameters& parameters = this->parameters_;
-    this->guide_.clear({parameters.alpha, parameters.beta, parameters.prior.epsilon}, kUnboundedSample);
+    guide_.clear({parameters_.alpha, parameters_.beta, parameters_.prior.epsilon}, kUnboundedSample);
   }
 
   // An expansion also looks at every vertex of its group.
   void iterate(const Watch& watch) {
-    if (!this->room_for_expansion()) return;
-    const Index group = this->guide_.select(this->regions_);
+    if (!room_for_expansion()) return;
+    const Index group = guide_.select(regions_);
     const Vec2 point = choose_point(group);
     const Index vertex = choose_vertex(group, point);
-    this->expand(vertex, group, this->any_way_to(point, this->guide_.selections(group)), watch);
+    expand(vertex, group, any_way_to(point, guide_.selections(group)), watch);
   }
 
   // Where to steer: mostly into a region ahead, at times to the goal or anywhere.
   Vec2 choose_point(Index group) {
-    const PriorParameters& prior = this->parameters_.prior;
-    const Regions& regions = this->regions_;
-    const float choice = this->random_.unit();
+    const PriorParameters& prior = parameters_.prior;
+    const float choice = random_.unit();
     if (choice < prior.path_share) {
-      const Index region = regions.random_ahead(group, prior.path_regions, this->random_);
-      return regions.random_point(region, this->random_);
+      return regions_.random_point(regions_.random_ahead(group, prior.path_regions, random_), random_);
     }
-    if (choice < prior.path_share + prior.goal_share) return regions.random_goal_point(this->random_);
+    if (choice < prior.path_share + prior.goal_share) return regions_.random_goal_point(random_);
     return random_free_point();
   }
 
   // Uniform over the triangles' union, by rejection from the bounds; the last try in an obstacle stands.
   Vec2 random_free_point() {
-    Vec2 point = this->random_point_in_bounds();
-    for (int tries = 1; tries < kMaxTries && locate(*this->scene_, point) == kNone; ++tries) {
-      point = this->random_point_in_bounds();
+    Vec2 point = random_point_in_bounds();
+    for (int tries = 1; tries < kMaxTries && locate(*scene_, point) == kNone; ++tries) {
+      point = random_point_in_bounds();
     }
     return point;
   }
 
   Index choose_vertex(Index group, Vec2 point) {
-    const bool nearest = this->random_.unit() < this->parameters_.prior.nearest_share;
-    return nearest ? nearest_vertex(group, point) : this->guide_.random_vertex(group, this->random_);
+    const bool nearest = random_.unit() < parameters_.prior.nearest_share;
+    return nearest ? nearest_vertex(group, point) : guide_.random_vertex(group, random_);
   }
 
   // By position; the smallest number among equals.
   Index nearest_vertex(Index group, Vec2 point) const {
     Index best = kNone;
     float least = kInfinity;
-    this->guide_.for_each_vertex(group, [&](Index vertex) {
-      const Vec2 apart = point - this->position(vertex);
+    guide_.for_each_vertex(group, [&](Index vertex) {
+      const Vec2 apart = point - position(vertex);
       const float squared = dot(apart, apart);
       if (squared > least || (squared == least && vertex > best)) return;
       least = squared;

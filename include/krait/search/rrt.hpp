@@ -11,7 +11,7 @@ namespace krait {
 
 class RrtPlanner : public Search<RrtPlanner, NearestPoints> {
   using Base = Search<RrtPlanner, NearestPoints>;
-  using Expansion = typename Base::Expansion;
+  using Expansion = Base::Expansion;
   friend Base;
 
   // The regions tell whether there is a route at all, and guide nothing.
@@ -23,42 +23,42 @@ class RrtPlanner : public Search<RrtPlanner, NearestPoints> {
   static bool shoots() { return false; }
 
   void reset_guide() {
-    this->guide_.clear();
+    guide_.clear();
     connecting_ = kNone;
   }
 
   // Every state becomes a vertex.
   bool keep(Index, Branch branch, const float* state) {
-    if (this->tree_.vertices_full()) return false;
-    newest_ = this->tree_.add(branch, state);
-    this->guide_.insert(this->position(newest_));
+    if (tree_.vertices_full()) return false;
+    newest_ = tree_.add(branch, state);
+    guide_.insert(position(newest_));
     return true;
   }
 
   // A connection longer than one expansion goes on in the next iteration. It also searches the nearest vertex,
   // O(vertices) at worst.
   void iterate(const Watch& watch) {
-    if (this->tree_.expansions_full()) {
-      this->finish(Status::tree_full);
+    if (tree_.expansions_full()) {
+      finish(Status::tree_full);
       return;
     }
     if (connecting_ == kNone) begin_connection();
-    const Vec2 from = this->position(connecting_);
-    const auto expanded = this->expand(connecting_, kNone, target_, watch);
+    const Vec2 from = position(connecting_);
+    const auto expanded = expand(connecting_, kNone, target_, watch);
     const bool goes_on = expanded.result == Expansion::target_not_reached && comes_closer(from);
     connecting_ = goes_on ? newest_ : kNone;
   }
 
   void begin_connection() {
-    const bool to_goal = this->random_.unit() < this->parameters_.rrt.goal_share;
-    const Vec2 point = to_goal ? this->regions_.random_goal_point(this->random_) : this->random_point_in_bounds();
-    target_ = this->any_way_to(point, Base::kPatience);
-    connecting_ = this->guide_.nearest(point);
+    const bool to_goal = random_.unit() < parameters_.rrt.goal_share;
+    const Vec2 point = to_goal ? regions_.random_goal_point(random_) : random_point_in_bounds();
+    target_ = any_way_to(point, Base::kPatience);
+    connecting_ = guide_.nearest(point);
   }
 
   // Whether an expansion was not in vain: a robot may circle its target for ever.
   bool comes_closer(Vec2 from) const {
-    return length(target_.point - this->position(newest_)) < length(target_.point - from);
+    return length(target_.point - position(newest_)) < length(target_.point - from);
   }
 
   Target target_;

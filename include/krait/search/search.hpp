@@ -53,63 +53,24 @@ class Search {
   Search& operator=(const Search&) = delete;
 
   // Bytes of the block that init needs. The same on every target. O(1).
-  static std::uint64_t bytes_required(const Scene& scene, const Robot& robot, const Limits& limits) {
-    Arena counting;
-    Regions regions;
-    MotionTree tree;
-    Guide guide;
-    Improver improver;
-    take_pools(counting, scene, robot, limits, regions, tree, guide, improver);
-    return counting.needed();
-  }
+  static std::uint64_t bytes_required(const Scene& scene, const Robot& robot, const Limits& limits);
 
   // The limits that spend a block of `bytes` best: as many vertices and expansions as fit beside `way_legs` legs, at
   // least 2. O(1).
-  static Limits limits_for(std::uint64_t bytes, const Scene& scene, const Robot& robot, std::uint32_t way_legs = 0) {
-    Limits limits;
-    limits.way_legs = way_legs;
-    std::uint32_t fits = 2;
-    std::uint32_t too_many = MotionTree::kMostExpansions + 1;
-    while (too_many - fits > 1) {
-      limits.vertices = fits + (too_many - fits) / 2;
-      (bytes_required(scene, robot, limits) <= bytes ? fits : too_many) = limits.vertices;
-    }
-    limits.vertices = fits;
-    return limits;
-  }
+  static Limits limits_for(std::uint64_t bytes, const Scene& scene, const Robot& robot, std::uint32_t way_legs = 0);
 
   // Uses the block, aligned to Arena::kAlignment, which like robot and scene must outlive the planner and stay where
   // it is; copies parameters and limits. Returns ok, or why not: bad_arithmetic, bad_argument (a scene that was not
   // opened, too), bad_robot, arena_too_small. May be called again.
   [[nodiscard]] Failure init(void* block, std::uint64_t bytes, const Scene& scene, const Robot& robot,
-                             const Parameters& parameters, const Limits& limits) {
-    ready_ = false;
-    if (!check_setup(robot, scene, parameters, limits).ok()) return failure_;
-    const std::uint64_t needed = bytes_required(scene, robot, limits);
-    if (bytes < needed) return failure_ = {Status::arena_too_small, 0, 0, needed};
-    const bool usable = block != nullptr && reinterpret_cast<std::uintptr_t>(block) % Arena::kAlignment == 0;
-    if (!usable) return failure_ = bad_argument(Argument::block);
-    fingerprint_ = scene.fingerprint();
-    arena_ = Arena(block, bytes);
-    take_pools(arena_, scene, robot, limits, regions_, tree_, guide_, improver_);
-    statistics_ = {};
-    ready_ = true;
-    failure_ = {Status::ready};
-    return {};
-  }
+                             const Parameters& parameters, const Limits& limits);
   // Temporaries would not outlive the planner.
   Failure init(void*, std::uint64_t, const Scene&&, const Robot&, const Parameters&, const Limits&) = delete;
 
   // Begins a search, ending any other. Returns searching; or solved, when a plan may end with the start; or no_route,
   // goal_in_obstacle, start_outside, start_in_collision, bad_argument; bad_scene, when the scene is found to be another
   // than at init (Scene::fingerprint); after an init that failed, what that one gave. Work: a Dijkstra, 2730 distances.
-  [[nodiscard]] Status start(const Query& query) {
-    if (!ready_) return status();
-    if (scene_->fingerprint() != fingerprint_) return scene_changed();
-    derived().reset_guide();
-    restarts_.begin(derived().restart_unit());
-    return begin(query);
-  }
+  [[nodiscard]] Status start(const Query& query);
 
   // At most `iterations` expansions more; returns at once when the search has ended. Where an expansion comes so near
   // to the goal that braking may end there, it brakes, and from every fourth state near a pose it drives the shortest
@@ -121,22 +82,7 @@ class Search {
 
   // The same, and calls watch(from, to), states, for every step that the tree grows by; before an expansion
   // watch.expands(vertex, target), where there is such a member.
-  [[nodiscard]] Status advance(std::uint64_t iterations, const Watch& watch) {
-    for (; iterations > 0 && status() == Status::searching; --iterations) {
-      if (driving()) {
-        drive_plan();
-        continue;
-      }
-      if (statistics_.iterations == limits_.iterations) return finish(Status::budget_used);
-      ++statistics_.iterations;
-      if (restarts_.due()) {
-        begin_anew();
-      } else {
-        derived().iterate(watch);
-      }
-    }
-    return status();
-  }
+  [[nodiscard]] Status advance(std::uint64_t iterations, const Watch& watch);
 
   // At most `iterations` more of looking for a plan of fewer steps; plan() and Statistics::plan_steps, plan_length,
   // plan_duration and hash are then those of the best so far, which was driven and proven as the first one was. Work of
@@ -145,17 +91,7 @@ class Search {
   // does not depend on how the iterations are cut into calls. Plans and their cursors from before the call end with it.
   // Returns status() and does nothing where that is not solved or the plan has no steps; bad_argument where
   // Limits::way_legs is 0.
-  [[nodiscard]] Status improve(std::uint64_t iterations) {
-    if (status() != Status::solved || path_ == kNone) return status();
-    if (limits_.way_legs == 0) return Status::bad_argument;
-    if (!improving_) begin_to_improve();
-    for (; iterations > 0; --iterations) {
-      if (!improver_.iterate()) continue;
-      ++statistics_.improvements;
-      note(improver_.measures());
-    }
-    return status();
-  }
+  [[nodiscard]] Status improve(std::uint64_t iterations);
 
   // What init cut the block into: Arena::needed(Pool) bytes a pool.
   const Arena& arena() const { return arena_; }
@@ -168,48 +104,22 @@ class Search {
 
   // After start_in_collision: what the robot is too near to at its start; else Hindrance::none. O(pieces near the robot
   // + bodies^2).
-  Contact contact() {
-    if (status() != Status::start_in_collision) return {};
-    Contact contact = check_.contact(drive_.state());
-    if (contact.with == Hindrance::none) contact = {.with = Hindrance::ground, .at = start_position()};
-    return contact;
-  }
+  Contact contact();
 
   // Of a search that ended without a plan: the widest way, which after no_route is too narrow for the robot; all zero
   // else. Work: at most two Dijkstras for the widest way, two for the costs, and 4,095 distances of a point.
-  Bottleneck bottleneck() {
-    const Status ended = status();
-    if (ended == Status::no_route) {
-      const Bottleneck bottleneck = bottleneck_for(body_disc());
-      return bottleneck.width < bottleneck.needed ? bottleneck : bottleneck_for(position_disc());
-    }
-    const bool in_vain = ended == Status::budget_used || ended == Status::tree_full || ended == Status::time_used;
-    return in_vain ? bottleneck_for(body_disc()) : Bottleneck{};
-  }
+  Bottleneck bottleneck();
 
   // Whether a way has reached the goal and is driven once more; the tree does not grow meanwhile.
   bool driving() const { return driven_ != kNone; }
 
   // Ends the search as time_used, for a port whose clock says so. No effect once it has ended.
-  void stop_for_time() {
-    if (status() == Status::searching) finish(Status::time_used);
-  }
+  void stop_for_time();
 
   // Empty unless solved. Valid until the next start or improve.
-  Plan plan() const {
-    if (status() != Status::solved) return {};
-    return {robot_, improving_ ? improver_.plan() : found_path(), tree_.state(kRoot), parameters_.dt};
-  }
+  Plan plan() const;
 
-  Statistics statistics() const {
-    Statistics result = statistics_;
-    result.collision_checks = check_.checks();
-    if (ready_) {
-      result.bytes_given = arena_.bytes();
-      result.bytes_used = arena_.needed() - tree_.bytes_untouched();
-    }
-    return result;
-  }
+  Statistics statistics() const;
 
  protected:
   static constexpr std::uint32_t kPatience = 10;  // tries after which half of the gentle share turns gently
@@ -225,59 +135,22 @@ class Search {
 
   // Algorithm 2, lines 4 to 15: from a vertex, which lies in `region` (or kNone: not known), toward the target. The
   // tree must have room for an expansion. Where it goes_on, that is for go_on.
-  Expanded expand(Index vertex, Index region, const Target& toward, const Watch& watch) {
-    const Index expansion = tree_.begin_expansion(tree_.branch(vertex), toward);
-    drive_.begin(tree_.state(vertex));
-    check_.begin(drive_.state());
-    drive_.aim(tree_.target(expansion));
-    watch.expands(vertex, drive_.target());
-    expanded_ = {Expansion::target_not_reached, region, {expansion, 0}};
-    apart_ = kInfinity;
-    return drive(expanded_, watch);
-  }
+  Expanded expand(Index vertex, Index region, const Target& toward, const Watch& watch);
 
   // The next max_steps steps of a long expansion.
-  Expanded go_on(const Watch& watch) {
-    restarts_.uncount();
-    return drive(expanded_, watch);
-  }
+  Expanded go_on(const Watch& watch);
 
   // The way to a point at a random speed, and in a turn that is gentle the more often, the more often it was tried.
-  Target any_way_to(Vec2 point, std::uint32_t tries) {
-    Target target;
-    target.point = point;
-    const bool backward = robot_.reversible() && random_.unit() < parameters_.reverse_share;
-    const float slowest = derived().slowest();
-    const float share = slowest + (1.0F - slowest) * random_.unit();
-    target.speed = backward ? -share : share;
-    const auto patience = static_cast<float>(tries) / static_cast<float>(tries + kPatience);
-    if (random_.unit() < parameters_.gentle_share * patience) {
-      target.turn = kGentlest + (1.0F - kGentlest) * random_.unit();
-    }
-    return target;
-  }
+  Target any_way_to(Vec2 point, std::uint32_t tries);
 
   // Lets the robot drive to a target in the goal so slowly that it can stop there.
-  void slow_for(Target& target, Index from) const {
-    if (!ending_.limits_speed()) return;
-    const float way = absolute(robot_.stopping_way(tree_.state(from)));
-    const float distance = length(target.point - position(from));
-    if (distance < way) target.speed = target.speed * std::sqrt(distance / way);
-  }
+  void slow_for(Target& target, Index from) const;
 
-  Vec2 random_point_in_bounds() {
-    const Box bounds = scene_->bounds();
-    const float u = random_.unit();
-    const float v = random_.unit();
-    return {bounds.min.x + u * (bounds.max.x - bounds.min.x), bounds.min.y + v * (bounds.max.y - bounds.min.y)};
-  }
+  Vec2 random_point_in_bounds();
 
   Vec2 position(Index vertex) const { return {tree_.state(vertex)[0], tree_.state(vertex)[1]}; }
 
-  Status finish(Status status) {
-    failure_ = {status};
-    return status;
-  }
+  Status finish(Status status);
 
   Robot robot_;
   const Scene* scene_ = nullptr;
@@ -305,138 +178,40 @@ class Search {
     float state[kMaxState];
   };
 
-  static Failure bad_argument(Argument argument) {
-    return {Status::bad_argument, 0, static_cast<std::uint32_t>(argument)};
-  }
+  static Failure bad_argument(Argument argument);
 
-  Status scene_changed() {
-    failure_ = {Status::bad_scene, Scene::kHeaderSection, offsetof(format::Header, crc32)};
-    return status();
-  }
+  Status scene_changed();
 
   static void take_pools(Arena& arena, const Scene& scene, const Robot& robot, const Limits& limits, Regions& regions,
-                         MotionTree& tree, Guide& guide, Improver& improver) {
-    regions.take(arena, scene);
-    tree.take(arena, limits.vertices, limits.kept_expansions(), robot.state_size());
-    guide.take(arena, scene, limits.vertices);
-    if (limits.way_legs > 0) improver.take(arena, limits.way_legs, robot.state_size());
-  }
+                         MotionTree& tree, Guide& guide, Improver& improver);
 
   Derived& derived() { return static_cast<Derived&>(*this); }
   const Derived& derived() const { return static_cast<const Derived&>(*this); }
 
   // The arguments that do not change between queries. Returns solved, or what is wrong.
-  Failure check_setup(const Robot& robot, const Scene& scene, const Parameters& parameters, const Limits& limits) {
-    robot_ = robot;
-    scene_ = &scene;
-    parameters_ = parameters;
-    limits_ = limits;
-    if (!exact_arithmetic() || !robot.exact()) return failure_ = {Status::bad_arithmetic};
-    if (scene.bytes() == 0) return failure_ = bad_argument(Argument::scene);
-    const Argument bad_robot = first_bad_of_robot(robot);
-    if (bad_robot != Argument::none) return failure_ = {Status::bad_robot, 0, static_cast<std::uint32_t>(bad_robot)};
-    Argument bad = parameters.first_bad();
-    if (bad == Argument::none) bad = limits.first_bad();
-    if (bad != Argument::none) return failure_ = bad_argument(bad);
-    if (!can_integrate(robot, parameters.dt)) {
-      failure_ = bad_argument(Argument::dt);
-      failure_.most = longest_time_step(robot, parameters.dt);
-      return failure_;
-    }
-    robot_length_ = krait::robot_length(robot);
-    drive_.assign(robot, parameters.dt);
-    brake_.assign(robot, parameters.dt);
-    return failure_ = {};
-  }
+  Failure check_setup(const Robot& robot, const Scene& scene, const Parameters& parameters, const Limits& limits);
 
   // Checks the query, computes the heuristic costs and plants the root. searching when the search can begin; solved
   // when a plan may end with the start.
-  Status begin(const Query& query) {
-    statistics_ = {};
-    improving_ = false;
-    driven_ = kNone;
-    braking_ = kNone;
-    shooting_ = false;
-    random_ = Random(query.seed);
-    check_.assign(robot_, *scene_, tree_clearance(), static_cast<int>(parameters_.max_substeps), !parameters_.plain);
-    keep_for_tree();
-    ending_.assign(robot_, *scene_, query.goal, derived().end_speed());
-    tree_.clear(scene_->bounds(), spare_expansions());
-    failure_ = check_query(query);
-    if (status() != Status::searching) return status();
-    if (shoots()) last_metres_.assign(*scene_, query.goal, nimbleness());
-    const float tenth = 0.1F * query.goal.size(*scene_);
-    goal_depth_ = parameters_.goal_margin < tenth ? parameters_.goal_margin : tenth;
-    end_depth_ = {kDepthKept * goal_depth_, tenth};
-    const bool fits = !parameters_.prune_portals || body_fits();
-    if (!find_paths()) return finish(Status::goal_in_obstacle);
-    return plant(fits);
-  }
+  Status begin(const Query& query);
 
   // Whether the last metres are driven.
   bool shoots() const { return ending_.goal().is_pose() && derived().shoots(); }
 
   // Those that end a way: a brake or the legs of a shot, which half of a small tree must do for.
-  std::uint32_t spare_expansions() const {
-    if (!shoots()) return ending_.limits_speed() ? 1 : 0;
-    const std::uint32_t half = limits_.kept_expansions() / 2;
-    return half < LastMetres::kMostLegs ? half : LastMetres::kMostLegs;
-  }
+  std::uint32_t spare_expansions() const;
 
-  Nimbleness nimbleness() const {
-    const Robot& robot = robot_;
-    return {robot_length_,
-            robot.turning_radius(robot_length_),
-            robot.top_speed(robot_length_),
-            inner_radius(robot.body(0), {}),
-            robot.reversible() && robot.body_count() == 1,
-            parameters_.dt};
-  }
+  Nimbleness nimbleness() const;
 
   // Resets the edge costs and finds the shortest paths. False when no region belongs to the goal.
-  bool find_paths() {
-    ++statistics_.dijkstra_runs;
-    return regions_.reset(ending_.goal(), least_portal_width(), kLeastCost * robot_length_);
-  }
+  bool find_paths();
 
   // Forgets all but the start and where the random numbers have got to.
-  void begin_anew() {
-    ++statistics_.restarts;
-    drive_.begin(tree_.state(kRoot));
-    tree_.empty();
-    braking_ = kNone;
-    shooting_ = false;
-    derived().reset_guide();
-    find_paths();
-    derived().keep(root_region_, {}, drive_.state());
-  }
+  void begin_anew();
 
-  Failure check_query(const Query& query) {
-    if (query.start == nullptr) return bad_argument(Argument::start);
-    for (int i = 0; i < robot_.state_size(); ++i) {
-      if (!finite(query.start[i])) return bad_argument(Argument::start);
-    }
-    drive_.begin(query.start);
-    if (!ending_.goal().valid(*scene_)) return bad_argument(Argument::goal);
-    if (!scene_->inside_bounds({query.start[0], query.start[1]})) return {Status::start_outside};
-    if (!robot_.within_limits(query.start)) return bad_argument(Argument::start);
-    if (!check_.free(query.start)) return {Status::start_in_collision};
-    return {Status::searching};
-  }
+  Failure check_query(const Query& query);
 
-  Status plant(bool fits) {
-    const Vec2 at = start_position();
-    const Index triangle = locate(*scene_, at);
-    if (triangle == kNone) return finish(Status::start_in_collision);
-    root_region_ = regions_.region(triangle);
-    statistics_.vertices = 1;
-    if (regions_.cost(root_region_) == kInfinity) return finish(Status::no_route);
-    derived().keep(root_region_, {}, drive_.state());
-    finish(fits ? Status::searching : Status::no_route);
-    const float depth = kStartDepth < end_depth_.most ? kStartDepth : end_depth_.most;
-    if (ending_.holds(drive_.state(), depth)) begin_plan({});
-    return status();
-  }
+  Status plant(bool fits);
 
   // Before the first step.
   Vec2 start_position() const { return {drive_.state()[0], drive_.state()[1]}; }
@@ -449,229 +224,71 @@ class Search {
   };
 
   // Around the middle of body 0.
-  InnerDisc body_disc() {
-    const Polygon body = robot_.body(0);
-    const Vec2 center = middle(body);
-    check_.begin(drive_.state());
-    const Pose& pose = check_.poses()[0];
-    const float radius = inner_radius(body, center) + parameters_.clearance;
-    return {pose.position + turned(pose.heading, center), radius, length(center) + kReachRounding};
-  }
+  InnerDisc body_disc();
 
   // Around the position: smaller, but where the position is.
-  InnerDisc position_disc() const {
-    return {start_position(), inner_radius(robot_.body(0), {}) + parameters_.clearance, 0.0F};
-  }
+  InnerDisc position_disc() const;
 
   // No obstacle comes nearer to the position than the disc around it that lies in body 0, if there is one.
-  float least_portal_width() const {
-    const float inner = inner_radius(robot_.body(0), {});
-    return parameters_.prune_portals && inner > 0.0F ? 2.0F * (inner + parameters_.clearance) : 0.0F;
-  }
+  float least_portal_width() const;
 
   // Where a disc in body 0 finds no room in the goal, or no way from the start to so near the goal that the position
   // could be inside, there is no way for the robot. False then.
-  bool body_fits() {
-    const InnerDisc disc = body_disc();
-    if (!room_at_goal(position_disc()).enough || !room_at_goal(disc).enough) return false;
-    const Index triangle = locate(*scene_, disc.at);
-    return triangle == kNone || regions_.connected(triangle, ending_.goal(), disc.reach, 2.0F * disc.radius);
-  }
+  bool body_fits();
 
   // Of the points that the disc's centre may be at in the end.
-  GoalRoom room_at_goal(const InnerDisc& disc) const {
-    const Obstacles obstacles(*scene_, 0.0F);
-    return goal_room(*scene_, obstacles, ending_.goal(), disc.reach, disc.radius - 2.0F * obstacles.margin());
-  }
+  GoalRoom room_at_goal(const InnerDisc& disc) const;
 
-  Bottleneck bottleneck_for(const InnerDisc& disc) {
-    const float needed = 2.0F * disc.radius;
-    const GoalRoom room = room_at_goal(disc);
-    if (!room.enough) return {2.0F * room.found, needed, room.at, true};
-    const Index triangle = locate(*scene_, disc.at);
-    if (triangle == kNone) return {};
-    Bottleneck bottleneck = regions_.widest_way(triangle, disc.reach);
-    bottleneck.needed = needed;
-    return bottleneck;
-  }
+  Bottleneck bottleneck_for(const InnerDisc& disc);
 
   // At most max_steps steps, and what becomes of the expansion.
-  Expanded drive(Expanded& expanded, const Watch& watch) {
-    bool goes = true;
-    for (std::uint32_t left = parameters_.max_steps; goes && left > 0; --left) {
-      expanded.result = take_turn(expanded, watch);
-      const bool under_way = expanded.result == Expansion::target_not_reached;
-      goes = under_way && (aside() || goes_on(expanded));
-    }
-    if (goes) {
-      expanded.result = Expansion::goes_on;
-      return expanded;
-    }
-    if (expanded.result == Expansion::goal_reached) {
-      begin_plan(expanded.last);
-      return expanded;
-    }
-    if (expanded.result != Expansion::collision) {
-      for (std::uint32_t back = derived().doomed_steps(); back-- > 0;) {
-        if (!keep_recent(expanded.last, back)) expanded.result = Expansion::tree_full;
-      }
-    }
-    tree_.end_expansion(expanded.last.expansion, expanded.last.step);
-    if (expanded.result == Expansion::tree_full) finish(Status::tree_full);
-    return expanded;
-  }
+  Expanded drive(Expanded& expanded, const Watch& watch);
 
   // Whether the expansion waits for what may end the way from its last state.
   bool aside() const { return braking() || shooting_; }
 
-  Expansion take_turn(Expanded& expanded, const Watch& watch) {
-    if (shooting_) return shoot(expanded, watch);
-    return braking() ? brake(expanded, watch) : grow(expanded, watch);
-  }
+  Expansion take_turn(Expanded& expanded, const Watch& watch);
 
   // Whether the expansion continues after this step. Past max_steps it does in the open only, and while each step
   // decreases the distance to the target.
-  bool goes_on(const Expanded& expanded) {
-    const std::uint32_t steps = expanded.last.step;
-    if (steps < parameters_.max_steps) return true;
-    if (steps >= derived().open_steps() || expanded.crossed > kOpen) return false;
-    const float before = apart_;
-    apart_ = length(drive_.target().point - Vec2{drive_.state()[0], drive_.state()[1]});
-    return apart_ < before;
-  }
+  bool goes_on(const Expanded& expanded);
 
   // One step, and what becomes of it.
-  Expansion grow(Expanded& expanded, const Watch& watch) {
-    if (!take_step(drive_)) return Expansion::collision;
-    watch(drive_.state(), drive_.next());
-    drive_.go();
-    ++statistics_.vertices;
-    ++expanded.last.step;
-    const Vec2 at{drive_.state()[0], drive_.state()[1]};
-    const Index before = expanded.region;
-    expanded.region = region_of(at, before);
-    if (expanded.region != before) ++expanded.crossed;
-    if (ending_.holds(drive_.state(), goal_depth_)) return Expansion::goal_reached;
-    if (ending_.stops_inside(drive_.state(), check_.poses()[0])) {
-      begin_braking(expanded.last);
-      return Expansion::target_not_reached;
-    }
-    if (shoots() && expanded.last.step % LastMetres::kEvery == 0 && last_metres_.near(at)) {
-      last_metres_.choose(check_.poses()[0]);
-      if (begin_shot()) return Expansion::target_not_reached;
-    }
-    return settle(expanded);
-  }
+  Expansion grow(Expanded& expanded, const Watch& watch);
 
   // The next shot from the expansion's last state. False when there is none left.
-  bool begin_shot() {
-    check_.begin(drive_.state());
-    shooting_ = last_metres_.next(check_.poses()[0]);
-    if (shooting_) brake_.begin(drive_.state());
-    shot_legs_ = 0;
-    brake_steps_ = LastMetres::kHold;
-    return shooting_;
-  }
+  bool begin_shot();
 
   // One step of a shot. Where none ends in the goal, the expansion goes on from where they began.
-  Expansion shoot(Expanded& expanded, const Watch& watch) {
-    const bool aimed = brake_steps_ < LastMetres::kHold || begin_shot_leg(expanded.last);
-    if (aimed && take_step(brake_)) {
-      watch(brake_.state(), brake_.next());
-      brake_.go();
-      ++statistics_.vertices;
-      ++brake_steps_;
-      return ending_.holds(brake_.state(), goal_depth_) ? end_braking() : Expansion::target_not_reached;
-    }
-    if (braking()) tree_.end_expansion(braking_, 0);
-    braking_ = kNone;
-    return begin_shot() ? Expansion::target_not_reached : settle(expanded);
-  }
+  Expansion shoot(Expanded& expanded, const Watch& watch);
 
   // Each leg is an expansion of its own, which the tree has slots for.
-  bool begin_shot_leg(Branch from) {
-    const float* const state = brake_.state();
-    Target target;
-    const float speed = robot_.speed(state);
-    const bool aims = last_metres_.aim(check_.poses()[0], speed, robot_.stopping_way(state), target);
-    if (!aims || shot_legs_ == spare_expansions()) return false;
-    const Index before = braking_;
-    braking_ = tree_.begin_expansion(before == kNone ? from : Branch{before, brake_steps_}, target);
-    if (before != kNone) tree_.end_expansion(before, brake_steps_);
-    ++shot_legs_;
-    brake_steps_ = 0;
-    brake_.aim(tree_.target(braking_));
-    return true;
-  }
+  bool begin_shot_leg(Branch from);
 
   // What becomes of an expansion whose last state does not end it in the goal.
-  Expansion settle(const Expanded& expanded) {
-    const Vec2 at{drive_.state()[0], drive_.state()[1]};
-    remember(expanded.last.step, expanded.region);
-    if (!keep_recent(expanded.last, derived().doomed_steps())) return Expansion::tree_full;
-    const bool near = length(drive_.target().point - at) <= parameters_.near_radius * robot_length_;
-    return near ? Expansion::target_reached : Expansion::target_not_reached;
-  }
+  Expansion settle(const Expanded& expanded);
 
   bool braking() const { return braking_ != kNone; }
 
   // The brake is an expansion of its own, toward the same target, which the tree has a slot for.
-  void begin_braking(Branch from) {
-    Target target = drive_.target();
-    target.speed = 0.0F;
-    braking_ = tree_.begin_expansion(from, target);
-    brake_steps_ = 0;
-    brake_.begin(drive_.state());
-    brake_.aim(tree_.target(braking_));
-  }
+  void begin_braking(Branch from);
 
   // One step of the brake. Where it cannot end in the goal, the expansion goes on from where the brake began.
-  Expansion brake(const Expanded& expanded, const Watch& watch) {
-    if (take_step(brake_)) {
-      watch(brake_.state(), brake_.next());
-      const float before = robot_.speed(brake_.state());
-      brake_.go();
-      ++statistics_.vertices;
-      ++brake_steps_;
-      const float* const state = brake_.state();
-      if (ending_.holds(state, goal_depth_)) return end_braking();
-      const bool slower = robot_.speed(state) < before;
-      if (slower && !ending_.slow(state) && brake_steps_ < MotionTree::kMostSteps) return Expansion::target_not_reached;
-    }
-    tree_.end_expansion(braking_, 0);
-    braking_ = kNone;
-    check_.begin(drive_.state());
-    return settle(expanded);
-  }
+  Expansion brake(const Expanded& expanded, const Watch& watch);
 
-  Expansion end_braking() {
-    drive_.begin(brake_.state());
-    return Expansion::goal_reached;
-  }
+  Expansion end_braking();
 
-  void remember(std::uint32_t step, Index region) {
-    NewState& recent = recent_[step % kRecent];
-    recent.region = region;
-    for (int i = 0; i < robot_.state_size(); ++i) recent.state[i] = drive_.state()[i];
-  }
+  void remember(std::uint32_t step, Index region);
 
   // Has the state `back` steps before the expansion's last kept, if there is one.
-  bool keep_recent(Branch last, std::uint32_t back) {
-    if (last.step <= back) return true;
-    const std::uint32_t step = last.step - back;
-    const NewState& recent = recent_[step % kRecent];
-    return derived().keep(recent.region, {last.expansion, step}, recent.state);
-  }
+  bool keep_recent(Branch last, std::uint32_t back);
 
   // CONTROLLER, MOTION and COLLISION (lines 5 and 6). False when the step is not free or leaves the robot's limits.
   bool take_step(Drive& drive) { return ProvenStep(robot_, *scene_, parameters_, check_).take(drive); }
 
   // The region of a position; where no triangle contains it (a reference point outside the body may stand on an
   // obstacle), the last state's.
-  Index region_of(Vec2 at, Index last) const {
-    const Index triangle = locate(*scene_, at, last);
-    return triangle == kNone ? last : regions_.region(triangle);
-  }
+  Index region_of(Vec2 at, Index last) const;
 
   float tree_clearance() const { return parameters_.clearance + kTreeSlack * robot_length_; }
 
@@ -680,75 +297,21 @@ class Search {
   // The way to `last`, and on by the brake if it brakes, has reached the goal. It is driven once more from the start,
   // expansion by expansion, as the plan's controls alone would drive the robot, and every step is proven again: what
   // holds is the plan. Until then the tree is used for nothing else. O(expansions of the way).
-  void begin_plan(Branch last) {
-    reached_ = last;
-    const Branch end = braking() ? Branch{braking_, brake_steps_} : last;
-    path_ = end.expansion == kNone ? kNone : tree_.turn_path(end);
-    driven_ = path_;
-    steps_left_ = 0;
-    proof_.begin(robot_, *scene_, parameters_, check_, tree_.state(kRoot));
-    if (driven_ == kNone) return finish_plan();
-    proof_.place();
-  }
+  void begin_plan(Branch last);
 
   // At most max_steps steps of one expansion of the way.
-  void drive_plan() {
-    if (steps_left_ == 0) {
-      proof_.aim(tree_.target(driven_));
-      steps_left_ = tree_.steps(driven_);
-    }
-    for (std::uint32_t left = parameters_.max_steps; left > 0 && steps_left_ > 0; --left, --steps_left_) {
-      if (!proof_.step()) return refuse_plan();
-    }
-    if (steps_left_ == 0) driven_ = tree_.next_of_path(driven_);
-    if (driven_ == kNone) return finish_plan();
-    proof_.keep();
-  }
+  void drive_plan();
 
   // Ends the search as solved where the way that was driven ends in the goal; as internal where the tree beside it was
   // not the same as when it grew.
-  void finish_plan() {
-    const float* const end = proof_.state();
-    for (int i = 0; i < robot_.state_size(); ++i) {
-      if (proof_.tree_state()[i] == drive_.state()[i]) continue;
-      finish(Status::internal);
-      return;
-    }
-    const float depth = path_ == kNone ? 0.0F : proof_.end_depth(end_depth_);
-    if (!ending_.holds(end, depth)) return refuse_plan();
-    finish(Status::solved);
-    note(proof_.measures());
-  }
+  void finish_plan();
 
-  void note(const PlanMeasures& measures) {
-    statistics_.plan_steps = measures.steps;
-    statistics_.plan_length = measures.length;
-    statistics_.plan_duration = parameters_.dt * static_cast<float>(measures.steps);
-    statistics_.plan_end_speed = robot_.speed(proof_.state());
-    statistics_.hash = measures.hash;
-  }
+  void note(const PlanMeasures& measures);
 
   // Goes on with the search; with its next try, since other ways to the goal would mostly begin as this one did.
-  void refuse_plan() {
-    ++statistics_.plans_refused;
-    tree_.turn_path_back(path_);
-    if (braking()) tree_.end_expansion(braking_, brake_steps_);
-    braking_ = kNone;
-    shooting_ = false;
-    tree_.end_expansion(reached_.expansion, reached_.step);
-    driven_ = kNone;
-    keep_for_tree();
-    restarts_.end_try();
-  }
+  void refuse_plan();
 
-  void begin_to_improve() {
-    improving_ = true;
-    find_paths();
-    const TargetGrid grid(scene_->bounds());
-    const WayTools tools{robot_,  scene_, &parameters_, &check_,     &drive_,
-                         &brake_, grid,   &ending_,     goal_depth_, tree_.state(kRoot)};
-    improver_.begin(tools, proof_, regions_, found_path(), end_depth_, random_);
-  }
+  void begin_to_improve();
 
   PlanPath found_path() const { return {tree_, path_}; }
 
