@@ -12,6 +12,7 @@
 #include "host/run/robots.hpp"
 #include "host/run/run.hpp"
 #include "host/workspace/workspace.hpp"
+#include "tests/core/in_own_memory.hpp"
 #include "trials/trials.hpp"
 
 namespace krait::bench {
@@ -141,8 +142,8 @@ void plan(benchmark::State& state, Workload& work) {
   work.count(state);
 }
 
-MotionCheck check_of(const Workload& work) {
-  MotionCheck check;
+test::InOwnMemory<MotionCheck> check_of(const Workload& work) {
+  test::InOwnMemory<MotionCheck> check;
   const Parameters& p = work.parameters();
   check.assign(work.robot(), work.scene(), p.clearance, static_cast<int>(p.max_substeps), !p.plain);
   return check;
@@ -150,7 +151,7 @@ MotionCheck check_of(const Workload& work) {
 
 // The floor of the method: a Runge-Kutta step and the proof that it is free, for every vertex.
 void steps_of_vertices(benchmark::State& state, const Workload& work) {
-  MotionCheck check = check_of(work);
+  test::InOwnMemory<MotionCheck> check = check_of(work);
   const float dt = work.parameters().dt;
   float next[Snake::kMaxState];
   for (auto _ : state) {
@@ -215,7 +216,7 @@ void propagate_steps(benchmark::State& state, const Workload& work) {
 
 // The collision check, for every step that was tried.
 void check_steps(benchmark::State& state, const Workload& work) {
-  MotionCheck check = check_of(work);
+  test::InOwnMemory<MotionCheck> check = check_of(work);
   const float dt = work.parameters().dt;
   for (auto _ : state) {
     work.for_each_expansion([&](const Expansion& expansion) {

@@ -10,6 +10,7 @@
 
 #include "krait/collision/motion_check.hpp"
 #include "peers/problem.hpp"
+#include "tests/core/in_own_memory.hpp"
 
 namespace krait::bench {
 
@@ -42,7 +43,7 @@ class PeerMotion {
 
   const PeerProblem& problem_;
   const Stop stop_;
-  MotionCheck check_;
+  test::InOwnMemory<MotionCheck> check_;
   Step last_;
   std::uint64_t proven_ = PeerState::kSampled;  // number of the step that check_ goes on from
 };

@@ -3,6 +3,20 @@
 
 namespace krait {
 
+void MotionCheck::take(Arena& arena, const Robot& robot) {
+  const auto bodies = static_cast<std::uint64_t>(robot.body_count());
+  circles_ = arena.take<Circle>(Pool::work, bodies);
+  needed_ = arena.take<float>(Pool::work, bodies);
+  farthest_ = arena.take<float>(Pool::work, bodies);
+  travel_ = arena.take<Travel>(Pool::work, bodies);
+  centers_ = arena.take<Vec2>(Pool::work, bodies);
+  along_ = arena.take<float>(Pool::work, bodies);
+  for (Placement& placement : placements_) {
+    placement = {arena.take<Pose>(Pool::work, bodies), arena.take<float>(Pool::work, bodies)};
+  }
+  for (float*& state : middle_) state = arena.take<float>(Pool::work, static_cast<std::uint64_t>(robot.state_size()));
+}
+
 void MotionCheck::assign(const Robot& robot, const Scene& scene, float clearance, int max_substeps, bool shortcuts) {
   robot_ = robot;
   scene_ = &scene;
@@ -262,7 +276,7 @@ bool MotionCheck::self_free(const Step& step) {
 }
 
 bool MotionCheck::still_apart() {
-  right() = left();
+  for (int k = 0; k < bodies_; ++k) right().poses[k] = left().poses[k];
   bounded_ = false;
   quick_.most = {};
   return pairs_free();

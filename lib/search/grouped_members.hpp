@@ -7,8 +7,8 @@
 
 namespace krait {
 
-template <class Derived>
-bool GroupedSearch<Derived>::keep(Index region, Branch branch, const float* state) {
+template <class Derived, class Guide>
+bool GroupedSearch<Derived, Guide>::keep(Index region, Branch branch, const float* state) {
   const Groups::Place place = this->guide_.place(region, this->random_);
   if (!place.kept) return true;
   if (place.replaced != kNone) {
@@ -23,8 +23,8 @@ bool GroupedSearch<Derived>::keep(Index region, Branch branch, const float* stat
   return true;
 }
 
-template <class Derived>
-Effort GroupedSearch<Derived>::effort() const {
+template <class Derived, class Guide>
+Effort GroupedSearch<Derived, Guide>::effort() const {
   Effort most;
   for (Index region = 0; region < this->scene_->triangle_count(); ++region) {
     const std::uint32_t tries = this->guide_.selections(region);
@@ -33,8 +33,8 @@ Effort GroupedSearch<Derived>::effort() const {
   return most;
 }
 
-template <class Derived>
-float GroupedSearch<Derived>::cost_to_go() const {
+template <class Derived, class Guide>
+float GroupedSearch<Derived, Guide>::cost_to_go() const {
   float least = kInfinity;
   for (Index region = 0; region < this->scene_->triangle_count(); ++region) {
     const float cost = this->regions_.cost(region);
@@ -43,8 +43,8 @@ float GroupedSearch<Derived>::cost_to_go() const {
   return least;
 }
 
-template <class Derived>
-bool GroupedSearch<Derived>::room_for_expansion() {
+template <class Derived, class Guide>
+bool GroupedSearch<Derived, Guide>::room_for_expansion() {
   while (this->tree_.expansions_full()) {
     const Index lightest = this->guide_.lightest(kNone);
     if (this->limits_.when_full == WhenFull::stop || lightest == kNone) {
@@ -56,8 +56,8 @@ bool GroupedSearch<Derived>::room_for_expansion() {
   return true;
 }
 
-template <class Derived>
-bool GroupedSearch<Derived>::make_room_for(Index region) {
+template <class Derived, class Guide>
+bool GroupedSearch<Derived, Guide>::make_room_for(Index region) {
   const Index lightest = this->guide_.lightest(region);
   const auto weight = [this](Index of) { return this->guide_.log_weight(this->regions_, of); };
   if (lightest == kNone || !(weight(lightest) < weight(region))) return false;
@@ -65,8 +65,8 @@ bool GroupedSearch<Derived>::make_room_for(Index region) {
   return true;
 }
 
-template <class Derived>
-void GroupedSearch<Derived>::empty(Index region) {
+template <class Derived, class Guide>
+void GroupedSearch<Derived, Guide>::empty(Index region) {
   for (Index vertex = this->guide_.remove(region); vertex != kNone; vertex = this->guide_.remove(region)) {
     this->tree_.remove(vertex);
     ++this->statistics_.recycled;

@@ -5,15 +5,15 @@
 
 namespace krait {
 
-template class Search<Planner, Groups>;
-template class GroupedSearch<Planner>;
+template class Search<Planner, PlannerGuide>;
+template class GroupedSearch<Planner, PlannerGuide>;
 
 void Planner::reset_guide() {
   guide_.clear({parameters_.alpha, parameters_.beta, parameters_.epsilon}, parameters_.group_sample);
   raised_ = false;
   goes_on_ = false;
-  sketcher_.assign(robot_, *scene_, sketched_step(), parameters_.near_radius * robot_length_);
-  sight_ = Sight(*scene_, kSightRoom * sketcher_.radius(), kSightStep * robot_length_);
+  guide_.sketcher.assign(robot_, *scene_, sketched_step(), parameters_.near_radius * robot_length_);
+  sight_ = Sight(*scene_, kSightRoom * guide_.sketcher.radius(), kSightStep * robot_length_);
 }
 
 float Planner::sketched_step() const {
@@ -71,7 +71,7 @@ Planner::Way Planner::choose_way(Index group) {
   std::uint32_t best = 0;
   std::uint32_t longest = 0;
   for (std::uint32_t i = 0; i < count && longest < Sketcher::kSteps; ++i) {
-    const std::uint32_t steps = sketcher_.free_steps(tree_.state(ways_[i].vertex), ways_[i].target);
+    const std::uint32_t steps = guide_.sketcher.free_steps(tree_.state(ways_[i].vertex), ways_[i].target);
     if (steps <= longest) continue;
     longest = steps;
     best = i;

@@ -6,6 +6,6 @@
 namespace krait {
 
 template class Search<PriorPlanner, Groups>;
-template class GroupedSearch<PriorPlanner>;
+template class GroupedSearch<PriorPlanner, Groups>;
 
 }  // namespace krait

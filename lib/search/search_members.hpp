@@ -13,7 +13,10 @@ std::uint64_t Search<Derived, Guide>::bytes_required(const Scene& scene, const R
   MotionTree tree;
   Guide guide;
   Improver improver;
+  MotionCheck check;
+  float* recent = nullptr;
   take_pools(counting, scene, robot, limits, regions, tree, guide, improver);
+  take_work(counting, robot, guide, check, recent);
   return counting.needed();
 }
 
@@ -44,6 +47,7 @@ Failure Search<Derived, Guide>::init(void* block, std::uint64_t bytes, const Sce
   fingerprint_ = scene.fingerprint();
   arena_ = Arena(block, bytes);
   take_pools(arena_, scene, robot, limits, regions_, tree_, guide_, improver_);
+  take_work(arena_, robot, guide_, check_, recent_);
   statistics_ = {};
   ready_ = true;
   failure_ = {Status::ready};
@@ -205,6 +209,14 @@ void Search<Derived, Guide>::take_pools(Arena& arena, const Scene& scene, const 
   tree.take(arena, limits.vertices, limits.kept_expansions(), robot.state_size());
   guide.take(arena, scene, limits.vertices);
   if (limits.way_legs > 0) improver.take(arena, limits.way_legs, robot.state_size());
+}
+
+template <class Derived, class Guide>
+void Search<Derived, Guide>::take_work(Arena& arena, const Robot& robot, Guide& guide, MotionCheck& check,
+                                       float*& recent) {
+  check.take(arena, robot);
+  if constexpr (requires { guide.take_work(arena, robot); }) guide.take_work(arena, robot);
+  recent = arena.take<float>(Pool::work, std::uint64_t{kRecent} * static_cast<std::uint32_t>(robot.state_size()));
 }
 
 template <class Derived, class Guide>
@@ -519,17 +531,15 @@ typename Search<Derived, Guide>::Expansion Search<Derived, Guide>::end_braking()
 
 template <class Derived, class Guide>
 void Search<Derived, Guide>::remember(std::uint32_t step, Index region) {
-  NewState& recent = recent_[step % kRecent];
-  recent.region = region;
-  for (int i = 0; i < robot_.state_size(); ++i) recent.state[i] = drive_.state()[i];
+  recent_regions_[step % kRecent] = region;
+  for (int i = 0; i < robot_.state_size(); ++i) recent(step)[i] = drive_.state()[i];
 }
 
 template <class Derived, class Guide>
 bool Search<Derived, Guide>::keep_recent(Branch last, std::uint32_t back) {
   if (last.step <= back) return true;
   const std::uint32_t step = last.step - back;
-  const NewState& recent = recent_[step % kRecent];
-  return derived().keep(recent.region, {last.expansion, step}, recent.state);
+  return derived().keep(recent_regions_[step % kRecent], {last.expansion, step}, recent(step));
 }
 
 template <class Derived, class Guide>

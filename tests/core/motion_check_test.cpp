@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "convex.hpp"
+#include "in_own_memory.hpp"
 #include "robot_oracle.hpp"
 #include "step_oracle.hpp"
 #include "user_robot.hpp"
@@ -59,7 +60,7 @@ template <class R>
 Tally expect_sound(const R& robot, const Scene& scene, float clearance, float dt, int walks, unsigned seed,
                    bool shortcuts = true) {
   std::mt19937 random(seed);
-  MotionCheck check;
+  InOwnMemory<MotionCheck> check;
   check.assign(robot, scene, clearance, 16, shortcuts);
   Tally tally;
   while (walks > 0) {
@@ -119,7 +120,7 @@ TYPED_TEST(MotionCheckSound, AStepWhoseLeadIsRefusedIsRefused) {
     for (unsigned seed = 1; seed <= 8; ++seed) {
       const OpenScene open(crowded(seed));
       std::mt19937 random(seed);
-      MotionCheck whole, asked;
+      InOwnMemory<MotionCheck> whole, asked;
       whole.assign(robot, open.scene, 1e-3F, 16, true);
       asked.assign(robot, open.scene, 1e-3F, 16, true);
       for (int walk = 0; walk < 200; ++walk) {
@@ -226,7 +227,7 @@ TEST(MotionCheck, StepsWithRoomEverywhereAreAccepted) {
   for (unsigned seed = 1; seed <= 10; ++seed) {
     const OpenScene open(crowded(seed));
     std::mt19937 random(seed);
-    MotionCheck check;
+    InOwnMemory<MotionCheck> check;
     check.assign(snake, open.scene, 1e-3F, 16, seed % 2 == 0);
     for (int i = 0; i < 400; ++i) {
       const auto s = somewhere(snake, open.scene, random);
@@ -252,7 +253,7 @@ struct Walled : ::testing::TestWithParam<bool> {
   }
   OpenScene open{room()};
   Slider slider{0.1F, 100.0F};
-  MotionCheck check;
+  InOwnMemory<MotionCheck> check;
 
   void SetUp() override { check.assign(slider, open.scene, 0.0F, 16, GetParam()); }
 
@@ -314,7 +315,7 @@ TEST_P(Walled, FastStepThatEndsJustBeforeTheWallIsAccepted) {
 // A turning body leaves the hull of its places: what one part cannot prove, many can, and never the other way round.
 TEST_P(Walled, SubstepsProveWhatTheWholeStepCannot) {
   const Unicycle unicycle({});
-  MotionCheck whole, parts;
+  InOwnMemory<MotionCheck> whole, parts;
   whole.assign(unicycle, open.scene, 0.0F, 1, GetParam());
   parts.assign(unicycle, open.scene, 0.0F, 16, GetParam());
   int by_whole = 0, by_parts = 0;
@@ -394,7 +395,7 @@ TEST(MotionCheckSlit, IsPassedExactlyWhereTheBodyFits) {
       room.boxes = {{5, 0, 5.5, 5 - half}, {5, 5 + half, 5.5, 10}};
       const OpenScene open(room);
       const Slider slider(0.1F, 100.0F);
-      MotionCheck check;
+      InOwnMemory<MotionCheck> check;
       check.assign(slider, open.scene, 0.0F, 16, shortcuts);
       const float s[] = {4, 5}, u[] = {25, 0}, next[] = {6.5F, 5};
       check.begin(s);
@@ -428,7 +429,7 @@ TEST(MotionCheckSelf, BodiesThatPassThroughEachOtherAreSeen) {
   static_assert(RobotModel<Shuttle>);
   const OpenScene open{Room{}};
   const Shuttle shuttle;
-  MotionCheck check;
+  InOwnMemory<MotionCheck> check;
   std::mt19937 random(1);
   int crossing = 0, apart = 0;
   for (int i = 0; i < 2000; ++i) {
@@ -468,7 +469,7 @@ TEST(MotionCheck, FastSmallRobotPassesThroughNoSliver) {
     }
     const OpenScene open(room);
     const auto pieces = rings_of_pieces(open.scene);
-    MotionCheck check;
+    InOwnMemory<MotionCheck> check;
     check.assign(slider, open.scene, 0.0F, 16, seed > 2);
     float s[] = {0.1F, 0.1F};
     for (int i = 0; i < 1500; ++i) {
@@ -504,7 +505,7 @@ TEST(MotionCheck, FastSmallRobotPassesThroughNoSliver) {
 TEST(MotionCheckEdges, StateWithoutAPoseIsNotFree) {
   const OpenScene open{Room{}};
   const Unicycle robot({});
-  MotionCheck check;
+  InOwnMemory<MotionCheck> check;
   check.assign(robot, open.scene, 0.0F, 16, true);
   for (const float heading : {std::numeric_limits<float>::quiet_NaN(), 1e30F, 9000.0F}) {
     const float s[] = {5, 5, heading};

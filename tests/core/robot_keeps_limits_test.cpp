@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A step that a chain calls within its limits, or a collision check free, keeps them all the way, by the same motion in
 // small steps of double precision.
+#include "in_own_memory.hpp"
 #include "krait/collision/motion_check.hpp"
 #include "robot_oracle.hpp"
 #include "scene_builder.hpp"
@@ -95,7 +96,7 @@ TEST(RobotKeepsLimits, NoHitchPassesItsLimitInAStepThatIsFree) {
   Room room;
   room.bounds = {-10, -10, 10, 10};
   const OpenScene open(room);
-  MotionCheck check;
+  InOwnMemory<MotionCheck> check;
   check.assign(snake, open.scene, 0.0F, 16, true);
   int by_parts = 0;
   const auto is_free = [&](const auto& s, const auto& u, const auto& next) {

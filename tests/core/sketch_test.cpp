@@ -2,6 +2,7 @@
 // Rough steps against Runge-Kutta's, and how far they find a way free.
 #include "krait/robot/sketch.hpp"
 
+#include "in_own_memory.hpp"
 #include "krait/search/sketcher.hpp"
 #include "planner_fixture.hpp"
 #include "robot_oracle.hpp"
@@ -94,7 +95,7 @@ TEST(SketchOfAChain, KeepsItsFramesTurned) {
 template <class R>
 std::uint32_t free_steps(const Room& room, const R& robot, const std::vector<float>& state, const Target& target) {
   const OpenScene open(room);
-  Sketcher sketcher;
+  InOwnMemory<Sketcher> sketcher;
   sketcher.assign(robot, open.scene, kStep, 0.5F);
   return sketcher.free_steps(state.data(), target);
 }

@@ -19,6 +19,7 @@ enum class Pool : std::uint8_t {
   members,
   nearest,
   improvement,
+  work,  // arrays of the robot's sizes, by body and component
   count
 };
 inline constexpr std::size_t kPoolCount = static_cast<std::size_t>(Pool::count);

@@ -11,6 +11,7 @@
 // a Travel that is NaN or negative.
 #pragma once
 
+#include "krait/base/arena.hpp"
 #include "krait/collision/obstacles.hpp"
 #include "krait/motion/rk4.hpp"
 #include "krait/robot/box.hpp"
@@ -20,8 +21,12 @@ namespace krait {
 
 class MotionCheck {
  public:
-  // Copies nothing: robot and scene must outlive this. `max_substeps` is a power of two. Without `shortcuts` every body
-  // is compared with all obstacles, found by their boxes alone, and every pair of bodies with each other.
+  // 88 bytes a body and 8 a component of the state. Uninitialised: assign comes before all else.
+  void take(Arena& arena, const Robot& robot);
+
+  // Copies nothing: robot, of the sizes that memory was taken for, and scene must outlive this. `max_substeps` is a
+  // power of two. Without `shortcuts` every body is compared with all obstacles, found by their boxes alone, and every
+  // pair of bodies with each other.
   void assign(const Robot& robot, const Scene& scene, float clearance, int max_substeps, bool shortcuts);
   void assign(const Robot&, const Scene&&, float, int, bool) = delete;
 
@@ -80,9 +85,9 @@ class MotionCheck {
   };
 
   struct Placement {
-    Pose poses[kMaxBodies];
-    float circle_room[kMaxBodies];  // at most the distance of body k's circle, less the margin, by the grid;
-                                    // -infinity where the grid does not prove that there is one
+    Pose* poses;
+    float* circle_room;  // at most the distance of body k's circle, less the margin, by the grid; -infinity where the
+                         // grid does not prove that there is one
   };
 
   struct Circle {
@@ -185,17 +190,18 @@ class MotionCheck {
   bool shortcuts_ = true;
   float farthest_of_all_ = 0.0F;
   bool centered_ = true;  // whether every circle's centre is its body's origin
-  Circle circles_[kMaxBodies];
-  float needed_[kMaxBodies];    // clearance at the circle's centre from which on it keeps the margin
-  float farthest_[kMaxBodies];  // of a body's vertices from its frame's origin
-  bool bounded_ = false;        // whether travel_ tells of the step in question, else quick_
+  bool bounded_ = false;  // whether travel_ tells of the step in question, else quick_
   QuickBound quick_;
-  Travel travel_[kMaxBodies];
-  Placement placements_[2];  // the step's two ends
   int left_ = 0;
-  Vec2 centers_[kMaxBodies];  // of the bodies, halfway between the ends,
-  float along_[kMaxBodies];   // and the length of the line through them so far
-  float middle_[2][kMaxState];
+  // By body.
+  Circle* circles_ = nullptr;
+  float* needed_ = nullptr;    // clearance at the circle's centre from which on it keeps the margin
+  float* farthest_ = nullptr;  // of its vertices from its frame's origin
+  Travel* travel_ = nullptr;
+  Vec2* centers_ = nullptr;    // halfway between the step's ends,
+  float* along_ = nullptr;     // and the length of the line through them so far
+  Placement placements_[2]{};  // the step's two ends
+  float* middle_[2]{};         // states
   std::uint64_t checks_ = 0;
 };
 

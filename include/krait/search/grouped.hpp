@@ -13,9 +13,10 @@ struct Effort {
   std::uint32_t tries = 0;  // expansions from there since the search last began anew; 0: none
 };
 
-template <class Derived>
-class GroupedSearch : public Search<Derived, Groups> {
-  using Base = Search<Derived, Groups>;
+// `Guide` is Groups or has them as its base.
+template <class Derived, class Guide>
+class GroupedSearch : public Search<Derived, Guide> {
+  using Base = Search<Derived, Guide>;
 
  public:
   // Puts the state into its region's group, if the group's sample has a place for it and there is room. False when the

@@ -8,8 +8,15 @@
 
 namespace krait {
 
-class Planner : public GroupedSearch<Planner> {
-  using Base = GroupedSearch<Planner>;
+// By what the planner chooses where to grow: groups, and sketches of the ways from their members.
+struct PlannerGuide : Groups {
+  void take_work(Arena& arena, const Robot& robot) { sketcher.take(arena, robot); }
+
+  Sketcher sketcher;
+};
+
+class Planner : public GroupedSearch<Planner, PlannerGuide> {
+  using Base = GroupedSearch<Planner, PlannerGuide>;
   using Expansion = Base::Expansion;
   using Expanded = Base::Expanded;
   template <class, class>
@@ -71,12 +78,11 @@ class Planner : public GroupedSearch<Planner> {
   bool goes_on_ = false;  // whether the last expansion is a long one that has not ended
   Index group_ = kNone;   // that it grows from
   Sight sight_;
-  Sketcher sketcher_;
   Way ways_[Parameters::kMostCandidates];
 };
 
 // Compiled once, in the library.
-extern template class Search<Planner, Groups>;
-extern template class GroupedSearch<Planner>;
+extern template class Search<Planner, PlannerGuide>;
+extern template class GroupedSearch<Planner, PlannerGuide>;
 
 }  // namespace krait

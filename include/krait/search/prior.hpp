@@ -9,8 +9,8 @@ namespace krait {
 
 // A group's weight is (epsilon + (1 - epsilon) (h_max - h) / (h_max - h_min))^alpha beta^selections. h_min is the
 // goal's 0, and 1 - epsilon is 1 in float: Eqn 7 with another epsilon.
-class PriorPlanner : public GroupedSearch<PriorPlanner> {
-  using Base = GroupedSearch<PriorPlanner>;
+class PriorPlanner : public GroupedSearch<PriorPlanner, Groups> {
+  using Base = GroupedSearch<PriorPlanner, Groups>;
   template <class, class>
   friend class Search;
 
@@ -78,6 +78,6 @@ class PriorPlanner : public GroupedSearch<PriorPlanner> {
 
 // Compiled once, in the library.
 extern template class Search<PriorPlanner, Groups>;
-extern template class GroupedSearch<PriorPlanner>;
+extern template class GroupedSearch<PriorPlanner, Groups>;
 
 }  // namespace krait

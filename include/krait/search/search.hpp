@@ -32,8 +32,9 @@ struct Query {
   std::uint64_t seed = 1;
 };
 
-// `Guide` is what a planner keeps by vertex to choose where to grow from: take(arena, scene, vertices) allocates it.
-// `Derived` is the planner, which has
+// `Guide` is what a planner keeps by vertex to choose where to grow from: take(arena, scene, vertices) allocates it,
+// and take_work(arena, robot), where there is such a member, arrays of the robot's sizes. `Derived` is the planner,
+// which has
 //   reset_guide()                  resets the guide
 //   restart_unit()                 as Restarts::begin has it
 //   doomed_steps()                 Parameters::doomed_steps or 0
@@ -173,17 +174,15 @@ class Search {
   static constexpr float kStartDepth = 1e-4F;     // metres: how deep inside the goal a plan without steps is
   static constexpr float kDepthKept = 0.1F;       // share of the goal's margin that a plan keeps
 
-  struct NewState {
-    Index region;
-    float state[kMaxState];
-  };
-
   static Failure bad_argument(Argument argument);
 
   Status scene_changed();
 
   static void take_pools(Arena& arena, const Scene& scene, const Robot& robot, const Limits& limits, Regions& regions,
                          MotionTree& tree, Guide& guide, Improver& improver);
+
+  // Arrays of the robot's sizes; `recent` is kRecent states.
+  static void take_work(Arena& arena, const Robot& robot, Guide& guide, MotionCheck& check, float*& recent);
 
   Derived& derived() { return static_cast<Derived&>(*this); }
   const Derived& derived() const { return static_cast<const Derived&>(*this); }
@@ -280,6 +279,10 @@ class Search {
 
   void remember(std::uint32_t step, Index region);
 
+  float* recent(std::uint32_t step) const {
+    return recent_ + static_cast<std::size_t>(step % kRecent) * static_cast<std::size_t>(robot_.state_size());
+  }
+
   // Has the state `back` steps before the expansion's last kept, if there is one.
   bool keep_recent(Branch last, std::uint32_t back);
 
@@ -324,9 +327,10 @@ class Search {
   float goal_depth_ = 0.0F;  // metres: how deep inside the goal the tree's ways end
   EndDepth end_depth_;       // and plans
   Restarts restarts_;
-  Expanded expanded_{};       // the last expansion
-  float apart_ = kInfinity;   // metres: how far the target of a long one was
-  NewState recent_[kRecent];  // the last of the expansion
+  Expanded expanded_{};            // the last expansion
+  float apart_ = kInfinity;        // metres: how far the target of a long one was
+  float* recent_ = nullptr;        // the last kRecent states of the expansion, step s at place s % kRecent,
+  Index recent_regions_[kRecent];  // and their regions
   Index root_region_ = kNone;
   Index path_ = kNone;    // the plan's first expansion
   Index driven_ = kNone;  // the expansion of the way to the goal that is driven next; kNone while the tree grows

@@ -3,6 +3,7 @@
 // discs.
 #pragma once
 
+#include "krait/base/arena.hpp"
 #include "krait/collision/sight.hpp"
 #include "krait/robot/shape.hpp"
 #include "krait/robot/sketch.hpp"
@@ -13,7 +14,11 @@ class Sketcher {
  public:
   static constexpr std::uint32_t kSteps = 20;  // at most
 
-  // Robot and scene must outlive this. Steps are of dt seconds; a target is reached within `near` metres.
+  // 36 bytes a body and 4 a component of the state. Uninitialised: assign comes before all else.
+  void take(Arena& arena, const Robot& robot);
+
+  // Robot, of the sizes that memory was taken for, and scene must outlive this. Steps are of dt seconds; a target is
+  // reached within `near` metres.
   void assign(const Robot& robot, const Scene& scene, float dt, float near);
 
   // Metres: the radius of the discs around the bodies' middles that lie in all of them.
@@ -41,10 +46,11 @@ class Sketcher {
   float squared_near_ = 0.0F;
   float radius_ = 0.0F;
   Sight sight_;
-  Vec2 centers_[kMaxBodies];  // of the bodies, in their frames
-  float state_[kMaxState];
-  Pose poses_[kMaxBodies];
-  Look looks_[kMaxBodies];
+  float* state_ = nullptr;
+  // By body.
+  Vec2* centers_ = nullptr;  // in its frame
+  Pose* poses_ = nullptr;
+  Look* looks_ = nullptr;
   Steering steering_;
 };
 

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// What works in arrays of the robot's sizes, in memory of its own.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "krait/base/arena.hpp"
+#include "krait/robot/robot.hpp"
+
+namespace krait::test {
+
+// Tool is MotionCheck or Sketcher.
+template <class Tool>
+class InOwnMemory : public Tool {
+ public:
+  InOwnMemory() = default;
+  InOwnMemory(InOwnMemory&&) = default;
+  InOwnMemory(const InOwnMemory&) = delete;  // would share the memory
+
+  template <class... Arguments>
+  void assign(const Robot& robot, Arguments&&... arguments) {
+    Arena counting;
+    Tool::take(counting, robot);
+    block_.assign(counting.needed() / sizeof(std::uint64_t), 0);
+    Arena arena(block_.data(), counting.needed());
+    Tool::take(arena, robot);
+    Tool::assign(robot, std::forward<Arguments>(arguments)...);
+  }
+
+ private:
+  std::vector<std::uint64_t> block_;
+};
+
+}  // namespace krait::test
