@@ -21,7 +21,7 @@ float atan_unit(float x) {
 
 }  // namespace
 
-void turn_to(const float* angles, int count, Pose* frames) {
+[[gnu::flatten]] void turn_to(const float* angles, int count, Pose* frames) {
 #ifdef KRAIT_LANES
   if (count >= lanes::kLeastAngles) return lanes::turn_frames(angles, count, frames);
 #endif

@@ -65,7 +65,7 @@ bool MotionCheck::lead_free(const float* state, const float* next) {
   if (!robot_.leads() || bodies_ == 1 || !shortcuts_) return true;
   if (left().circle_room[0] > length(Vec2{next[0], next[1]} - Vec2{state[0], state[1]})) return true;
   robot_.place_lead(next, right().poses);
-  find_room(right(), 0);
+  find_room(right(), 1);
   if (clear(right(), 0)) return true;
   ++checks_;
   return false;
@@ -115,7 +115,7 @@ Vec2 MotionCheck::center(const Placement& placement, int k) const {
 void MotionCheck::place(const float* state, Placement& placement) {
   robot_.place(state, placement.poses);
   ++checks_;
-  for (int k = 0; k < bodies_; ++k) find_room(placement, k);
+  find_room(placement, bodies_);
   if (!robot_.answers_proven() && !all_finite(state, placement)) place_nowhere(placement);
 }
 
@@ -136,10 +136,16 @@ void MotionCheck::place_nowhere(Placement& placement) {
   placement.circle_room[0] = -kInfinity;
 }
 
-inline void MotionCheck::find_room(Placement& placement, int k) const {
-  const Vec2 at = centered_ ? placement.poses[k].position : center(placement, k);
-  const float room = obstacles_.clearance().at(at) - needed_[k];
-  placement.circle_room[k] = room > 0.0F ? room : -kInfinity;
+[[gnu::flatten]] void MotionCheck::find_room(Placement& placement, int bodies) const {
+  const ClearanceGrid grid = obstacles_.clearance();
+  const float* const needed = needed_;
+  const Pose* const poses = placement.poses;
+  float* const rooms = placement.circle_room;
+  const bool centered = centered_;
+  for (int k = 0; k < bodies; ++k) {
+    const float room = grid.at(centered ? poses[k].position : center(placement, k)) - needed[k];
+    rooms[k] = room > 0.0F ? room : -kInfinity;
+  }
 }
 
 PlacedBody MotionCheck::placed(const Placement& placement, int k, Vec2 at) const {
@@ -149,11 +155,13 @@ PlacedBody MotionCheck::placed(const Placement& placement, int k, Vec2 at) const
   return body;
 }
 
-inline void MotionCheck::add_vertices(const Placement& placement, int k, PlacedBody& body) const {
+[[gnu::flatten]] void MotionCheck::add_vertices(const Placement& placement, int k, PlacedBody& body) const {
   const Polygon shape = robot_.body(k);
-  const Pose& pose = placement.poses[k];
+  const Pose pose = placement.poses[k];
   const Vec2 shift = pose.position - body.at;
-  for (int i = 0; i < shape.count; ++i) body.vertices[body.count++] = shift + turned(pose.heading, shape[i]);
+  Vec2* const vertices = body.vertices + body.count;
+  for (int i = 0; i < shape.count; ++i) vertices[i] = shift + turned(pose.heading, shape[i]);
+  body.count += shape.count;
 }
 
 PlacedBody MotionCheck::swept(int k, Vec2 at) const {
@@ -282,21 +290,27 @@ bool MotionCheck::still_apart() {
   return pairs_free();
 }
 
-bool MotionCheck::pairs_free() {
+[[gnu::flatten]] bool MotionCheck::pairs_free() {
+  const int bodies = bodies_;
+  Vec2* const centers = centers_;
+  float* const along = along_;
   float path = 0.0F;
-  for (int k = 0; k < bodies_; ++k) {
-    centers_[k] = 0.5F * (placements_[0].poses[k].position + placements_[1].poses[k].position);
-    along_[k] = k == 0 ? 0.0F : along_[k - 1] + length(centers_[k] - centers_[k - 1]);
+  float gone = 0.0F;
+  for (int k = 0; k < bodies; ++k) {
+    const Vec2 center = 0.5F * (placements_[0].poses[k].position + placements_[1].poses[k].position);
+    if (k > 0) gone = gone + length(center - centers[k - 1]);
+    centers[k] = center;
+    along[k] = gone;
     if (travel(k).path > path) path = travel(k).path;
   }
   const float near = 2.0F * farthest_of_all_ + path + obstacles_.margin();
-  for (int i = 0; i + gap_ < bodies_; ++i) {
+  for (int i = 0; i + gap_ < bodies; ++i) {
     int j = i + gap_;
-    while (j < bodies_) {
-      const float apart = length(centers_[j] - centers_[i]) - near;
+    while (j < bodies) {
+      const float apart = length(centers[j] - centers[i]) - near;
       if (apart > 0.0F) {
-        const float reached = along_[j] + apart;
-        for (++j; shortcuts_ && j < bodies_ && along_[j] < reached;) ++j;
+        const float reached = along[j] + apart;
+        for (++j; shortcuts_ && j < bodies && along[j] < reached;) ++j;
       } else {
         if (!pair_free(i, j)) return false;
         ++j;

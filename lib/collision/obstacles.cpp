@@ -33,7 +33,7 @@ Interval projection(Polygon polygon, Vec2 direction) {
 }
 
 // Whether a line along or across the body's first edge keeps the polygons further apart than `distance`.
-bool far_apart(Polygon body, Polygon piece, float distance) {
+[[gnu::flatten]] bool far_apart(Polygon body, Polygon piece, float distance) {
   Vec2 direction = body[1] - body[0];
   const float scaled = distance * length(direction);
   for (int turn = 0; turn < 2; ++turn) {
@@ -118,7 +118,7 @@ void Obstacles::pieces_of_buckets(const Box& box, float around, Visit visit) con
   }
 }
 
-float Obstacles::room(const PlacedBody& body, float reach) const {
+[[gnu::flatten]] float Obstacles::room(const PlacedBody& body, float reach) const {
   Box box = bounding_box(body.polygon());
   box = {body.at + box.min, body.at + box.max};
   if (!(finite(box.min) && finite(box.max))) return -kInfinity;

@@ -46,9 +46,7 @@ bool Sight::apart_from_pieces(Vec2 center) const {
   return true;
 }
 
-float Sight::slack(Vec2 center) const {
-  const float room = scene_->clearance().at(center) - radius_;
-  if (room > 0.0F) return room;
+[[gnu::flatten]] float Sight::slack_near(Vec2 center) const {
   const Box bounds = scene_->bounds();
   const bool within = center.x - bounds.min.x > radius_ && bounds.max.x - center.x > radius_ &&
                       center.y - bounds.min.y > radius_ && bounds.max.y - center.y > radius_;

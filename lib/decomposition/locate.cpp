@@ -37,7 +37,7 @@ Index scan_bucket(const Scene& scene, Vec2 p, GridPoint grid_point) {
 
 }  // namespace
 
-Index locate(const Scene& scene, Vec2 p, Index hint) {
+[[gnu::flatten]] Index locate(const Scene& scene, Vec2 p, Index hint) {
   if (!scene.inside_bounds(p)) return kNone;
   const GridPoint grid_point = to_grid(p);
   const Index near = walk(scene, grid_point, hint);

@@ -202,7 +202,7 @@ void Regions::settle() {
 
 // Finds what comes next on the triangle's path, the edge to argmin over the neighbours of (h + C, region), a pure
 // function of h and C: who is further from the goal cannot come next. And relaxes the edges to those that are.
-void Regions::settle(Index triangle) {
+[[gnu::flatten]] void Regions::settle(Index triangle) {
   const float distance = h_[triangle];
   std::uint8_t best = kNoEdge;
   float least = distance > 0.0F ? kInfinity : -kInfinity;  // a goal has no next
@@ -247,7 +247,7 @@ Index Regions::repair() {
 }
 
 // The shortest path that goes on to a region whose own is not to be found anew.
-float Regions::cost_beside(Index triangle) const {
+[[gnu::flatten]] float Regions::cost_beside(Index triangle) const {
   float least = kInfinity;
   for (int edge = 0; edge < 3; ++edge) {
     const Index n = scene_->neighbor(triangle, edge);
@@ -263,7 +263,7 @@ bool Regions::follows(Index triangle, Index ahead) const {
   return edge != kNoEdge && scene_->neighbor(triangle, edge) == ahead;
 }
 
-Index Regions::list_stale() {
+[[gnu::flatten]] Index Regions::list_stale() {
   Index count = 0;
   for (Index t = 0; t < scene_->triangle_count(); ++t) {
     if ((next_[t] & kRaised) == 0) continue;

@@ -33,12 +33,14 @@ float longest_time_step(const Robot& robot, float dt) {
 void Motion::lead(const Robot& robot, const float* state, const Pose* poses, const float* control, float dt,
                   float* next) {
   robot.integrate_lead(state, poses, control, dt, lead_, next);
-  for (int i = 0; i < first_of_rest(robot); ++i) next[i] = state[i] + next[i];
+  const int end = first_of_rest(robot);
+  for (int i = 0; i < end; ++i) next[i] = state[i] + next[i];
 }
 
 void Motion::follow(const Robot& robot, const float* state, const Pose* poses, float dt, float* next) const {
   robot.integrate_rest(state, poses, dt, lead_, next);
-  for (int i = first_of_rest(robot); i < robot.state_size(); ++i) next[i] = state[i] + next[i];
+  const int end = robot.state_size();
+  for (int i = first_of_rest(robot); i < end; ++i) next[i] = state[i] + next[i];
 }
 
 void propagate(const Robot& robot, const float* state, const Pose* poses, const float* control, float dt, float* next) {

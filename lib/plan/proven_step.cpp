@@ -10,11 +10,14 @@ bool ProvenStep::take(Drive& drive) {
   if (!check_->lead_free(state, next)) return false;
   drive.follow(check_->poses());
   if (!robot_.keeps_reserve(next)) return false;
-  return holds(state, drive.control(), next);
+  return free(state, drive.control(), next);
 }
 
 bool ProvenStep::holds(const float* state, const float* control, const float* next) {
-  if (!robot_.within_limits(next)) return false;
+  return robot_.within_limits(next) && free(state, control, next);
+}
+
+bool ProvenStep::free(const float* state, const float* control, const float* next) {
   if (!scene_->inside_bounds({next[0], next[1]})) return false;
   const float dt = parameters_->dt;
   if (parameters_->continuous) return check_->step_free(state, control, dt, next);

@@ -188,7 +188,8 @@ void Chain::steer(StateView s, const Target& target, Steering& steering, Control
   steer(s, &at, target, steering, u);
 }
 
-void Chain::steer(StateView s, const Pose* poses, const Target& target, Steering& steering, ControlRef u) const {
+[[gnu::flatten]] void Chain::steer(StateView s, const Pose* poses, const Target& target, Steering& steering,
+                                   ControlRef u) const {
   const ChainParameters& p = parameters_;
   const SinCos heading = poses[0].heading;
   const Vec2 to{target.point.x - s[0], target.point.y - s[1]};
@@ -279,16 +280,18 @@ float Chain::carry_errors(StateView s, const Pose* poses, ControlView u, float d
   return off;
 }
 
-bool Chain::within_limits(StateView s) const {
+bool Chain::within_limits(StateView s) const { return within(s, parameters_.max_hitch_angle); }
+
+bool Chain::keeps_reserve(StateView s) const { return within(s, parameters_.max_hitch_angle - kHitchReserve); }
+
+[[gnu::flatten]] bool Chain::within(StateView s, float most_hitch) const {
   const ChainParameters& p = parameters_;
   if (!(s[3] >= p.min_speed && s[3] <= p.max_speed)) return false;
   if (!(s[4] >= -p.max_steering && s[4] <= p.max_steering)) return false;
-  if (!hitches_within(s, p.max_hitch_angle)) return false;
+  if (!hitches_within(s, most_hitch)) return false;
   constexpr float kMaxHeading = kMaxAngle - kPi * static_cast<float>(1 + kMaxTrailers);
   return finite(position(s)) && absolute(s[2]) <= kMaxHeading;
 }
-
-bool Chain::keeps_reserve(StateView s) const { return hitches_within(s, parameters_.max_hitch_angle - kHitchReserve); }
 
 bool Chain::hitches_within(StateView s, float most) const {
   const int size = state_size();
@@ -357,7 +360,8 @@ bool Chain::changes_little(const float* s, const float* u, float dt) const {
 
 // From known frames: turning a known sine and cosine by the little that the angle changes costs less than finding new
 // ones.
-void Chain::integrate_lead(StateView s, const Pose* poses, ControlView u, float dt, Lead& lead, float* d) const {
+[[gnu::flatten]] void Chain::integrate_lead(StateView s, const Pose* poses, ControlView u, float dt, Lead& lead,
+                                            float* d) const {
   const SinCos heading = poses[0].heading;
   const SinCos steering = sin_cos(s[4]);
   const bool little = changes_little(s.data(), u.data(), dt);
@@ -367,8 +371,8 @@ void Chain::integrate_lead(StateView s, const Pose* poses, ControlView u, float 
   lead.turn[0] = 0.0F;
   lead.pull[0] = car_rates(s.data(), u.data(), heading, steering, ds[0]);
   for (int stage = 1; stage < kStages; ++stage) {
-    float at[kCarState];
-    for (int i = 0; i < kCarState; ++i) at[i] = s[i] + until(stage, dt) * ds[stage - 1][i];
+    float at[kCarState];  // no rate depends on the position
+    for (int i = 2; i < kCarState; ++i) at[i] = s[i] + until(stage, dt) * ds[stage - 1][i];
     lead.turn[stage] = at[2] - s[2];
     lead.pull[stage] =
         car_rates(at, u.data(), heading + turn(lead.turn[stage]), steering + turn(at[4] - s[4]), ds[stage]);
@@ -376,7 +380,8 @@ void Chain::integrate_lead(StateView s, const Pose* poses, ControlView u, float 
   for (int i = 0; i < kCarState; ++i) d[i] = increment(ds[0][i], ds[1][i], ds[2][i], ds[3][i], dt);
 }
 
-void Chain::integrate_rest(StateView s, const Pose* poses, float dt, const Lead& lead, float* d) const {
+[[gnu::flatten]] void Chain::integrate_rest(StateView s, const Pose* poses, float dt, const Lead& lead,
+                                            float* d) const {
   const int trailers = bodies_of(s) - 1;
   const float* const headings = s.data() + kCarState;
   float* const turns = d + kCarState;

@@ -4,13 +4,15 @@
 namespace krait {
 namespace {
 
+constexpr float kLittlePull = 0.9F * kSmallAngle;  // sines of directions that are turned together are below 1.1
+
 SinCos small_turn(float angle) { return small_sin_cos(clamp(angle, -kSmallAngle, kSmallAngle)); }
 
 }  // namespace
 
 // By the middle of the step: the directions there, ahead of each trailer and its own, tell how far it turns. The state
 // has but the car and the first trailer's heading, which is all that steering looks at; the frames have the rest.
-bool Chain::sketch(StateRef s, Pose* poses, ControlView u, float dt) const {
+[[gnu::flatten]] bool Chain::sketch(StateRef s, Pose* poses, ControlView u, float dt) const {
   const ChainParameters& p = parameters_;
   const float speed = s[3] + 0.5F * dt * u[0];
   const SinCos steering = sin_cos(s[4] + 0.5F * dt * u[1]);
@@ -25,20 +27,25 @@ bool Chain::sketch(StateRef s, Pose* poses, ControlView u, float dt) const {
   s[2] = s[2] + 2.0F * half_turn;
   s[3] = s[3] + dt * u[0];
   s[4] = s[4] + dt * u[1];
-  float pull = (slip_ ? dt * speed : axle_way) / p.hitch_length;
+  const float hitch_length = p.hitch_length;
+  const float least_cosine = least_hitch_cosine_;
+  float pull = (slip_ ? dt * speed : axle_way) / hitch_length;
+  const bool little = absolute(pull) < kLittlePull;
+  Pose front = poses[0];
   for (int k = 1; k <= p.trailers; ++k) {
-    Pose& trailer = poses[k];
-    const float quarter = 0.5F * pull * (ahead - trailer.heading).sin;
-    const SinCos own = trailer.heading + SinCos{quarter, 1.0F - 0.5F * quarter * quarter};
+    const SinCos before = poses[k].heading;
+    const float quarter = 0.5F * pull * (ahead - before).sin;
+    const SinCos own = before + SinCos{quarter, 1.0F - 0.5F * quarter * quarter};
     const SinCos hitch = ahead - own;
     const float turn = pull * hitch.sin;
     if (k == 1) s[kCarState] = s[kCarState] + turn;
     pull = pull * hitch.cos;
     ahead = own;
-    const SinCos heading = trailer.heading + small_turn(turn);
-    const Vec2 front = poses[k - 1].position;
-    trailer = {front - p.hitch_length * Vec2{heading.cos, heading.sin}, heading};
-    if (!((poses[k - 1].heading - heading).cos >= least_hitch_cosine_)) return false;
+    const SinCos heading = before + (little ? small_sin_cos(turn) : small_turn(turn));
+    const Pose trailer{front.position - hitch_length * Vec2{heading.cos, heading.sin}, heading};
+    if (!((front.heading - heading).cos >= least_cosine)) return false;
+    poses[k] = trailer;
+    front = trailer;
   }
   return true;
 }

@@ -532,7 +532,10 @@ typename Search<Derived, Guide>::Expansion Search<Derived, Guide>::end_braking()
 template <class Derived, class Guide>
 void Search<Derived, Guide>::remember(std::uint32_t step, Index region) {
   recent_regions_[step % kRecent] = region;
-  for (int i = 0; i < robot_.state_size(); ++i) recent(step)[i] = drive_.state()[i];
+  const float* const state = drive_.state();
+  float* const copy = recent(step);
+  const int size = robot_.state_size();
+  for (int i = 0; i < size; ++i) copy[i] = state[i];
 }
 
 template <class Derived, class Guide>

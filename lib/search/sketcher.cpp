@@ -47,10 +47,14 @@ void Sketcher::begin(const float* state) {
   for (int k = 0; k < robot_.body_count(); ++k) looks_[k] = {{}, -1.0F};
 }
 
-inline bool Sketcher::free() {
-  for (int k = 0; k < robot_.body_count(); ++k) {
-    const Vec2 center = poses_[k].position + turned(poses_[k].heading, centers_[k]);
-    Look& look = looks_[k];
+[[gnu::flatten]] bool Sketcher::free() {
+  const int bodies = robot_.body_count();
+  const Pose* const poses = poses_;
+  const Vec2* const centers = centers_;
+  Look* const looks = looks_;
+  for (int k = 0; k < bodies; ++k) {
+    const Vec2 center = poses[k].position + turned(poses[k].heading, centers[k]);
+    Look& look = looks[k];
     const Vec2 moved = center - look.center;
     if (dot(moved, moved) <= look.squared_slack) continue;
     const float slack = sight_.slack(center);

@@ -114,7 +114,8 @@ class MotionCheck {
   // Where nothing is free: body 0 has no room, by whatever proof.
   static void place_nowhere(Placement& placement);
 
-  void find_room(Placement& placement, int k) const;
+  // Of the first `bodies` bodies.
+  void find_room(Placement& placement, int bodies) const;
 
   // Body k with its vertices relative to `at`.
   PlacedBody placed(const Placement& placement, int k, Vec2 at) const;

@@ -18,7 +18,10 @@ class Sight {
   // where that does not suffice and the pieces nearby leave the disc free. Negative where the disc meets a piece, is
   // not within the bounds, or the point is not finite. Worst case: every edge of the pieces in the buckets that the
   // disc's box meets.
-  float slack(Vec2 center) const;
+  float slack(Vec2 center) const {
+    const float room = scene_->clearance().at(center) - radius_;
+    return room > 0.0F ? room : slack_near(center);
+  }
 
   // Whether a disc is free that goes straight from a to b, but for its first step, as far as some places on the way
   // show, none further than a step from the next that the grid does not tell about. False where kMostLooks do not reach
@@ -28,6 +31,9 @@ class Sight {
   static constexpr int kMostLooks = 200;
 
  private:
+  // Where the grid does not suffice.
+  float slack_near(Vec2 center) const;
+
   bool apart_from_pieces(Vec2 center) const;
 
   const Scene* scene_ = nullptr;

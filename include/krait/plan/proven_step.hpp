@@ -22,6 +22,9 @@ class ProvenStep {
   bool holds(const float* state, const float* control, const float* next);
 
  private:
+  // Whether a step whose ends are within the limits is free, and within them all the way and the bounds.
+  bool free(const float* state, const float* control, const float* next);
+
   Robot robot_;
   const Scene* scene_ = nullptr;
   const Parameters* parameters_ = nullptr;

@@ -69,7 +69,7 @@ class Chain {
   float turning_radius() const;
   float top_speed() const { return parameters_.max_speed; }
   bool within_limits(StateView s) const;
-  // Whether the hitch angles stay 2 mrad below their limit.
+  // Whether also the hitch angles stay 2 mrad below their limit.
   bool keeps_reserve(StateView s) const;
   void place(StateView s, Pose* poses) const;
   bool travel(StateView s, ControlView u, float dt, StateView next, Travel* travel) const;
@@ -101,6 +101,7 @@ class Chain {
     Vec2 vertices[kMaxVertices] = {};
     int count = 0;
   };
+  bool within(StateView s, float most_hitch) const;
   bool hitches_within(StateView s, float most) const;
   void approach(StateView s, float speed, float psi, float dt, ControlRef u) const;
   float car_rates(const float* s, const float* u, SinCos heading, SinCos steering, float* ds) const;

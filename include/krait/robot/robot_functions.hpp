@@ -86,15 +86,15 @@ class FunctionsOf {
   static bool reversible(const void* self) { return krait::reversible(of(self)); }
   static Polygon body(const void* self, int k) { return of(self).body(k); }
 
-  static void place(const void* self, const float* s, int size, Pose* poses) {
+  [[gnu::flatten]] static void place(const void* self, const float* s, int size, Pose* poses) {
     of(self).place(StateView(s, size), poses);
   }
   static void derivative(const void* self, const float* s, int size, const float* u, float* ds) {
     of(self).derivative(StateView(s, size), control(self, u), StateRef(ds, size));
   }
 
-  static void integrate_lead(const void* self, const float* s, int size, const Pose* poses, const float* u, float dt,
-                             [[maybe_unused]] Lead& lead, float* d) {
+  [[gnu::flatten]] static void integrate_lead(const void* self, const float* s, int size, const Pose* poses,
+                                              const float* u, float dt, [[maybe_unused]] Lead& lead, float* d) {
     if constexpr (LeadingRobot<R>) {
       using Own = typename R::Lead;
       static_assert(sizeof(Own) <= sizeof(Lead) && alignof(Own) <= alignof(Lead));
@@ -104,34 +104,40 @@ class FunctionsOf {
       runge_kutta(of(self), StateView(s, size), control(self, u), dt, d);
     }
   }
-  static void integrate_rest(const void* self, const float* s, const Pose* poses, float dt,
-                             [[maybe_unused]] const Lead& lead, float* d) {
+  [[gnu::flatten]] static void integrate_rest(const void* self, const float* s, const Pose* poses, float dt,
+                                              [[maybe_unused]] const Lead& lead, float* d) {
     if constexpr (LeadingRobot<R>) {
       const auto* const own = std::launder(reinterpret_cast<const typename R::Lead*>(lead.bytes));
       of(self).integrate_rest(state(self, s), poses, dt, *own, d);
     }
   }
 
-  static void steer(const void* self, const float* s, const Pose* poses, const Target& target, Steering& steering,
-                    float* u) {
+  [[gnu::flatten]] static void steer(const void* self, const float* s, const Pose* poses, const Target& target,
+                                     Steering& steering, float* u) {
     krait::steer(of(self), state(self, s), poses, target, steering, ControlRef(u, of(self).control_size()));
   }
   static void track(const void* self, const float* s, const float* reference, float dt, float* u) {
     krait::track(of(self), state(self, s), state(self, reference), dt, ControlRef(u, of(self).control_size()));
   }
-  static float carry_errors(const void* self, const float* s, const Pose* poses, const float* u, float dt,
-                            float* errors) {
+  [[gnu::flatten]] static float carry_errors(const void* self, const float* s, const Pose* poses, const float* u,
+                                             float dt, float* errors) {
     return krait::carry_errors(of(self), state(self, s), poses, control(self, u), dt, errors);
   }
-  static bool within_limits(const void* self, const float* s) { return of(self).within_limits(state(self, s)); }
-  static bool keeps_reserve(const void* self, const float* s) { return krait::keeps_reserve(of(self), state(self, s)); }
-  static bool travel(const void* self, const float* s, const float* u, float dt, const float* next, Travel* travel) {
+  [[gnu::flatten]] static bool within_limits(const void* self, const float* s) {
+    return of(self).within_limits(state(self, s));
+  }
+  [[gnu::flatten]] static bool keeps_reserve(const void* self, const float* s) {
+    return krait::keeps_reserve(of(self), state(self, s));
+  }
+  [[gnu::flatten]] static bool travel(const void* self, const float* s, const float* u, float dt, const float* next,
+                                      Travel* travel) {
     return of(self).travel(state(self, s), control(self, u), dt, state(self, next), travel);
   }
-  static QuickBound quick_bound(const void* self, const float* s, const float* u, float dt, const float* next) {
+  [[gnu::flatten]] static QuickBound quick_bound(const void* self, const float* s, const float* u, float dt,
+                                                 const float* next) {
     return krait::quick_bound(of(self), state(self, s), control(self, u), dt, state(self, next));
   }
-  static bool sketch(const void* self, float* s, Pose* poses, const float* u, float dt) {
+  [[gnu::flatten]] static bool sketch(const void* self, float* s, Pose* poses, const float* u, float dt) {
     return krait::sketch(of(self), StateRef(s, of(self).state_size()), poses, control(self, u), dt);
   }
   static float fastest_rate(const void* self, float dt) { return krait::fastest_rate(of(self), dt); }

@@ -86,8 +86,8 @@ struct Steering {
 //                                trailers does
 //   exact()                      whether its functions compute floats as written. Without it, as the file does that
 //                                names the robot to the planner
-//   keeps_reserve(s)             s is so far within the limits that a plan, which is driven a little beside the tree,
-//                                keeps them; without it, within_limits is all that the tree keeps
+//   keeps_reserve(s)             s is within the limits, and so far that a plan, which is driven a little beside the
+//                                tree, keeps them; without it, within_limits is all that the tree keeps
 //   steer(s, poses, target, steering, u)
 //                                returns the same control to the bit and knows the frames of s; called instead
 //   leading_size()               how many of the first components, the position among them, depend on no others;
@@ -156,14 +156,20 @@ float carry_errors(const R& robot, StateView s, const Pose* poses, ControlView u
   return 0.0F;
 }
 
-// Whether the state is far enough within the limits for the tree; a robot may say.
+// Whether the answers of the class R, and of none derived from it, need no second look: within_limits refuses every
+// state that is not finite, and at any other it lets pass controls and frames are finite and no bound is NaN or
+// negative; keeps_reserve refuses what within_limits refuses. True of the library's models, which the tests hold to it.
+template <class R>
+inline constexpr bool kAnswersProven = false;
+
+// Whether the state is within the limits, and far enough for the tree; a robot may say.
 template <RobotModel R>
 bool keeps_reserve(const R& robot, StateView s) {
   if constexpr (requires {
                   { robot.keeps_reserve(s) } -> std::same_as<bool>;
                 })
-    return robot.keeps_reserve(s);
-  return true;
+    return (kAnswersProven<R> || robot.within_limits(s)) && robot.keeps_reserve(s);
+  return robot.within_limits(s);
 }
 
 // How many of the state's first components move by themselves; a robot may say.
@@ -205,12 +211,6 @@ bool sound(const R& robot) {
     return robot.sound();
   return true;
 }
-
-// Whether the answers of the class R, and of none derived from it, need no second look: within_limits refuses every
-// state that is not finite, and at any other it lets pass controls and frames are finite and no bound is NaN or
-// negative. True of the library's models, which the tests hold to it.
-template <class R>
-inline constexpr bool kAnswersProven = false;
 
 // What can be said of a whole robot's step at little cost. Where it suffices nobody asks for more.
 struct QuickBound {
