@@ -329,22 +329,22 @@ void Chain::place(StateView s, Pose* poses) const {
   }
 }
 
-// The rates of the car; returns the pull on the first trailer, its speed by the hitch's length.
-float Chain::car_rates(const float* s, const float* u, SinCos heading, SinCos steering, float* ds) const {
-  const float v = s[3];
-  const float axle_speed = v * steering.cos;
-  ds[0] = axle_speed * heading.cos;
-  ds[1] = axle_speed * heading.sin;
-  ds[2] = v * steering.sin / parameters_.wheelbase;
-  ds[3] = u[0];
-  ds[4] = u[1];
-  return (slip_ ? v : axle_speed) / parameters_.hitch_length;
+Chain::Pulled Chain::pulled(float speed, SinCos steering) const {
+  const float axle_speed = speed * steering.cos;
+  return {axle_speed, speed * steering.sin / parameters_.wheelbase,
+          (slip_ ? speed : axle_speed) / parameters_.hitch_length};
 }
 
 void Chain::derivative(StateView s, ControlView u, StateRef ds) const {
-  const float pull = car_rates(s.data(), u.data(), sin_cos(s[2]), sin_cos(s[4]), ds.data());
+  const Pulled car = pulled(s[3], sin_cos(s[4]));
+  const SinCos heading = sin_cos(s[2]);
+  ds[0] = car.speed * heading.cos;
+  ds[1] = car.speed * heading.sin;
+  ds[2] = car.turn;
+  ds[3] = u[0];
+  ds[4] = u[1];
   const auto hitch = [s](int k) { return sin_cos((k == 0 ? s[2] : s[4 + k]) - s[5 + k]); };
-  trailer_rates(pull, bodies_of(s) - 1, hitch, ds.data() + kCarState);
+  trailer_rates(car.pull, bodies_of(s) - 1, hitch, ds.data() + kCarState);
 }
 
 // Whether no angle of the dynamics changes by more than kSmallAngle. A hitch angle does at most at
@@ -359,25 +359,33 @@ bool Chain::changes_little(const float* s, const float* u, float dt) const {
 }
 
 // From known frames: turning a known sine and cosine by the little that the angle changes costs less than finding new
-// ones.
+// ones. Speed and steering angle change at constant rates, and are the same in both stages in the middle.
 [[gnu::flatten]] void Chain::integrate_lead(StateView s, const Pose* poses, ControlView u, float dt, Lead& lead,
                                             float* d) const {
   const SinCos heading = poses[0].heading;
   const SinCos steering = sin_cos(s[4]);
   const bool little = changes_little(s.data(), u.data(), dt);
-  lead.little = little;
   const auto turn = [little](float angle) { return little ? small_sin_cos(angle) : any_sin_cos(angle); };
-  float ds[kStages][kCarState];
-  lead.turn[0] = 0.0F;
-  lead.pull[0] = car_rates(s.data(), u.data(), heading, steering, ds[0]);
-  for (int stage = 1; stage < kStages; ++stage) {
-    float at[kCarState];  // no rate depends on the position
-    for (int i = 2; i < kCarState; ++i) at[i] = s[i] + until(stage, dt) * ds[stage - 1][i];
-    lead.turn[stage] = at[2] - s[2];
-    lead.pull[stage] =
-        car_rates(at, u.data(), heading + turn(lead.turn[stage]), steering + turn(at[4] - s[4]), ds[stage]);
-  }
-  for (int i = 0; i < kCarState; ++i) d[i] = increment(ds[0][i], ds[1][i], ds[2][i], ds[3][i], dt);
+  const auto after = [&](float time) {
+    return pulled(s[3] + time * u[0], steering + turn((s[4] + time * u[1]) - s[4]));
+  };
+  const float half = 0.5F * dt;
+  const Pulled first = pulled(s[3], steering);
+  const Pulled middle = after(half);
+  const Pulled last = after(dt);
+  lead = {
+      {0.0F, (s[2] + half * first.turn) - s[2], (s[2] + half * middle.turn) - s[2], (s[2] + dt * middle.turn) - s[2]},
+      {first.pull, middle.pull, middle.pull, last.pull},
+      little};
+  const SinCos second = heading + turn(lead.turn[1]);
+  const SinCos third = heading + turn(lead.turn[2]);
+  const SinCos fourth = heading + turn(lead.turn[3]);
+  const float speed = middle.speed;
+  d[0] = increment(first.speed * heading.cos, speed * second.cos, speed * third.cos, last.speed * fourth.cos, dt);
+  d[1] = increment(first.speed * heading.sin, speed * second.sin, speed * third.sin, last.speed * fourth.sin, dt);
+  d[2] = increment(first.turn, middle.turn, middle.turn, last.turn, dt);
+  d[3] = increment(u[0], u[0], u[0], u[0], dt);
+  d[4] = increment(u[1], u[1], u[1], u[1], dt);
 }
 
 [[gnu::flatten]] void Chain::integrate_rest(StateView s, const Pose* poses, float dt, const Lead& lead,

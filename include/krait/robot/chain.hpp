@@ -104,7 +104,15 @@ class Chain {
   bool within(StateView s, float most_hitch) const;
   bool hitches_within(StateView s, float most) const;
   void approach(StateView s, float speed, float psi, float dt, ControlRef u) const;
-  float car_rates(const float* s, const float* u, SinCos heading, SinCos steering, float* ds) const;
+
+  // What the car does at a speed with its wheels turned so.
+  struct Pulled {
+    float speed;  // m/s, of the rear axle
+    float turn;   // rad/s
+    float pull;   // rad/s, on the first trailer: its speed by the hitch's length
+  };
+  Pulled pulled(float speed, SinCos steering) const;
+
   bool changes_little(const float* s, const float* u, float dt) const;
   float separation(float hitch, float spread) const;
   float steering_limit(StateView s, float heading_error, float speed) const;
