@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How many of many seeds a search solves in blocks of different sizes. Counts only: the same on every machine.
+// Whether searches of many seeds are solved in blocks of different sizes. Counts only: the same on every machine.
+// Prints a paragraph, and a table of the blocks in which some were not.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <string>
@@ -32,12 +33,18 @@ int solved(const krait::Scene& scene, const Snake& robot, std::uint64_t bytes, i
   return count;
 }
 
-void print_head(const std::vector<std::string>& names) {
-  std::printf("| robot, block |");
-  for (const std::string& name : names) std::printf(" %s |", name.c_str());
-  std::printf("\n|---|");
-  for (std::size_t i = 0; i < names.size(); ++i) std::printf("---|");
-  std::printf("\n");
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += (i == 0 ? "" : i + 1 < words.size() ? ", " : " and ") + words[i];
+  return text;
+}
+
+// A row of a table of Markdown.
+std::string row(const std::string& first, const std::vector<std::string>& cells) {
+  std::string text = "| " + first + " |";
+  for (const std::string& cell : cells) text += " " + cell + " |";
+  return text + "\n";
 }
 
 }  // namespace
@@ -59,17 +66,30 @@ int main(int argc, char** argv) {
     scenes.push_back(open_scene(file, bytes.back()));
     names.emplace_back(scenes.back().name());
   }
-  print_head(names);
+  std::vector<std::string> sizes;
+  for (const std::uint64_t kilobytes : kKilobytes) sizes.push_back(std::to_string(kilobytes));
+  std::string exceptions;
   for (const int links : {5, 15}) {
     krait::ChainParameters parameters;
     parameters.trailers = links;
     const krait::Snake robot(parameters);
     for (const std::uint64_t kilobytes : kKilobytes) {
-      std::printf("| snake:%d, %llu KB |", links, static_cast<unsigned long long>(kilobytes));
-      for (const krait::Scene& scene : scenes) std::printf(" %d |", solved(scene, robot, kilobytes * 1024, seeds));
-      std::printf("\n");
-      std::fflush(stdout);
+      std::vector<std::string> counts;
+      bool all = true;
+      for (const krait::Scene& scene : scenes) {
+        const int count = solved(scene, robot, kilobytes * 1024, seeds);
+        counts.push_back(std::to_string(count));
+        all = all && count == seeds;
+      }
+      const std::string name = "snake:" + std::to_string(links) + ", " + std::to_string(kilobytes) + " KB";
+      if (!all) exceptions += row(name, counts);
     }
   }
+  std::printf("In %s, with `snake:5` and with `snake:15`,\n", joined(names).c_str());
+  std::printf("in blocks of %s KB, all of %d seeds are solved within %llu expansions%s\n", joined(sizes).c_str(), seeds,
+              static_cast<unsigned long long>(kIterations), exceptions.empty() ? "." : ", but for these:\n");
+  if (exceptions.empty()) return 0;
+  const std::vector<std::string> rule(names.size(), "---");
+  std::printf("%s%s%s", row("solved", names).c_str(), row("---", rule).c_str(), exceptions.c_str());
   return 0;
 }

@@ -402,12 +402,7 @@ bool Chain::changes_little(const float* s, const float* u, float dt) const {
               : integrate_by_bodies<false>(headings, trailers, poses, dt, lead, turns);
 }
 
-// v and psi are linear in time, at most v^ and psi^. The car goes v^ dt and turns v^ psi^ dt / L. A truck's axles go
-// v^ dt. A snake's axle moves with v P e_i - v (1 - cos psi) e_0, where P is the product of the hitch angles' cosines
-// and e are unit vectors: the second term is its slip. Trailer i turns at (s P / d) sin phi, phi the hitch angle before
-// it. A phi that goes from a to b, its body ahead turning by at most t, has on the way at most M = (|a| + |b| + t + (v^
-// dt / d) min(1, M)) / 2, from which M; the limits hold where M does. The derivatives of these velocities, times dt^2 /
-// 8, are how much the paths bend.
+// CHAIN.md: the car by lemmas 2 and 3, each trailer's path by lemma 4, turn by 5 and 6, bend by 7 and 9, twist by 8.
 bool Chain::travel(StateView s, ControlView u, float dt, StateView next, Travel* travel) const {
   const ChainParameters& p = parameters_;
   const float way = dt * largest(s[3], u[0], dt);
@@ -441,10 +436,7 @@ bool Chain::travel(StateView s, ControlView u, float dt, StateView next, Travel*
   return limited;
 }
 
-// The bounds of travel for all bodies alike, from the hitch angles' sums a at both ends. With r how
-// far a trailer turns that is pulled sideways and t how far the car turns, M_1 is at most (a_1 + t) / (2 - r), the
-// others (a_i + r M_(i-1)) / (2 - r): at most max a / (2 - 2 r), and in the Euclidean norm (|a| + t) / (2 - 2 r). The
-// sum that bounds dP is at most 2 r |M|^2 + t |M|.
+// CHAIN.md, lemmas 10 to 13: the bounds of travel for all bodies alike.
 QuickBound Chain::quick_bound(StateView s, ControlView u, float dt, StateView next) const {
   const ChainParameters& p = parameters_;
   const float way = dt * largest(s[3], u[0], dt);
@@ -489,9 +481,7 @@ QuickBound Chain::quick_bound(StateView s, ControlView u, float dt, StateView ne
       {way + way * slip, turn, 0.125F * bending, 0.125F * ((twisting > turning ? twisting : turning) + turn * turn)}};
 }
 
-// While the headings of m + 1 bodies in a row lie within S of each other, the line through their axles goes on by at
-// least d cos(S / 2) a trailer along their middle. With hitch angles of at most H, S is at most m H, and at most
-// `spread`: m cos(min(m H, spread) / 2) is concave up to m = spread / H and grows from there on.
+// CHAIN.md, lemma 13.
 float Chain::separation(float hitch, float spread) const {
   const auto gap = static_cast<float>(parameters_.self_collision_gap);
   const float near = least_cosine(0.5F * (gap * hitch < spread ? gap * hitch : spread)) * gap;

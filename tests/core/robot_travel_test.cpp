@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// travel() and quick_bound() bound every motion of a step: what the proof of free motion stands on.
+// travel() and quick_bound() bound every motion of a step: what the proof of free motion stands on. For chains,
+// lib/robot/CHAIN.md has the lemmas that are named here.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -76,7 +77,8 @@ QuickBound quick_bound_of(const R& robot, const std::vector<float>& s, const std
                      StateView(next.data(), robot.state_size()));
 }
 
-// Checks the bounds of a step on every vertex of every body; those of all bodies alike, where there are any.
+// Checks the bounds of a step on every vertex of every body (lemmas 1 to 9); those of all bodies alike, where there are
+// any (lemmas 10 to 12).
 template <class R>
 void expect_bounded(const R& robot, const std::vector<float>& s, const std::vector<float>& u, float dt, Ratios& paths,
                     Ratios& bends) {
@@ -144,7 +146,7 @@ TYPED_TEST(RobotTravel, BoundsAreNotFarTooLargeUnderSteering) {
   EXPECT_GT(bends.median(), 0.1);
 }
 
-// The slip of the paper's robot adds to the speed of a tail that is curled back: faster than the front wheel.
+// Lemma 4: the slip of the paper's robot adds to the speed of a tail that is curled back: faster than the front wheel.
 TEST(RobotTravelSnake, BoundsTheTailOfACurledSnake) {
   ChainParameters p;
   p.trailers = kMaxTrailers;
@@ -208,6 +210,7 @@ double largest_hitch(const Chain& chain, std::size_t first, const std::vector<Nu
   return most;
 }
 
+// Lemmas 5 and 10.
 TYPED_TEST(RobotSeparation, AHitchThatFoldsBetweenTwoStatesIsNeverCalledLimited) {
   ChainParameters p;
   p.trailers = 5;
@@ -247,6 +250,7 @@ std::vector<float> winding_state(const Chain& chain, std::mt19937& random) {
   return s;
 }
 
+// Lemma 13.
 TYPED_TEST(RobotSeparation, IsNeverMoreThanTheLeastDistanceOnTheWay) {
   std::mt19937 random(4);
   int told = 0, tight = 0;
