@@ -86,8 +86,9 @@ int main(int argc, char** argv) {
     }
   }
   std::printf("In %s, with `snake:5` and with `snake:15`,\n", joined(names).c_str());
-  std::printf("in blocks of %s KB, all of %d seeds are solved within %llu expansions%s\n", joined(sizes).c_str(), seeds,
-              static_cast<unsigned long long>(kIterations), exceptions.empty() ? "." : ", but for these:\n");
+  std::printf("in blocks of %s KB, all of %d seeds are solved within %llu thousand expansions%s\n",
+              joined(sizes).c_str(), seeds, static_cast<unsigned long long>(kIterations / 1000),
+              exceptions.empty() ? "." : ", but for these:\n");
   if (exceptions.empty()) return 0;
   const std::vector<std::string> rule(names.size(), "---");
   std::printf("%s%s%s", row("solved", names).c_str(), row("---", rule).c_str(), exceptions.c_str());
