@@ -35,17 +35,17 @@ void MotionCheck::keep(float clearance, float longest_step) {
 }
 
 bool MotionCheck::free(const float* state) {
-  place(state, right());
-  if (!all_finite(state, right())) return false;
+  place(state, after());
+  if (!all_finite(state, after())) return false;
   for (int k = 0; k < bodies_; ++k) {
-    if (!clear(right(), k)) return false;
+    if (!keeps_margin(after(), k)) return false;
   }
-  left_ = 1 - left_;
+  before_ = 1 - before_;
   return never_touch() || still_apart();
 }
 
 Contact MotionCheck::contact(const float* state) {
-  Placement& placement = right();
+  Placement& placement = after();
   robot_.place(state, placement.poses);
   Contact worst;
   const auto consider = [&worst](Contact contact, int body) {
@@ -63,10 +63,10 @@ Contact MotionCheck::contact(const float* state) {
 
 bool MotionCheck::lead_free(const float* state, const float* next) {
   if (!robot_.leads() || bodies_ == 1 || !shortcuts_) return true;
-  if (left().circle_room[0] > length(Vec2{next[0], next[1]} - Vec2{state[0], state[1]})) return true;
-  robot_.place_lead(next, right().poses);
-  find_room(right(), 1);
-  if (clear(right(), 0)) return true;
+  if (before().circle_room[0] > length(Vec2{next[0], next[1]} - Vec2{state[0], state[1]})) return true;
+  robot_.place_lead(next, after().poses);
+  find_room(after(), 1);
+  if (keeps_margin(after(), 0)) return true;
   ++checks_;
   return false;
 }
@@ -78,12 +78,12 @@ bool MotionCheck::keeps_limits(const float* state, const float* control, float d
 bool MotionCheck::step_free(const float* state, const float* control, float dt, const float* next) {
   if (!usable(control)) return false;
   const Step step{state, control, dt, next};
-  place(next, right());
+  place(next, after());
   Unproven unproven{true, true, ~0U};
   const Outcome whole = judge(step, unproven);
   if (whole == Outcome::hit) return false;
-  if (whole == Outcome::unproven && !march(step, unproven)) return false;
-  left_ = 1 - left_;
+  if (whole == Outcome::unproven && !prove_by_halves(step, unproven)) return false;
+  before_ = 1 - before_;
   return true;
 }
 
@@ -165,12 +165,12 @@ PlacedBody MotionCheck::placed(const Placement& placement, int k, Vec2 at) const
 }
 
 PlacedBody MotionCheck::swept(int k, Vec2 at) const {
-  PlacedBody hull = placed(placements_[1 - left_], k, at);
-  add_vertices(placements_[left_], k, hull);
+  PlacedBody hull = placed(placements_[1 - before_], k, at);
+  add_vertices(placements_[before_], k, hull);
   return hull;
 }
 
-bool MotionCheck::clear(const Placement& placement, int k) const {
+bool MotionCheck::keeps_margin(const Placement& placement, int k) const {
   return placement.circle_room[k] > 0.0F ||
          obstacles_.room(placed(placement, k, placement.poses[k].position), kReach) > 0.0F;
 }
@@ -179,7 +179,7 @@ bool MotionCheck::bound(const Step& step) {
   bounded_ = false;
   if (shortcuts_) {
     quick_ = robot_.quick_bound(step.state, step.control, step.dt, step.next);
-    if (quick_.limited && usable(quick_.most)) return true;
+    if (quick_.limits_kept && usable(quick_.most)) return true;
   }
   quick_.separation = 0.0F;
   return bound_bodies(step);
@@ -187,13 +187,13 @@ bool MotionCheck::bound(const Step& step) {
 
 bool MotionCheck::bound_bodies(const Step& step) {
   bounded_ = true;
-  bool limited = robot_.travel(step.state, step.control, step.dt, step.next, travel_);
+  bool kept = robot_.travel(step.state, step.control, step.dt, step.next, travel_);
   for (int k = 0; !robot_.answers_proven() && k < bodies_; ++k) {
     if (usable(travel_[k])) continue;
     travel_[k] = {kInfinity, kInfinity, kInfinity, kInfinity};
-    limited = false;
+    kept = false;
   }
-  return limited;
+  return kept;
 }
 
 bool MotionCheck::usable(const float* control) const {
@@ -224,7 +224,7 @@ float MotionCheck::stray(int k) const {
 
 bool MotionCheck::hull_free(const Step& step, int k) {
   const float allowed = stray(k);
-  const float room = obstacles_.room(swept(k, placements_[1 - left_].poses[k].position), allowed + kReach);
+  const float room = obstacles_.room(swept(k, placements_[1 - before_].poses[k].position), allowed + kReach);
   if (room > allowed) return true;
   if (bounded_ || room <= 0.0F) return false;
   bound_bodies(step);
@@ -233,18 +233,18 @@ bool MotionCheck::hull_free(const Step& step, int k) {
 
 MotionCheck::Outcome MotionCheck::judge(const Step& step, Unproven& unproven) {
   const Unproven asked = unproven;
-  const bool limited = bound(step);
-  unproven = {asked.limits && !limited, false, 0};
+  const bool kept = bound(step);
+  unproven = {asked.limits && !kept, false, 0};
   for (int k = next_near(0); k < bodies_; k = next_near(k + 1)) {
     if ((asked.bodies >> k & 1U) == 0 || hull_free(step, k)) continue;
-    if (!clear(right(), k)) return Outcome::hit;
+    if (!keeps_margin(after(), k)) return Outcome::hit;
     unproven.bodies |= 1U << k;
   }
   unproven.self = asked.self && !self_free(step);
   return unproven.limits || unproven.self || unproven.bodies != 0 ? Outcome::unproven : Outcome::free;
 }
 
-bool MotionCheck::march(const Step& step, const Unproven& whole) {
+bool MotionCheck::prove_by_halves(const Step& step, const Unproven& whole) {
   for (int i = 0; i < robot_.state_size(); ++i) middle_[0][i] = step.state[i];
   int here = 0;
   int done = 0;  // in parts of 1 / max_substeps
@@ -260,7 +260,7 @@ bool MotionCheck::march(const Step& step, const Unproven& whole) {
       propagate_in_parts(robot_, from, poses(), step.control, duration,
                          parts_of(duration, longest_step_, kMostPlanParts), to);
     }
-    place(to, right());
+    place(to, after());
     Unproven unproven = whole;
     const Outcome outcome = judge({from, step.control, duration, to}, unproven);
     if (outcome == Outcome::hit) return false;
@@ -270,7 +270,7 @@ bool MotionCheck::march(const Step& step, const Unproven& whole) {
     }
     done += part;
     here = 1 - here;
-    if (done < max_substeps_) left_ = 1 - left_;
+    if (done < max_substeps_) before_ = 1 - before_;
     while (done % (2 * part) == 0 && done + 2 * part <= max_substeps_) part *= 2;
   }
   return done >= max_substeps_;
@@ -284,7 +284,7 @@ bool MotionCheck::self_free(const Step& step) {
 }
 
 bool MotionCheck::still_apart() {
-  for (int k = 0; k < bodies_; ++k) right().poses[k] = left().poses[k];
+  for (int k = 0; k < bodies_; ++k) after().poses[k] = before().poses[k];
   bounded_ = false;
   quick_.most = {};
   return pairs_free();
@@ -328,7 +328,7 @@ Contact MotionCheck::contact_of_pair(const Placement& placement, int i, int j) c
 }
 
 bool MotionCheck::pair_free(int i, int j) const {
-  const Vec2 at = placements_[1 - left_].poses[i].position;
+  const Vec2 at = placements_[1 - before_].poses[i].position;
   const float apart = polygon_distance(swept(i, at).polygon(), swept(j, at).polygon());
   return apart - obstacles_.margin() > stray(i) + stray(j);
 }

@@ -12,15 +12,15 @@ void MotionTree::take(Arena& arena, std::uint32_t vertices, std::uint32_t expans
   states_ = arena.take<float>(Pool::states, std::uint64_t{vertices} * state_size_);
 }
 
-void MotionTree::clear(const Box& bounds, std::uint32_t spare) {
-  empty();
+void MotionTree::reset(const Box& bounds, std::uint32_t spare) {
+  clear();
   spare_ = spare;
   vertex_most_ = 0;
   expansion_most_ = 0;
   grid_ = TargetGrid(bounds);
 }
 
-void MotionTree::empty() {
+void MotionTree::clear() {
   vertex_most_ = most_vertices();
   expansion_most_ = most_expansions();
   vertices_ = 0;

@@ -418,14 +418,14 @@ bool Chain::travel(StateView s, ControlView u, float dt, StateView next, Travel*
   const float slipping = speeding * slip + way * slip * turn;
   const float reach = way / p.hitch_length;  // how far a trailer turns that is pulled sideways
   float folding = 0.0F;                      // |dP|
-  bool limited = true;
+  bool kept = true;
   for (int i = 1; i < body_count(); ++i) {
     const int ahead = i == 1 ? 2 : 3 + i;
     const float turn_ahead = travel[i - 1].turn;
     const float ends = absolute(s[ahead] - s[4 + i]) + absolute(next[ahead] - next[4 + i]) + turn_ahead;
     float hitch = 0.5F * (ends + reach);
     if (hitch < 1.0F) hitch = ends / (2.0F - reach);
-    limited = limited && hitch <= p.max_hitch_angle;
+    kept = kept && hitch <= p.max_hitch_angle;
     const float sine = hitch + kHitchError < 1.0F ? hitch + kHitchError : 1.0F;
     const float own_turn = reach * sine;
     const float twisting = ((pulled + way * folding) * sine + way * (turn_ahead + own_turn)) / p.hitch_length;
@@ -433,7 +433,7 @@ bool Chain::travel(StateView s, ControlView u, float dt, StateView next, Travel*
     const float bending = pulled + way * (folding + own_turn) + slipping;
     travel[i] = {dragged, own_turn, 0.125F * bending, 0.125F * (twisting + own_turn * own_turn)};
   }
-  return limited;
+  return kept;
 }
 
 // CHAIN.md, lemmas 10 to 13: the bounds of travel for all bodies alike.

@@ -51,7 +51,7 @@ bool GroupedSearch<Derived, Guide>::room_for_expansion() {
       this->finish(Status::tree_full);
       return false;
     }
-    empty(lightest);
+    drop_group(lightest);
   }
   return true;
 }
@@ -61,12 +61,12 @@ bool GroupedSearch<Derived, Guide>::make_room_for(Index region) {
   const Index lightest = this->guide_.lightest(region);
   const auto weight = [this](Index of) { return this->guide_.log_weight(this->regions_, of); };
   if (lightest == kNone || !(weight(lightest) < weight(region))) return false;
-  empty(lightest);
+  drop_group(lightest);
   return true;
 }
 
 template <class Derived, class Guide>
-void GroupedSearch<Derived, Guide>::empty(Index region) {
+void GroupedSearch<Derived, Guide>::drop_group(Index region) {
   for (Index vertex = this->guide_.remove(region); vertex != kNone; vertex = this->guide_.remove(region)) {
     this->tree_.remove(vertex);
     ++this->statistics_.recycled;

@@ -255,7 +255,7 @@ Status Search<Derived, Guide>::begin(const Query& query) {
   check_.assign(robot_, *scene_, tree_clearance(), static_cast<int>(parameters_.max_substeps), !parameters_.plain);
   keep_for_tree();
   ending_.assign(robot_, *scene_, query.goal, derived().end_speed());
-  tree_.clear(scene_->bounds(), spare_expansions());
+  tree_.reset(scene_->bounds(), spare_expansions());
   failure_ = check_query(query);
   if (status() != Status::searching) return status();
   if (shoots()) last_metres_.assign(*scene_, query.goal, nimbleness());
@@ -295,7 +295,7 @@ template <class Derived, class Guide>
 void Search<Derived, Guide>::begin_anew() {
   ++statistics_.restarts;
   drive_.begin(tree_.state(kRoot));
-  tree_.empty();
+  tree_.clear();
   braking_ = kNone;
   shooting_ = false;
   derived().reset_guide();

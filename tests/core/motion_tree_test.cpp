@@ -40,7 +40,7 @@ class Fixture {
     block.assign(counting.needed() / 8, 0x7E7E7E7E7E7E7E7EULL);
     Arena arena(block.data(), block.size() * 8);
     tree.take(arena, vertices, expansions, kStateSize);
-    tree.clear(kBounds, 0);
+    tree.reset(kBounds, 0);
   }
 
   std::vector<std::uint64_t> block;
@@ -365,7 +365,7 @@ TEST(MotionTree, TheLongestExpansionIsCountedToTheStep) {
 
 TEST(MotionTree, KeepsSpareExpansionsBack) {
   Fixture f(4, 4);
-  f.tree.clear(kBounds, 1);
+  f.tree.reset(kBounds, 1);
   for (int i = 0; i < 3; ++i) {
     EXPECT_FALSE(f.tree.expansions_full());
     f.tree.begin_expansion({}, {{0, 20}, 1.0F});
@@ -392,7 +392,7 @@ TEST(MotionTree, ClearForgetsEverything) {
     EXPECT_TRUE(f.tree.expansions_full());
     EXPECT_EQ(f.tree.bytes_untouched(), 0U);
     f.tree.remove(2);
-    f.tree.clear(kBounds, 0);
+    f.tree.reset(kBounds, 0);
     EXPECT_EQ(f.tree.vertices(), 0U);
     EXPECT_EQ(f.tree.expansions(), 0U);
     EXPECT_EQ(f.tree.most_vertices(), 0U);

@@ -71,7 +71,7 @@ Tally try_steps(const R& robot, float dt, int count, IsKept is_kept, double erro
 template <class R>
 Tally try_steps(const R& robot, float dt, int count) {
   const auto limited = [&](const auto& s, const auto& u, const auto& next) {
-    return bounds_of(robot, s, u, dt, next).limited;
+    return bounds_of(robot, s, u, dt, next).limits_kept;
   };
   return try_steps(robot, dt, count, limited, 1e-5);
 }
@@ -123,16 +123,16 @@ TEST(RobotKeepsLimits, AStraightTrainKeepsThem) {
   truck.rest({1, 2}, 0.5F, nullptr, s.data());
   s[3] = 2.0F;
   const std::vector<float> u = {0, 0};
-  EXPECT_TRUE(bounds_of(truck, s, u, kDt, step(truck, s, u, kDt)).limited);
+  EXPECT_TRUE(bounds_of(truck, s, u, kDt, step(truck, s, u, kDt)).limits_kept);
 }
 
 TEST(RobotKeepsLimits, ARobotWhoseLimitsAreConvexKeepsThem) {
   const std::vector<float> s = {0, 0, 0}, u = {1, 1};
   const Unicycle unicycle({});
-  EXPECT_TRUE(bounds_of(unicycle, s, u, kDt, step(unicycle, s, u, kDt)).limited);
+  EXPECT_TRUE(bounds_of(unicycle, s, u, kDt, step(unicycle, s, u, kDt)).limits_kept);
   const std::vector<float> wheels = {0, 0, 0, 3, -5};
   const DifferentialDrive drive({});
-  EXPECT_TRUE(bounds_of(drive, wheels, u, kDt, step(drive, wheels, u, kDt)).limited);
+  EXPECT_TRUE(bounds_of(drive, wheels, u, kDt, step(drive, wheels, u, kDt)).limits_kept);
 }
 
 }  // namespace

@@ -218,7 +218,7 @@ std::vector<float> derivative(const R& robot, const std::vector<float>& s, const
 
 // The robot's own bounds on a step, and whether it proves that the limits hold in it.
 struct Bounds {
-  bool limited;
+  bool limits_kept;
   std::vector<Travel> bodies;
 };
 
@@ -227,8 +227,9 @@ Bounds bounds_of(const R& robot, const std::vector<float>& s, const std::vector<
                  const std::vector<float>& next) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   Bounds bounds{false, std::vector<Travel>(static_cast<std::size_t>(robot.body_count()), Travel{nan, nan, nan, nan})};
-  bounds.limited = robot.travel(StateView(s.data(), robot.state_size()), ControlView(u.data(), robot.control_size()),
-                                dt, StateView(next.data(), robot.state_size()), bounds.bodies.data());
+  bounds.limits_kept =
+      robot.travel(StateView(s.data(), robot.state_size()), ControlView(u.data(), robot.control_size()), dt,
+                   StateView(next.data(), robot.state_size()), bounds.bodies.data());
   return bounds;
 }
 

@@ -88,7 +88,7 @@ void expect_bounded(const R& robot, const std::vector<float>& s, const std::vect
   if (!robot.within_limits(StateView(next.data(), robot.state_size()))) return;
   const auto places = motion(robot, s, u, wide(dt), 40);
   const QuickBound quick = quick_bound_of(robot, s, u, dt, next);
-  EXPECT_LE(quick.limited, bounds.limited);
+  EXPECT_LE(quick.limits_kept, bounds.limits_kept);
   for (std::size_t k = 0; k < places[0].size(); ++k) {
     const Travel& travel = bounds.bodies[k];
     for (std::size_t v = 0; v < places[0][k].size(); ++v) {
@@ -100,7 +100,7 @@ void expect_bounded(const R& robot, const std::vector<float>& s, const std::vect
       ASSERT_LE(strayed, bend * (1 + 1e-5) + 1e-7) << "body " << k << " dt " << dt;
       paths.add(length, path, 0.01);
       bends.add(strayed, bend, 1e-4);
-      if (!quick.limited) continue;
+      if (!quick.limits_kept) continue;
       ASSERT_LE(length, (wide(quick.most.path) + radius * wide(quick.most.turn)) * (1 + 1e-5) + 1e-7) << "body " << k;
       ASSERT_LE(strayed, (wide(quick.most.bend) + radius * wide(quick.most.twist)) * (1 + 1e-5) + 1e-7) << "body " << k;
     }
@@ -162,7 +162,7 @@ TEST(RobotTravelSnake, BoundsTheTailOfACurledSnake) {
   const auto next = step(snake, s, u, 0.02F);
   EXPECT_LE(length, wide(bounds_of(snake, s, u, 0.02F, next).bodies.back().path));
   const QuickBound quick = quick_bound_of(snake, s, u, 0.02F, next);
-  EXPECT_TRUE(quick.limited);
+  EXPECT_TRUE(quick.limits_kept);
   EXPECT_LE(length, wide(quick.most.path));
 }
 
@@ -170,7 +170,7 @@ TYPED_TEST(RobotTravel, StandingStillIsZero) {
   for (const TypeParam& robot : instances<TypeParam>()) {
     const std::vector<float> s(static_cast<std::size_t>(robot.state_size()), 0.0F), u(2, 0.0F);
     const Bounds bounds = bounds_of(robot, s, u, 0.1F, s);
-    EXPECT_TRUE(bounds.limited);
+    EXPECT_TRUE(bounds.limits_kept);
     for (const Travel& travel : bounds.bodies) {
       EXPECT_EQ(travel.path, 0.0F);
       EXPECT_EQ(travel.turn, 0.0F);
@@ -226,8 +226,8 @@ TYPED_TEST(RobotSeparation, AHitchThatFoldsBetweenTwoStatesIsNeverCalledLimited)
     if (!robot.within_limits(StateView(s.data(), 10)) || !robot.within_limits(StateView(next.data(), 10))) continue;
     std::vector<Numbers> states{doubles(s)};
     for (int part = 0; part < 20; ++part) states.push_back(rk4(robot, states.back(), doubles(u), 0.1 / 20));
-    const bool by_body = bounds_of(robot, s, u, 0.1F, next).limited;
-    const bool by_all = quick_bound_of(robot, s, u, 0.1F, next).limited;
+    const bool by_body = bounds_of(robot, s, u, 0.1F, next).limits_kept;
+    const bool by_all = quick_bound_of(robot, s, u, 0.1F, next).limits_kept;
     limited += by_all ? 1 : 0;
     if (largest_hitch(robot, 1, states) <= wide(p.max_hitch_angle)) continue;
     ++folding;
@@ -267,7 +267,7 @@ TYPED_TEST(RobotSeparation, IsNeverMoreThanTheLeastDistanceOnTheWay) {
         if (!robot.within_limits(StateView(s.data(), robot.state_size()))) continue;
         if (!robot.within_limits(StateView(next.data(), robot.state_size()))) continue;
         const QuickBound quick = quick_bound_of(robot, s, u, dt, next);
-        const double bound = quick.limited ? wide(quick.separation) : 0;
+        const double bound = quick.limits_kept ? wide(quick.separation) : 0;
         double least = std::numeric_limits<double>::infinity();
         for (const Places& at : motion(robot, s, u, wide(dt), 20)) {
           for (std::size_t a = 0; a < at.size(); ++a) {

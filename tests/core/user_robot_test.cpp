@@ -39,7 +39,7 @@ TEST(UserRobotDefaults, MayBeLeftOut) {
   EXPECT_FALSE(reversible(slider));
   const float s[] = {1, 2};
   const float u[] = {0, 0};
-  EXPECT_FALSE(quick_bound(slider, StateView(s, 2), ControlView(u, 2), 0.1F, StateView(s, 2)).limited);
+  EXPECT_FALSE(quick_bound(slider, StateView(s, 2), ControlView(u, 2), 0.1F, StateView(s, 2)).limits_kept);
   EXPECT_TRUE(sound(slider));
   EXPECT_EQ(first_bad_of_robot(slider), Argument::none);
 }

@@ -35,10 +35,10 @@ class MotionCheck {
   void keep(float clearance, float longest_step);
 
   // Makes `state` the one that the next step begins from.
-  void begin(const float* state) { place(state, left()); }
+  void begin(const float* state) { place(state, before()); }
 
   // The frames of the state that the next step begins from.
-  const Pose* poses() const { return placements_[left_].poses; }
+  const Pose* poses() const { return placements_[before_].poses; }
 
   // Whether the robot, standing in `state`, keeps the margin everywhere. Discrete. On success the next step begins from
   // it.
@@ -95,8 +95,8 @@ class MotionCheck {
     float offset;  // from its origin
   };
 
-  Placement& left() { return placements_[left_]; }
-  Placement& right() { return placements_[1 - left_]; }
+  Placement& before() { return placements_[before_]; }
+  Placement& after() { return placements_[1 - before_]; }
 
   void measure_bodies();
 
@@ -126,7 +126,7 @@ class MotionCheck {
   PlacedBody swept(int k, Vec2 at) const;
 
   // Whether body k, standing, keeps the margin.
-  bool clear(const Placement& placement, int k) const;
+  bool keeps_margin(const Placement& placement, int k) const;
 
   // Bounds the step by what all bodies have in common where that will do, else body by body; returns whether the limits
   // hold.
@@ -141,7 +141,7 @@ class MotionCheck {
 
   const Travel& travel(int k) const { return bounded_ ? travel_[k] : quick_.most; }
 
-  // Whether body k's circle is proven free from left to right, by the grid.
+  // Whether body k's circle is proven free on the whole step, by the grid.
   bool circle_free(int k) const { return circle_rooms(k) > travel(k).path + circles_[k].offset * travel(k).turn; }
 
   float circle_rooms(int k) const { return placements_[0].circle_room[k] + placements_[1].circle_room[k]; }
@@ -155,22 +155,22 @@ class MotionCheck {
   // How far body k may leave the hull of its two places: never by more than half of what it moved.
   float stray(int k) const;
 
-  // Whether body k is proven free from left to right, by its hull.
+  // Whether body k is proven free on the whole step, by its hull.
   bool hull_free(const Step& step, int k);
 
-  // Judges the step from left to right by what is to be proven of it, of which it leaves what is not.
+  // Judges the step by what is to be proven of it, of which it leaves what is not.
   Outcome judge(const Step& step, Unproven& unproven);
 
-  // Halves the step from left to right until what is left to prove is proven of every part. False when it is not.
-  bool march(const Step& step, const Unproven& whole);
+  // Halves the step until what is left to prove is proven of every part. False when it is not.
+  bool prove_by_halves(const Step& step, const Unproven& whole);
 
   // Whether there are no two bodies at least gap_ apart.
   bool never_touch() const { return bodies_ == 1 || bodies_ <= gap_; }
 
-  // No two bodies at least gap_ apart come within the margin on the way from left to right.
+  // No two bodies at least gap_ apart come within the margin on the whole step.
   bool self_free(const Step& step);
 
-  // No two bodies come within the margin of each other at left.
+  // No two bodies come within the margin of each other at the step's beginning.
   bool still_apart();
 
   // A body stays within `farthest` and half its path of the middle between its places. Pairs that are further apart are
@@ -193,7 +193,7 @@ class MotionCheck {
   bool centered_ = true;  // whether every circle's centre is its body's origin
   bool bounded_ = false;  // whether travel_ tells of the step in question, else quick_
   QuickBound quick_;
-  int left_ = 0;
+  int before_ = 0;
   // By body.
   Circle* circles_ = nullptr;
   float* needed_ = nullptr;    // clearance at the circle's centre from which on it keeps the margin

@@ -32,9 +32,9 @@ class MotionTree {
 
   // Resets the tree. Targets are points of `bounds`, stored to 1/65535 of them. Of the expansions `spare` are kept back
   // for what ends a way: expansions_full() does not count on them.
-  void clear(const Box& bounds, std::uint32_t spare);
-  // No vertex, no expansion.
-  void empty();
+  void reset(const Box& bounds, std::uint32_t spare);
+  // Removes all vertices and expansions.
+  void clear();
 
   std::uint32_t vertices() const { return vertices_; }
   std::uint32_t expansions() const { return expansions_; }

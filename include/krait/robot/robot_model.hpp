@@ -214,9 +214,9 @@ bool sound(const R& robot) {
 
 // What can be said of a whole robot's step at little cost. Where it suffices nobody asks for more.
 struct QuickBound {
-  bool limited = false;     // whether its limits are proven to hold throughout; the rest counts only then
-  float separation = 0.0F;  // between the origins of two bodies that are tested against each other, metres
-  Travel most = {};         // no body's is more
+  bool limits_kept = false;  // whether its limits are proven to hold throughout; the rest counts only then
+  float separation = 0.0F;   // between the origins of two bodies that are tested against each other, metres
+  Travel most = {};          // no body's is more
 };
 
 // A robot may say.

@@ -23,7 +23,7 @@ inline std::vector<float> numbers_of(const std::vector<Pose>& poses) {
 inline std::vector<float> numbers_of(const Travel& t) { return {t.path, t.turn, t.bend, t.twist}; }
 
 struct TravelAnswer {
-  bool limited = false;
+  bool limits_kept = false;
   std::vector<Travel> bodies;
 };
 
@@ -31,12 +31,13 @@ template <RobotModel R>
 TravelAnswer travel_of(const R& robot, const Sample& sample, const std::vector<float>& next, float fill) {
   TravelAnswer answer;
   answer.bodies.assign(static_cast<std::size_t>(robot.body_count()), Travel{fill, fill, fill, fill});
-  answer.limited = robot.travel(view(sample.state), view(sample.control), sample.dt, view(next), answer.bodies.data());
+  answer.limits_kept =
+      robot.travel(view(sample.state), view(sample.control), sample.dt, view(next), answer.bodies.data());
   return answer;
 }
 
 inline std::vector<float> numbers_of(const TravelAnswer& answer) {
-  std::vector<float> numbers{answer.limited ? 1.0F : 0.0F};
+  std::vector<float> numbers{answer.limits_kept ? 1.0F : 0.0F};
   for (const Travel& t : answer.bodies) {
     for (const float x : numbers_of(t)) numbers.push_back(x);
   }

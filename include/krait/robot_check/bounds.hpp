@@ -118,7 +118,7 @@ void check_travel(const Case<R>& c) {
   });
   const TravelAnswer answer = travel_of(c.robot, c.sample, c.next, kFills[0]);
   for (std::size_t k = 0; k < answer.bodies.size(); ++k) check_bound(c, Bound{"travel", answer.bodies[k], k});
-  if (answer.limited) check_limits_hold(c, "travel");
+  if (answer.limits_kept) check_limits_hold(c, "travel");
 }
 
 // The least distance, over the step, of two origins whose bodies are tested against each other.
@@ -139,12 +139,12 @@ void check_quick_bound(const Case<R>& c) {
   check_repeats(c, "quick_bound", [&](const std::vector<float>& state, float) {
     const QuickBound quick = quick_bound_of(c.robot, {state, c.sample.control, c.sample.dt}, c.next);
     std::vector<float> numbers = numbers_of(quick.most);
-    numbers.push_back(quick.limited ? 1.0F : 0.0F);
+    numbers.push_back(quick.limits_kept ? 1.0F : 0.0F);
     numbers.push_back(quick.separation);
     return numbers;
   });
   const QuickBound quick = quick_bound_of(c.robot, c.sample, c.next);
-  if (!quick.limited) return;
+  if (!quick.limits_kept) return;
   for (std::size_t k = 0; k < c.frames[0].size(); ++k) check_bound(c, Bound{"quick_bound", quick.most, k});
   check_limits_hold(c, "quick_bound");
   const double over = static_cast<double>(quick.separation) - least_separation(c);

@@ -39,7 +39,7 @@ class GroupedSearch : public Search<Derived, Guide> {
   bool make_room_for(Index region);
 
   // Frees the group's vertices, but for the root.
-  void empty(Index region);
+  void drop_group(Index region);
 };
 
 }  // namespace krait
