@@ -41,10 +41,11 @@ Index scan_bucket(const Scene& scene, Vec2 p, GridPoint grid_point) {
   if (!scene.inside_bounds(p)) return kNone;
   const GridPoint grid_point = to_grid(p);
   const Index near = walk(scene, grid_point, hint);
+  if (near != kNone) return near;
   // The bucket of the rounded point: a triangle that meets it is in that bucket's list.
   const Vec2 rounded{static_cast<float>(grid_point.x) * format::kGrid,
                      static_cast<float>(grid_point.y) * format::kGrid};
-  return near != kNone ? near : scan_bucket(scene, rounded, grid_point);
+  return scan_bucket(scene, rounded, grid_point);
 }
 
 }  // namespace krait

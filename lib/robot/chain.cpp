@@ -220,7 +220,7 @@ float Chain::turning_radius() const {
 }
 
 // The rear axle's, with the steering angle held.
-float Chain::stopping_way(StateView s) const {
+[[gnu::flatten]] float Chain::stopping_way(StateView s) const {
   return 0.5F * s[3] * absolute(s[3]) / parameters_.max_acceleration * sin_cos(s[4]).cos;
 }
 
@@ -437,7 +437,7 @@ bool Chain::travel(StateView s, ControlView u, float dt, StateView next, Travel*
 }
 
 // CHAIN.md, lemmas 10 to 13: the bounds of travel for all bodies alike.
-QuickBound Chain::quick_bound(StateView s, ControlView u, float dt, StateView next) const {
+[[gnu::flatten]] QuickBound Chain::quick_bound(StateView s, ControlView u, float dt, StateView next) const {
   const ChainParameters& p = parameters_;
   const float way = dt * largest(s[3], u[0], dt);
   const float steering = largest(s[4], u[1], dt);
