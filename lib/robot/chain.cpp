@@ -329,14 +329,14 @@ void Chain::place(StateView s, Pose* poses) const {
   }
 }
 
-Chain::Pulled Chain::pulled(float speed, SinCos steering) const {
+Chain::CarRates Chain::car_rates(float speed, SinCos steering) const {
   const float axle_speed = speed * steering.cos;
   return {axle_speed, speed * steering.sin / parameters_.wheelbase,
           (slip_ ? speed : axle_speed) / parameters_.hitch_length};
 }
 
 void Chain::derivative(StateView s, ControlView u, StateRef ds) const {
-  const Pulled car = pulled(s[3], sin_cos(s[4]));
+  const CarRates car = car_rates(s[3], sin_cos(s[4]));
   const SinCos heading = sin_cos(s[2]);
   ds[0] = car.speed * heading.cos;
   ds[1] = car.speed * heading.sin;
@@ -367,12 +367,12 @@ bool Chain::changes_little(const float* s, const float* u, float dt) const {
   const bool little = changes_little(s.data(), u.data(), dt);
   const auto turn = [little](float angle) { return little ? small_sin_cos(angle) : any_sin_cos(angle); };
   const auto after = [&](float time) {
-    return pulled(s[3] + time * u[0], steering + turn((s[4] + time * u[1]) - s[4]));
+    return car_rates(s[3] + time * u[0], steering + turn((s[4] + time * u[1]) - s[4]));
   };
   const float half = 0.5F * dt;
-  const Pulled first = pulled(s[3], steering);
-  const Pulled middle = after(half);
-  const Pulled last = after(dt);
+  const CarRates first = car_rates(s[3], steering);
+  const CarRates middle = after(half);
+  const CarRates last = after(dt);
   lead = {
       {0.0F, (s[2] + half * first.turn) - s[2], (s[2] + half * middle.turn) - s[2], (s[2] + dt * middle.turn) - s[2]},
       {first.pull, middle.pull, middle.pull, last.pull},

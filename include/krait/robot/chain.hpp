@@ -106,12 +106,12 @@ class Chain {
   void approach(StateView s, float speed, float psi, float dt, ControlRef u) const;
 
   // What the car does at a speed with its wheels turned so.
-  struct Pulled {
+  struct CarRates {
     float speed;  // m/s, of the rear axle
     float turn;   // rad/s
     float pull;   // rad/s, on the first trailer: its speed by the hitch's length
   };
-  Pulled pulled(float speed, SinCos steering) const;
+  CarRates car_rates(float speed, SinCos steering) const;
 
   bool changes_little(const float* s, const float* u, float dt) const;
   float separation(float hitch, float spread) const;
