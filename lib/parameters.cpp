@@ -23,26 +23,20 @@ struct Range {
 constexpr float kAboveZero = std::numeric_limits<float>::denorm_min();
 constexpr float kBelowOne = 1.0F - 0.5F * std::numeric_limits<float>::epsilon();
 
-constexpr Range<float> kNumbers[] = {
-    {offsetof(Parameters, alpha), Argument::alpha, 1.0F, 64.0F},
-    {offsetof(Parameters, beta), Argument::beta, kAboveZero, kBelowOne},
-    {offsetof(Parameters, epsilon), Argument::epsilon, kAboveZero, 1.0F},
-    {offsetof(Parameters, gamma), Argument::gamma, 0.0F, 1e6F},
-    {offsetof(Parameters, cost_length), Argument::cost_length, 0.0F, 10.0F},
-    {offsetof(Parameters, dt), Argument::dt, 0.001F, 1.0F},
-    {offsetof(Parameters, near_radius), Argument::near_radius, 0.0F, 10.0F},
-    {offsetof(Parameters, stray_share), Argument::stray_share, 0.0F, 1.0F},
-    {offsetof(Parameters, gentle_share), Argument::gentle_share, 0.0F, 1.0F},
-    {offsetof(Parameters, slowest), Argument::slowest, 0.05F, 1.0F},
-    {offsetof(Parameters, reverse_share), Argument::reverse_share, 0.0F, 1.0F},
-    {offsetof(Parameters, clearance), Argument::clearance, 0.0F, 10.0F},
-    {offsetof(Parameters, goal_margin), Argument::goal_margin, 0.0F, 10.0F},
-    {offsetof(Parameters, end_speed), Argument::end_speed, 0.0F, kInfinity},
-    {offsetof(Parameters, prior.epsilon), Argument::prior_epsilon, 1e-30F, 1.0F},
-    {offsetof(Parameters, prior.path_share), Argument::prior_path_share, 0.0F, 1.0F},
-    {offsetof(Parameters, prior.goal_share), Argument::prior_goal_share, 0.0F, 1.0F},
-    {offsetof(Parameters, prior.nearest_share), Argument::prior_nearest_share, 0.0F, 1.0F},
-    {offsetof(Parameters, rrt.goal_share), Argument::rrt_goal_share, 0.0F, 1.0F}};
+constexpr Range<float> kNumbers[] = {{offsetof(Parameters, alpha), Argument::alpha, 1.0F, 64.0F},
+                                     {offsetof(Parameters, beta), Argument::beta, kAboveZero, kBelowOne},
+                                     {offsetof(Parameters, epsilon), Argument::epsilon, kAboveZero, 1.0F},
+                                     {offsetof(Parameters, gamma), Argument::gamma, 0.0F, 1e6F},
+                                     {offsetof(Parameters, cost_length), Argument::cost_length, 0.0F, 10.0F},
+                                     {offsetof(Parameters, dt), Argument::dt, 0.001F, 1.0F},
+                                     {offsetof(Parameters, near_radius), Argument::near_radius, 0.0F, 10.0F},
+                                     {offsetof(Parameters, stray_share), Argument::stray_share, 0.0F, 1.0F},
+                                     {offsetof(Parameters, gentle_share), Argument::gentle_share, 0.0F, 1.0F},
+                                     {offsetof(Parameters, slowest), Argument::slowest, 0.05F, 1.0F},
+                                     {offsetof(Parameters, reverse_share), Argument::reverse_share, 0.0F, 1.0F},
+                                     {offsetof(Parameters, clearance), Argument::clearance, 0.0F, 10.0F},
+                                     {offsetof(Parameters, goal_margin), Argument::goal_margin, 0.0F, 10.0F},
+                                     {offsetof(Parameters, end_speed), Argument::end_speed, 0.0F, kInfinity}};
 
 constexpr Range<std::uint32_t> kCounts[] = {
     {offsetof(Parameters, group_sample), Argument::group_sample, 1, kUnboundedSample},
@@ -56,8 +50,7 @@ constexpr Range<std::uint32_t> kCounts[] = {
     {offsetof(Parameters, least_sketch), Argument::least_sketch, 0, 20},
     {offsetof(Parameters, doomed_steps), Argument::doomed_steps, 0, Parameters::kMostDoomedSteps},
     {offsetof(Parameters, restart_unit), Argument::restart_unit, 0, 1'000'000'000},
-    {offsetof(Parameters, max_substeps), Argument::max_substeps, 1, 64},
-    {offsetof(Parameters, prior.path_regions), Argument::prior_path_regions, 1, 64}};
+    {offsetof(Parameters, max_substeps), Argument::max_substeps, 1, 64}};
 
 // NaN is outside.
 template <class Number, std::size_t count>
@@ -100,12 +93,11 @@ Argument Parameters::first_bad() const {
   Argument bad = first_outside(*this, kNumbers);
   if (bad == Argument::none) bad = first_outside(*this, kCounts);
   if (bad != Argument::none) return bad;
-  if (!(prior.goal_share <= 1.0F - prior.path_share)) return Argument::prior_goal_share;
   return std::has_single_bit(max_substeps) ? Argument::none : Argument::max_substeps;
 }
 
 Argument Limits::first_bad() const {
-  if (!within(vertices, 2, kMost)) return Argument::vertices;
+  if (vertices != 0 && !within(vertices, 2, kMost)) return Argument::vertices;
   if (expansions != 0 && !within(expansions, 2, kMost)) return Argument::expansions;
   if (when_full != WhenFull::recycle && when_full != WhenFull::stop) return Argument::when_full;
   if (way_legs != 0 && !within(way_legs, 16, 1'000'000)) return Argument::way_legs;

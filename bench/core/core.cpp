@@ -54,7 +54,7 @@ class Workload {
   std::uint64_t seeds() const { return seeds_; }
 
   void set_up(Planner& planner, const Robot& robot, std::uint64_t seed) {
-    if (!planner.init(block_.data(), kMemory, scene_, robot, parameters_, limits_).ok()) {
+    if (!planner.init({block_.data(), kMemory, &scene_, robot}, parameters_, limits_).ok()) {
       throw host::InputError("the planner refuses the robot or its memory");
     }
     (void)planner.start({start_.data(), Goal::named(0), seed});
@@ -244,7 +244,7 @@ void select_group(benchmark::State& state, Workload& work) {
   Planner planner;
   work.set_up(planner, work.robot(), 1);
   (void)planner.advance(UINT64_MAX);
-  Groups groups = planner.guide();
+  Groups groups = planner.groups();
   for (auto _ : state) {
     for (std::uint64_t seed = 1; seed <= work.seeds(); ++seed)
       benchmark::DoNotOptimize(groups.select(planner.regions()));

@@ -24,7 +24,7 @@ int solved(const krait::Scene& scene, const Snake& robot, std::uint64_t bytes, i
   static Planner planner;
   Limits limits = Planner::limits_for(bytes, scene, robot);
   limits.iterations = kIterations;
-  if (!planner.init(block.data(), bytes, scene, robot, Parameters(), limits).ok()) return 0;
+  if (!planner.init({block.data(), bytes, &scene, robot}, Parameters(), limits).ok()) return 0;
   int count = 0;
   for (int seed = 1; seed <= seeds; ++seed) {
     (void)planner.start({start.data(), krait::Goal::named(0), static_cast<std::uint64_t>(seed)});

@@ -4,11 +4,15 @@
 #include <ompl/control/SpaceInformation.h>
 #include <ompl/util/RandomNumbers.h>
 
+#include "host/rivals/rival.hpp"
+
 namespace krait::bench {
 namespace {
 
 namespace ob = ompl::base;
 namespace oc = ompl::control;
+
+constexpr double kSlowest{rivals::kRivalsSlowest};
 
 using ValueControl = oc::RealVectorControlSpace::ControlType;
 
@@ -21,7 +25,7 @@ class SteeringSampler : public oc::DirectedControlSampler {
     double* values = control->as<ValueControl>()->values;
     values[0] = static_cast<double>(peer(dest).position().x);
     values[1] = static_cast<double>(peer(dest).position().y);
-    values[2] = rng_.uniformReal(static_cast<double>(kRivalsSlowest), 1.0);
+    values[2] = rng_.uniformReal(kSlowest, 1.0);
     const int steps = rng_.uniformInt(1, static_cast<int>(si_->getMaxControlDuration()));
     return si_->propagateWhileValid(source, control, steps, dest);
   }
@@ -57,7 +61,7 @@ ob::RealVectorBounds control_bounds(const PeerProblem& problem) {
   if (problem.controls == ControlKind::pid) {
     const Box box = problem.scene.bounds();
     ob::RealVectorBounds bounds(3);
-    bounds.low = {static_cast<double>(box.min.x), static_cast<double>(box.min.y), static_cast<double>(kRivalsSlowest)};
+    bounds.low = {static_cast<double>(box.min.x), static_cast<double>(box.min.y), kSlowest};
     bounds.high = {static_cast<double>(box.max.x), static_cast<double>(box.max.y), 1.0};
     return bounds;
   }

@@ -269,7 +269,7 @@ enum {
 
 /* What a search may use. */
 typedef struct krait_limits {
-  uint32_t vertices;   /* states kept to grow from, at least 2 */
+  uint32_t vertices;   /* states kept to grow from, at least 2; 0: as many as the block has room for */
   uint32_t expansions; /* kept; 0: half as many as vertices */
   uint64_t iterations; /* expansions made, at least 1 */
   uint8_t when_full;   /* KRAIT_RECYCLE or KRAIT_STOP; krait_init refuses every other number */
@@ -289,11 +289,18 @@ krait_limits krait_limits_for(uint64_t bytes, const krait_scene* scene, const kr
 krait_limits krait_limits_to_improve(uint64_t bytes, const krait_scene* scene, const krait_robot* robot,
                                      uint32_t way_legs);
 
-/* Makes a planner in the block, which is aligned to 8 and, like scene and file, must outlive it and stay where it is;
-   robot, parameters and limits are copied. `*planner` is NULL where it fails. */
-KRAIT_NODISCARD krait_failure krait_init(krait_planner** planner, void* block, uint64_t bytes, const krait_scene* scene,
-                                         const krait_robot* robot, const krait_parameters* parameters,
-                                         const krait_limits* limits);
+/* What a planner is made from. Block, scene and file must outlive it and stay where they are; the robot is copied. */
+typedef struct krait_setup {
+  void* block;    /* aligned to 8 */
+  uint64_t bytes; /* of the block */
+  const krait_scene* scene;
+  const krait_robot* robot;
+} krait_setup;
+
+/* Makes a planner in the block. Parameters and limits are copied; NULL stands for the defaults, by which as many
+   vertices are kept as the block has room for. `*planner` is NULL where it fails. */
+KRAIT_NODISCARD krait_failure krait_init(krait_planner** planner, const krait_setup* setup,
+                                         const krait_parameters* parameters, const krait_limits* limits);
 
 /* Where a plan ends. What follows `radius` is for the disc only, and all zero leaves the heading free. */
 typedef struct krait_goal {

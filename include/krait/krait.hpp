@@ -9,7 +9,5 @@
 #include "krait/robot/unicycle.hpp"
 #include "krait/scene/scene.hpp"
 #include "krait/search/planner.hpp"
-#include "krait/search/prior.hpp"
-#include "krait/search/rrt.hpp"
 #include "krait/status.hpp"
 #include "krait/version.h"

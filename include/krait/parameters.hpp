@@ -9,25 +9,6 @@
 
 namespace krait {
 
-// What rivals have in place of Parameters::slowest: they drive where nothing has looked.
-inline constexpr float kRivalsSlowest = 0.75F;
-
-// What the planner of prior work adds ([18], PriorPlanner); it has no use for group_sample, epsilon, gamma,
-// cost_length, kappa, update_regions, raise_goal, open_steps, path_regions, stray_share, sight_tries, candidates,
-// least_sketch, doomed_steps, restart_unit, slowest and end_speed.
-struct PriorParameters {
-  float epsilon = 1e-11F;           // 1e-30 … 1: keeps every weight positive
-  std::uint32_t path_regions = 10;  // 1 … 64: as Parameters::path_regions
-  float path_share = 0.85F;         // 0 … 1: share of targets in the regions ahead
-  float goal_share = 0.05F;         // 0 … 1 - path_share: in the goal; the rest is uniform over the free workspace
-  float nearest_share = 0.9F;       // 0 … 1: how often the group's vertex nearest to the target grows, not any
-};
-
-// What RRT adds (RrtPlanner); of Algorithms 1 and 2 it has a step, a target and an expansion.
-struct RrtParameters {
-  float goal_share = 0.05F;  // 0 … 1: share of targets in the goal; the rest is uniform over the bounds
-};
-
 // As large as a group's sample of the states that reached its region can be.
 inline constexpr std::uint32_t kUnboundedSample = 65535;
 
@@ -75,9 +56,6 @@ struct Parameters {
   // The goal.
   float goal_margin = 0.03F;  // 0 … 10 m, at most a tenth of the goal's size: how deep inside the plan must end
   float end_speed = 0.0F;  // m/s, 0 … infinity: a plan ends no faster, to 5 mm/s; 0: at rest; infinity: at any speed
-  // Other planners.
-  PriorParameters prior;
-  RrtParameters rrt;
 
   // Algorithms 1 and 2 with the paper's constants: discrete collision checks, no pruning, Eqn 9 as printed.
   static Parameters paper();
@@ -100,7 +78,7 @@ enum class WhenFull : std::uint8_t {
 struct Limits {
   static constexpr std::uint32_t kMost = (1U << 22U) - 2048;  // vertices, expansions
 
-  std::uint32_t vertices = 0;            // states kept to grow from, 2 … kMost
+  std::uint32_t vertices = 0;            // states kept to grow from, 2 … kMost; 0: as many as the block has room for
   std::uint32_t expansions = 0;          // kept, 2 … kMost; 0: half as many as vertices
   std::uint64_t iterations = 1'000'000;  // expansions made, at least 1
   WhenFull when_full = WhenFull::recycle;

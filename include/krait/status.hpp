@@ -67,12 +67,6 @@ enum class Argument : std::uint8_t {
   goal_margin,
   end_speed,
   max_substeps,
-  prior_epsilon,
-  prior_path_regions,
-  prior_path_share,
-  prior_goal_share,
-  prior_nearest_share,
-  rrt_goal_share,
   robot_dimensions,
   robot_polygon,
   robot_sizes

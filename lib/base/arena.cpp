@@ -3,8 +3,8 @@
 
 namespace krait {
 namespace {
-constexpr const char* kPoolNames[kPoolCount] = {"regions",    "portals", "groups",  "vertices",    "states",
-                                                "expansions", "members", "nearest", "improvement", "work"};
+constexpr const char* kPoolNames[kPoolCount] = {"regions",    "portals", "groups",      "vertices", "states",
+                                                "expansions", "members", "improvement", "work"};
 }
 
 const char* name(Pool pool) { return kPoolNames[static_cast<std::size_t>(pool)]; }

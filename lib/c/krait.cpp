@@ -39,8 +39,7 @@ static_assert(KRAIT_INTERNAL == static_cast<int>(Status::internal));
 
 static_assert(KRAIT_WITH_GROUND == static_cast<int>(krait::Hindrance::ground));
 
-// The fields of krait_parameters are the first of krait::Parameters; those of the other planners follow.
-static_assert(sizeof(krait_parameters) == offsetof(krait::Parameters, prior));
+static_assert(sizeof(krait_parameters) == sizeof(krait::Parameters));
 
 krait::Parameters parameters_of(const krait_parameters& from) {
   krait::Parameters to;
@@ -144,21 +143,26 @@ krait_limits krait_limits_to_improve(uint64_t bytes, const krait_scene* scene, c
   return convert<krait_limits>(robot->model->limits_for(pools, view(scene), *robot, way_legs));
 }
 
-krait_failure krait_init(krait_planner** planner, void* block, uint64_t bytes, const krait_scene* scene,
-                         const krait_robot* robot, const krait_parameters* parameters, const krait_limits* limits) {
+krait_failure krait_init(krait_planner** planner, const krait_setup* setup, const krait_parameters* parameters,
+                         const krait_limits* limits) {
   *planner = nullptr;
-  const std::uint64_t front = front_bytes(*robot);
-  if (bytes < front) {
-    return {KRAIT_ARENA_TOO_SMALL, 0, 0, krait_bytes_required(scene, robot, limits), 0.0F};
+  const krait_robot& robot = *setup->robot;
+  const krait_limits used = limits != nullptr ? *limits : convert<krait_limits>(krait::Limits());
+  const std::uint64_t front = front_bytes(robot);
+  if (setup->bytes < front) {
+    krait_limits least = used;
+    if (least.vertices == 0) least.vertices = 2;
+    return {KRAIT_ARENA_TOO_SMALL, 0, 0, krait_bytes_required(setup->scene, &robot, &least), 0.0F};
   }
-  if (block == nullptr || reinterpret_cast<std::uintptr_t>(block) % krait::Arena::kAlignment != 0) {
+  if (setup->block == nullptr || reinterpret_cast<std::uintptr_t>(setup->block) % krait::Arena::kAlignment != 0) {
     return {KRAIT_BAD_ARGUMENT, 0, static_cast<std::uint32_t>(krait::Argument::block), 0, 0.0F};
   }
-  auto* const place = static_cast<std::byte*>(block);
-  auto* const made = ::new (block) Front;
-  const krait::Robot model_robot = robot->model->make(place + aligned(sizeof(Front)), *robot);
-  krait::Failure failure = made->planner.init(place + front, bytes - front, view(scene), model_robot,
-                                              parameters_of(*parameters), convert<krait::Limits>(*limits));
+  auto* const place = static_cast<std::byte*>(setup->block);
+  auto* const made = ::new (setup->block) Front;
+  const krait::Robot model_robot = robot.model->make(place + aligned(sizeof(Front)), robot);
+  const krait_parameters turned = parameters != nullptr ? *parameters : krait_default_parameters();
+  krait::Failure failure = made->planner.init({place + front, setup->bytes - front, &view(setup->scene), model_robot},
+                                              parameters_of(turned), convert<krait::Limits>(used));
   if (failure.status == Status::arena_too_small) failure.bytes_needed += front;
   if (failure.ok()) *planner = reinterpret_cast<krait_planner*>(made);
   return failure_of(failure);

@@ -1,19 +1,55 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "krait/search/planner.hpp"
 
-#include "search/grouped_members.hpp"
-
 namespace krait {
 
-template class Search<Planner, PlannerGuide>;
-template class GroupedSearch<Planner, PlannerGuide>;
+std::uint64_t Planner::bytes_required(const Scene& scene, const Robot& robot, const Limits& limits) {
+  Arena counting;
+  Sketcher sketcher;
+  sketcher.take(counting, robot);
+  return grouped_bytes(scene, robot, limits) + counting.needed();
+}
 
-void Planner::reset_guide() {
-  guide_.clear({parameters_.alpha, parameters_.beta, parameters_.epsilon}, parameters_.group_sample);
+Limits Planner::limits_for(std::uint64_t bytes, const Scene& scene, const Robot& robot, std::uint32_t way_legs) {
+  return limits_within(bytes, {.way_legs = way_legs},
+                       [&](const Limits& limits) { return bytes_required(scene, robot, limits); });
+}
+
+Failure Planner::init(const Setup& setup, const Parameters& parameters, const Limits& limits) {
+  if (!check_setup(setup, parameters, limits).ok()) return failure();
+  const auto required = [&](const Limits& any) { return bytes_required(*setup.scene, setup.robot, any); };
+  const Failure failure = take_block(setup, required);
+  if (!failure.ok()) return failure;
+  take_groups();
+  sketcher_.take(arena_, setup.robot);
+  return failure;
+}
+
+Status Planner::start(const Query& query) {
+  if (!usable()) return status();
+  forget();
+  return begin(query, Keeper(*this));
+}
+
+Status Planner::advance(std::uint64_t iterations, const Watch& watch) {
+  for (; iterations > 0 && status() == Status::searching; --iterations) {
+    if (!expansion_due()) continue;
+    if (new_try_due()) {
+      forget();
+      new_try();
+    } else {
+      iterate(watch);
+    }
+  }
+  return status();
+}
+
+void Planner::forget() {
+  groups_.clear({parameters_.alpha, parameters_.beta, parameters_.epsilon}, parameters_.group_sample);
   raised_ = false;
   goes_on_ = false;
-  guide_.sketcher.assign(robot_, *scene_, sketched_step(), parameters_.near_radius * robot_length_);
-  sight_ = Sight(*scene_, kSightRoom * guide_.sketcher.radius(), kSightStep * robot_length_);
+  sketcher_.assign(robot_, *scene_, sketched_step(), parameters_.near_radius * robot_length_);
+  sight_ = Sight(*scene_, kSightRoom * sketcher_.radius(), kSightStep * robot_length_);
 }
 
 float Planner::sketched_step() const {
@@ -34,8 +70,8 @@ void Planner::iterate(const Watch& watch) {
 
 void Planner::begin_expansion(const Watch& watch) {
   if (!room_for_expansion()) return;
-  if (parameters_.plain) guide_.weigh(regions_);
-  group_ = guide_.select(regions_);
+  if (parameters_.plain) groups_.weigh(regions_);
+  group_ = groups_.select(regions_);
   const Way way = choose_way(group_);
   if (way.promising) {
     heed(expand(way.vertex, group_, way.target, watch));
@@ -52,10 +88,10 @@ std::uint32_t Planner::update_interval() const {
 }
 
 void Planner::heed(const Expanded& expanded) {
-  goes_on_ = expanded.result == Expansion::goes_on;
+  goes_on_ = expanded.outcome == Outcome::goes_on;
   const bool long_way = expanded.last.step > parameters_.max_steps;
-  if (long_way && expanded.result == Expansion::target_reached) guide_.unselect(regions_, group_);
-  if (expanded.result == Expansion::collision) raise_costs(expanded.region);
+  if (long_way && expanded.outcome == Outcome::target_reached) groups_.unselect(regions_, group_);
+  if (expanded.outcome == Outcome::collision) raise_costs(expanded.region);
 }
 
 Planner::Way Planner::choose_way(Index group) {
@@ -71,7 +107,7 @@ Planner::Way Planner::choose_way(Index group) {
   std::uint32_t best = 0;
   std::uint32_t longest = 0;
   for (std::uint32_t i = 0; i < count && longest < Sketcher::kSteps; ++i) {
-    const std::uint32_t steps = guide_.sketcher.free_steps(tree_.state(ways_[i].vertex), ways_[i].target);
+    const std::uint32_t steps = sketcher_.free_steps(tree_.state(ways_[i].vertex), ways_[i].target);
     if (steps <= longest) continue;
     longest = steps;
     best = i;
@@ -82,12 +118,12 @@ Planner::Way Planner::choose_way(Index group) {
 
 Planner::Way Planner::any_way(Index group) {
   Way way;
-  way.vertex = guide_.random_vertex(group, random_);
+  way.vertex = groups_.random_vertex(group, random_);
   const float stray = parameters_.stray_share;
   const bool strays = stray > 0.0F && random_.unit() < stray;
   way.cost = kInfinity;
   const Vec2 point = strays ? random_point_in_bounds() : point_ahead(group, position(way.vertex), way.cost);
-  way.target = any_way_to(point, guide_.selections(group));
+  way.target = any_way_to(point, groups_.selections(group));
   if (way.cost == 0.0F) slow_for(way.target, way.vertex);
   return way;
 }
@@ -117,7 +153,7 @@ void Planner::update_costs() {
   } else {
     statistics_.regions_repaired += regions_.repair();
   }
-  guide_.weigh(regions_);
+  groups_.weigh(regions_);
 }
 
 }  // namespace krait

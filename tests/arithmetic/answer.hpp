@@ -14,12 +14,11 @@ class OwnUnicycle : public Unicycle {
 
 // "exact" or "bad_arithmetic", by the answer of init, which next finds that the scene was not opened. Inlined: each
 // file has its own flags.
-template <class AnyPlanner>
 [[gnu::always_inline]] inline const char* answer() {
-  static AnyPlanner planner;
+  static Planner planner;
   static const Scene scene;
   static const OwnUnicycle robot{UnicycleParameters{}};
-  const Failure failure = planner.init(nullptr, 0, scene, robot, {}, {});
+  const Failure failure = planner.init({nullptr, 0, &scene, robot});
   const bool not_opened =
       failure.status == Status::bad_argument && failure.element == static_cast<std::uint32_t>(Argument::scene);
   return not_opened ? "exact" : name(failure.status);

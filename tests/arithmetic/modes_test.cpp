@@ -55,7 +55,7 @@ const char* answer_with(Word mode) {
   if (mode == 0) return "none";
   const Word reset = read();
   write(reset | mode);
-  const char* const answer = test::answer<Planner>();
+  const char* const answer = test::answer();
   write(reset);
   return answer;
 }
@@ -63,9 +63,9 @@ const char* answer_with(Word mode) {
 }  // namespace
 
 int run(const Board& board, int, const char* const*) {
-  const char* const words[] = {"as reset ", test::answer<Planner>(), " flushing ",    answer_with(kFlush),
-                               " upward ",  answer_with(kUp),        " toward zero ", answer_with(kZero),
-                               "\n"};
+  const char* const words[] = {"as reset ",         test::answer(),     " flushing ",
+                               answer_with(kFlush), " upward ",         answer_with(kUp),
+                               " toward zero ",     answer_with(kZero), "\n"};
   for (const char* word : words) board.port.log(board.port.context, word);
   return kDone;
 }

@@ -41,7 +41,7 @@ Planned plan_with(R robot, const Scene& scene, const Query& query) {
   Limits limits = Planner::limits_for(query.bytes, scene, robot);
   limits.iterations = query.iterations;
   Planned result;
-  const Failure ready = planner.init(block(query.bytes), query.bytes, scene, robot, query.parameters, limits);
+  const Failure ready = planner.init({block(query.bytes), query.bytes, &scene, robot}, query.parameters, limits);
   if (!ready.ok()) {
     result.end = text_of(ready);
     return result;

@@ -148,13 +148,12 @@ TEST(CInterface, WhatToDoWhenFullIsOneOfTwo) {
   krait_scene scene;
   ASSERT_EQ(krait_open(&scene, bytes.data(), bytes.size()).status, KRAIT_OK);
   const krait_robot robot = krait_unicycle();
-  const krait_parameters parameters = krait_default_parameters();
   std::vector<std::uint64_t> block(50'000);
   for (int when_full = 0; when_full <= 255; ++when_full) {
     const krait_limits limits = {100, 0, 10, static_cast<std::uint8_t>(when_full), 0};
     krait_planner* planner = nullptr;
-    const krait_failure failure =
-        krait_init(&planner, block.data(), block.size() * 8, &scene, &robot, &parameters, &limits);
+    const krait_setup setup{block.data(), block.size() * 8, &scene, &robot};
+    const krait_failure failure = krait_init(&planner, &setup, nullptr, &limits);
     if (when_full <= KRAIT_STOP) {
       EXPECT_EQ(failure.status, KRAIT_OK) << when_full;
     } else {
@@ -242,8 +241,10 @@ struct Given {
     needed = krait_bytes_required(&scene, &robot, &limits);
     block.resize(needed / 8 + 2, 0xA5A5A5A5A5A5A5A5ULL);
   }
-  krait_failure init(std::uint64_t size) {
-    return krait_init(&planner, block.data(), size, &scene, &robot, &parameters, &limits);
+  krait_failure init(std::uint64_t size) { return init(block.data(), size); }
+  krait_failure init(void* at, std::uint64_t size) {
+    const krait_setup setup{at, size, &scene, &robot};
+    return krait_init(&planner, &setup, &parameters, &limits);
   }
 };
 
@@ -266,16 +267,29 @@ TEST(CInterface, TheBlockIsAsLargeAsAsked) {
 
 TEST(CInterface, BlocksThatAreNoneAreRefused) {
   Given given;
-  const auto init = [&](void* block) {
-    return krait_init(&given.planner, block, given.needed, &given.scene, &given.robot, &given.parameters,
-                      &given.limits);
-  };
   for (void* block :
        {static_cast<void*>(nullptr), static_cast<void*>(reinterpret_cast<char*>(given.block.data()) + 4)}) {
-    const krait_failure failure = init(block);
+    const krait_failure failure = given.init(block, given.needed);
     EXPECT_EQ(failure.status, KRAIT_BAD_ARGUMENT);
     EXPECT_STREQ(krait_argument_name(failure.element), "block");
   }
+}
+
+// Without limits as many vertices are kept as fit, and the plan is that of these limits.
+TEST(CInterface, WithoutLimitsTheBlockIsSpent) {
+  Given spent;
+  spent.limits = krait_limits_for(100'000, &spent.scene, &spent.robot);
+  Given defaults;
+  for (Given* each : {&spent, &defaults}) each->block.assign(100'000 / 8, 0);
+  ASSERT_EQ(spent.init(100'000).status, KRAIT_OK);
+  const krait_setup setup{defaults.block.data(), 100'000, &defaults.scene, &defaults.robot};
+  ASSERT_EQ(krait_init(&defaults.planner, &setup, nullptr, nullptr).status, KRAIT_OK);
+  const krait_setup small{defaults.block.data(), 1000, &defaults.scene, &defaults.robot};
+  krait_planner* none = nullptr;
+  const krait_failure failure = krait_init(&none, &small, nullptr, nullptr);
+  EXPECT_EQ(failure.status, KRAIT_ARENA_TOO_SMALL);
+  krait_limits least = krait_limits_for(0, &defaults.scene, &defaults.robot);
+  EXPECT_EQ(failure.bytes_needed, krait_bytes_required(&defaults.scene, &defaults.robot, &least));
 }
 
 TEST(CInterface, LimitsSpendTheBlock) {

@@ -134,7 +134,8 @@ class InC {
     bytes_ = data_of(two_rooms()).bytes();
     EXPECT_EQ(krait_open(&scene_, bytes_.data(), bytes_.size()).status, KRAIT_OK);
     const krait_parameters parameters = krait_default_parameters();
-    failure_ = krait_init(&planner_, block_.data(), 8 * block_.size(), &scene_, &robot_, &parameters, &kLimits);
+    const krait_setup setup{block_.data(), 8 * block_.size(), &scene_, &robot_};
+    failure_ = krait_init(&planner_, &setup, &parameters, &kLimits);
   }
 
   const krait_failure& failure() const { return failure_; }

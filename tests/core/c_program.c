@@ -25,8 +25,9 @@ c_answer plan_in_c(const krait_robot* robot, const void* file, size_t file_bytes
   if (answer.failure.status != KRAIT_OK) return answer;
 
   const krait_parameters parameters = krait_default_parameters();
+  const krait_setup setup = {block, sizeof block, &scene, robot};
   krait_planner* planner = NULL;
-  answer.failure = krait_init(&planner, block, sizeof block, &scene, robot, &parameters, limits);
+  answer.failure = krait_init(&planner, &setup, &parameters, limits);
   if (planner == NULL) return answer;
 
   float start[KRAIT_MAX_STATE];

@@ -39,9 +39,9 @@ std::vector<float> start_of(const R& robot) {
 }
 
 // A planner with a first plan in the winding room.
-template <class R, class P = Planner>
-struct Solved : Bench<R, P> {
-  explicit Solved(const R& r, std::uint64_t seed = 1, std::uint32_t legs = kLegs) : Bench<R, P>(winding(), r) {
+template <class R>
+struct Solved : Bench<R> {
+  explicit Solved(const R& r, std::uint64_t seed = 1, std::uint32_t legs = kLegs) : Bench<R>(winding(), r) {
     this->limits.way_legs = legs;
     EXPECT_TRUE(this->init().ok());
     start = start_of(r);
@@ -55,14 +55,10 @@ bool same(const Statistics& a, const Statistics& b) {
          a.collision_checks == b.collision_checks;
 }
 
-template <class P>
-class Improve : public ::testing::Test {};
-TYPED_TEST_SUITE(Improve, Planners, PlannerNames);
-
-TYPED_TEST(Improve, PlansOnlyGetBetterAndDo) {
+TEST(Improve, PlansOnlyGetBetterAndDo) {
   int better = 0;
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
-    Solved<Car, TypeParam> bench(small_car(), seed);
+    Solved<Car> bench(small_car(), seed);
     std::uint32_t steps = bench.planner.plan().steps();
     std::uint64_t improvements = 0;
     for (int i = 0; i < 1500; ++i) {
@@ -217,7 +213,7 @@ TEST(ImproveMemory, NothingOutsideTheBlockIsWritten) {
   const auto needed = bench.planner.bytes_required(bench.open.scene, bench.robot, bench.limits);
   std::vector<std::uint64_t> block(needed / 8 + 64, 0x5151515151515151ULL);
   ASSERT_TRUE(
-      bench.planner.init(block.data() + 32, needed, bench.open.scene, bench.robot, bench.parameters, bench.limits)
+      bench.planner.init({block.data() + 32, needed, &bench.open.scene, bench.robot}, bench.parameters, bench.limits)
           .ok());
   const std::vector<float> start = start_of(bench.robot);
   ASSERT_EQ(bench.solve({start.data(), Goal::named(0), 3}), Status::solved);

@@ -237,15 +237,11 @@ class Fickle : public Slider {
   const int* after_;
 };
 
-template <class P>
-class PlanReplay : public ::testing::Test {};
-TYPED_TEST_SUITE(PlanReplay, Planners, PlannerNames);
-
 // The plan is driven again before it is given out: what cannot be repeated is not.
-TYPED_TEST(PlanReplay, ThatEndsElsewhereIsAnInternalError) {
+TEST(PlanReplay, ThatEndsElsewhereIsAnInternalError) {
   const float start[] = {2, 6};
   int after = 1'000'000'000;
-  Bench<Fickle, TypeParam> bench(two_rooms(), Fickle(&after));
+  Bench<Fickle> bench(two_rooms(), Fickle(&after));
   ASSERT_TRUE(bench.init().ok());
   int growing = 0;
   ASSERT_EQ(bench.planner.start({start}), Status::searching);
@@ -269,14 +265,11 @@ TYPED_TEST(PlanReplay, ThatEndsElsewhereIsAnInternalError) {
 }
 
 // Every planner, over random scenes: whatever it calls solved touches nothing.
-template <class P>
-class PlanByPlanner : public ::testing::Test {};
-TYPED_TEST_SUITE(PlanByPlanner, Planners, PlannerNames);
 
-TYPED_TEST(PlanByPlanner, TouchesNothingInRandomScenes) {
+TEST(PlanByPlanner, TouchesNothingInRandomScenes) {
   int solved = 0;
   for (unsigned seed = 1; seed <= 12; ++seed) {
-    Bench<Snake, TypeParam> bench(random_room(seed), small_robot<Snake>());
+    Bench<Snake> bench(random_room(seed), small_robot<Snake>());
     bench.limits.iterations = 3000;
     ASSERT_TRUE(bench.init().ok());
     std::mt19937 random(seed);

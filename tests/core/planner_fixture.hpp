@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene, a robot, a planner and its block together, and the three planners for typed tests.
+// A scene, a robot, a planner and its block together.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -8,8 +8,6 @@
 #include <vector>
 
 #include "krait/krait.hpp"
-#include "krait/search/prior.hpp"
-#include "krait/search/rrt.hpp"
 #include "scene_builder.hpp"
 #include "user_robot.hpp"
 
@@ -24,18 +22,10 @@ inline Room two_rooms(double door = 2) {
   return room;
 }
 
-using Planners = ::testing::Types<Planner, PriorPlanner, RrtPlanner>;
-struct PlannerNames {
-  template <class P>
-  static std::string GetName(int) {
-    if (std::is_same_v<P, Planner>) return "adaptive";
-    return std::is_same_v<P, PriorPlanner> ? "prior" : "rrt";
-  }
-};
-
 template <class R, class P = Planner>
 struct Bench {
-  Bench(const Room& room, const R& r) : open(room), robot(r) {
+  template <class... PlannersOwn>
+  Bench(const Room& room, const R& r, const PlannersOwn&... own) : open(room), robot(r), planner(own...) {
     limits.vertices = 20'000;
     limits.iterations = 20'000;
   }
@@ -44,7 +34,7 @@ struct Bench {
   Failure init() { return init(P::bytes_required(open.scene, robot, limits)); }
   Failure init(std::uint64_t bytes) {
     block.assign((bytes + 7) / 8, 0xA5A5A5A5A5A5A5A5ULL);
-    return planner.init(block.data(), bytes, open.scene, robot, parameters, limits);
+    return planner.init({block.data(), bytes, &open.scene, robot}, parameters, limits);
   }
   Status solve(const Query& query) {
     (void)planner.start(query);

@@ -5,14 +5,10 @@
 namespace krait::test {
 namespace {
 
-template <class P>
-class PlannerMemory : public ::testing::Test {};
-TYPED_TEST_SUITE(PlannerMemory, Planners, PlannerNames);
-
 constexpr float kStart[] = {2, 6, 0};
 
-TYPED_TEST(PlannerMemory, BlockOfExactlyTheBytesRequiredSolves) {
-  Bench<Unicycle, TypeParam> bench(two_rooms(), small_unicycle());
+TEST(PlannerMemory, BlockOfExactlyTheBytesRequiredSolves) {
+  Bench<Unicycle> bench(two_rooms(), small_unicycle());
   const auto needed = bench.planner.bytes_required(bench.open.scene, bench.robot, bench.limits);
   ASSERT_TRUE(bench.init(needed).ok());
   ASSERT_EQ(bench.solve({kStart}), Status::solved);
@@ -21,8 +17,8 @@ TYPED_TEST(PlannerMemory, BlockOfExactlyTheBytesRequiredSolves) {
   EXPECT_LE(statistics.bytes_used, needed);
 }
 
-TYPED_TEST(PlannerMemory, PoolsAddUpToTheBytesUsed) {
-  Bench<Unicycle, TypeParam> bench(two_rooms(), small_unicycle());
+TEST(PlannerMemory, PoolsAddUpToTheBytesUsed) {
+  Bench<Unicycle> bench(two_rooms(), small_unicycle());
   const auto needed = bench.planner.bytes_required(bench.open.scene, bench.robot, bench.limits);
   ASSERT_TRUE(bench.init(needed).ok());
   std::uint64_t sum = 0;
@@ -31,8 +27,28 @@ TYPED_TEST(PlannerMemory, PoolsAddUpToTheBytesUsed) {
   EXPECT_GE(bench.planner.arena().needed(Pool::states), bench.limits.vertices * 3 * sizeof(float));
 }
 
-TYPED_TEST(PlannerMemory, OneByteLessIsTooSmallAndSaysHowManyAreNeeded) {
-  Bench<Unicycle, TypeParam> bench(two_rooms(), small_unicycle());
+// The same as with limits_for.
+TEST(PlannerMemory, WithoutAStatedNumberOfVerticesTheBlockIsSpent) {
+  constexpr std::uint64_t kBytes = 100'000;
+  Bench<Unicycle> bench(two_rooms(), small_unicycle());
+  for (const std::uint32_t way_legs : {0U, 64U}) {
+    bench.limits = bench.planner.limits_for(kBytes, bench.open.scene, bench.robot, way_legs);
+    ASSERT_TRUE(bench.init(kBytes).ok());
+    const std::uint64_t spent = bench.planner.arena().needed();
+    bench.limits.vertices = 0;
+    ASSERT_TRUE(bench.init(kBytes).ok());
+    EXPECT_EQ(bench.planner.arena().needed(), spent);
+    EXPECT_EQ(bench.solve({kStart}), Status::solved);
+    const Failure failure = bench.init(1000);
+    EXPECT_EQ(failure.status, Status::arena_too_small);
+    Limits least = bench.limits;
+    least.vertices = 2;
+    EXPECT_EQ(failure.bytes_needed, bench.planner.bytes_required(bench.open.scene, bench.robot, least));
+  }
+}
+
+TEST(PlannerMemory, OneByteLessIsTooSmallAndSaysHowManyAreNeeded) {
+  Bench<Unicycle> bench(two_rooms(), small_unicycle());
   const auto needed = bench.planner.bytes_required(bench.open.scene, bench.robot, bench.limits);
   for (const std::uint64_t bytes : {needed - 1, needed / 2, std::uint64_t{1}, std::uint64_t{0}}) {
     const Failure failure = bench.init(bytes);
@@ -41,13 +57,13 @@ TYPED_TEST(PlannerMemory, OneByteLessIsTooSmallAndSaysHowManyAreNeeded) {
   }
 }
 
-TYPED_TEST(PlannerMemory, NothingOutsideTheBlockIsWritten) {
-  Bench<Unicycle, TypeParam> bench(two_rooms(), small_unicycle());
+TEST(PlannerMemory, NothingOutsideTheBlockIsWritten) {
+  Bench<Unicycle> bench(two_rooms(), small_unicycle());
   bench.limits.vertices = 300;
   const auto needed = bench.planner.bytes_required(bench.open.scene, bench.robot, bench.limits);
   std::vector<std::uint64_t> block(needed / 8 + 64, 0x5151515151515151ULL);
   ASSERT_TRUE(
-      bench.planner.init(block.data() + 32, needed, bench.open.scene, bench.robot, bench.parameters, bench.limits)
+      bench.planner.init({block.data() + 32, needed, &bench.open.scene, bench.robot}, bench.parameters, bench.limits)
           .ok());
   for (const std::uint64_t seed : {1U, 2U, 3U}) bench.solve({kStart, Goal::named(0), seed});
   for (std::size_t i = 0; i < 32; ++i) {
@@ -56,52 +72,49 @@ TYPED_TEST(PlannerMemory, NothingOutsideTheBlockIsWritten) {
   }
 }
 
-TYPED_TEST(PlannerMemory, LimitsForFitAndAreTheMost) {
+TEST(PlannerMemory, LimitsForFitAndAreTheMost) {
   const OpenScene open(two_rooms());
   const Unicycle robot = small_unicycle();
-  using P = TypeParam;
   for (const std::uint64_t bytes : {20'000U, 65'536U, 131'072U, 1'000'003U, 67'108'864U}) {
-    Limits limits = P::limits_for(bytes, open.scene, robot);
-    EXPECT_LE(P::bytes_required(open.scene, robot, limits), bytes);
+    Limits limits = Planner::limits_for(bytes, open.scene, robot);
+    EXPECT_LE(Planner::bytes_required(open.scene, robot, limits), bytes);
     limits.vertices += 1;
-    EXPECT_GT(P::bytes_required(open.scene, robot, limits), bytes);
+    EXPECT_GT(Planner::bytes_required(open.scene, robot, limits), bytes);
   }
 }
 
-TYPED_TEST(PlannerMemory, MoreBytesNeverMeanFewerVertices) {
+TEST(PlannerMemory, MoreBytesNeverMeanFewerVertices) {
   const OpenScene open(two_rooms());
   const Unicycle robot = small_unicycle();
-  using P = TypeParam;
   std::uint32_t before = 2;
   for (std::uint64_t bytes = 0; bytes < 8'000'000; bytes += 1 + bytes / 97) {
-    const std::uint32_t vertices = P::limits_for(bytes, open.scene, robot).vertices;
+    const std::uint32_t vertices = Planner::limits_for(bytes, open.scene, robot).vertices;
     ASSERT_GE(vertices, before) << bytes;
     before = vertices;
   }
   EXPECT_GT(before, 100'000U);  // with indices of both widths
 }
 
-TYPED_TEST(PlannerMemory, MoreOfAnythingNeverNeedsFewerBytes) {
+TEST(PlannerMemory, MoreOfAnythingNeverNeedsFewerBytes) {
   const OpenScene open(two_rooms());
   const Unicycle robot = small_unicycle();
-  using P = TypeParam;
   std::uint64_t before = 0;
   for (std::uint32_t vertices = 2; vertices < 200'000; vertices += 1 + vertices / 50) {
     Limits limits;
     limits.vertices = vertices;
-    const std::uint64_t bytes = P::bytes_required(open.scene, robot, limits);
+    const std::uint64_t bytes = Planner::bytes_required(open.scene, robot, limits);
     ASSERT_GE(bytes, before) << vertices;
     ASSERT_EQ(bytes % 8, 0U);
     limits.expansions = limits.kept_expansions();
-    ASSERT_EQ(P::bytes_required(open.scene, robot, limits), bytes);
+    ASSERT_EQ(Planner::bytes_required(open.scene, robot, limits), bytes);
     limits.expansions += 100;
-    ASSERT_GE(P::bytes_required(open.scene, robot, limits), bytes + 1600);
+    ASSERT_GE(Planner::bytes_required(open.scene, robot, limits), bytes + 1600);
     before = bytes;
   }
 }
 
-TYPED_TEST(PlannerMemory, LimitsForAHugeBlockAreTheMostThatAPlannerTakes) {
-  TypeParam planner;
+TEST(PlannerMemory, LimitsForAHugeBlockAreTheMostThatAPlannerTakes) {
+  Planner planner;
   const OpenScene open(two_rooms());
   const Unicycle robot = small_unicycle();
   for (const std::uint64_t bytes : {std::uint64_t{1} << 34U, ~std::uint64_t{0}}) {
@@ -112,8 +125,8 @@ TYPED_TEST(PlannerMemory, LimitsForAHugeBlockAreTheMostThatAPlannerTakes) {
 }
 
 // From the tables alone to all of the block, as the tree grows.
-TYPED_TEST(PlannerMemory, BytesUsedGrowWithTheTreeUpToAllOfThem) {
-  Bench<Unicycle, TypeParam> bench(two_rooms(), small_unicycle());
+TEST(PlannerMemory, BytesUsedGrowWithTheTreeUpToAllOfThem) {
+  Bench<Unicycle> bench(two_rooms(), small_unicycle());
   bench.limits.vertices = 300;
   bench.limits.expansions = 100;
   bench.limits.when_full = WhenFull::stop;
@@ -136,20 +149,18 @@ TYPED_TEST(PlannerMemory, BytesUsedGrowWithTheTreeUpToAllOfThem) {
   EXPECT_GT(before, arena.needed() - tree_bytes / 2);
 }
 
-TYPED_TEST(PlannerMemory, LimitsForABlockThatIsTooSmallAreTheLeast) {
+TEST(PlannerMemory, LimitsForABlockThatIsTooSmallAreTheLeast) {
   const OpenScene open(two_rooms());
   const Unicycle robot = small_unicycle();
-  using P = TypeParam;
   for (const std::uint64_t bytes : {0U, 1U, 100U}) {
-    const Limits limits = P::limits_for(bytes, open.scene, robot);
+    const Limits limits = Planner::limits_for(bytes, open.scene, robot);
     EXPECT_EQ(limits.vertices, 2U);
-    EXPECT_GT(P::bytes_required(open.scene, robot, limits), bytes);
+    EXPECT_GT(Planner::bytes_required(open.scene, robot, limits), bytes);
   }
 }
 
-TYPED_TEST(PlannerMemory, BytesGrowWithVerticesAndWithTheRunTimeState) {
+TEST(PlannerMemory, BytesGrowWithVerticesAndWithTheRunTimeState) {
   const OpenScene open(two_rooms());
-  using P = TypeParam;
   ChainParameters small, large;
   small.trailers = 1;
   large.trailers = 15;
@@ -158,7 +169,7 @@ TYPED_TEST(PlannerMemory, BytesGrowWithVerticesAndWithTheRunTimeState) {
   many.vertices = 2000;
   const auto bytes = [&](const ChainParameters& p, const Limits& limits) {
     const Snake snake(p);
-    return P::bytes_required(open.scene, snake, limits);
+    return Planner::bytes_required(open.scene, snake, limits);
   };
   EXPECT_GE(bytes(small, many) - bytes(small, few), 1000U * 4 * 6);
   EXPECT_GE(bytes(large, few) - bytes(small, few), 1000U * 4 * 14);  // 14 floats a vertex more
@@ -166,13 +177,13 @@ TYPED_TEST(PlannerMemory, BytesGrowWithVerticesAndWithTheRunTimeState) {
   EXPECT_LE(bytes(large, few) - bytes(small, few), 1000U * 4 * 14 + 14U * (200 + 32) + 64);
 }
 
-TYPED_TEST(PlannerMemory, NullAndMisalignedBlocksAreBadArguments) {
-  Bench<Unicycle, TypeParam> bench(two_rooms(), small_unicycle());
+TEST(PlannerMemory, NullAndMisalignedBlocksAreBadArguments) {
+  Bench<Unicycle> bench(two_rooms(), small_unicycle());
   const auto needed = bench.planner.bytes_required(bench.open.scene, bench.robot, bench.limits);
   std::vector<std::uint64_t> block(needed / 8 + 2);
   auto* bytes = reinterpret_cast<unsigned char*>(block.data());
   const auto init = [&](void* at) {
-    return bench.planner.init(at, needed, bench.open.scene, bench.robot, bench.parameters, bench.limits);
+    return bench.planner.init({at, needed, &bench.open.scene, bench.robot}, bench.parameters, bench.limits);
   };
   const auto blames_block = [](const Failure& failure) {
     return failure.status == Status::bad_argument && failure.element == static_cast<std::uint32_t>(Argument::block);

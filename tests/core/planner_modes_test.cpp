@@ -11,10 +11,6 @@ namespace {
 
 constexpr float kStart[] = {2, 6, 0};
 
-template <class P>
-class PlannerModes : public ::testing::Test {};
-TYPED_TEST_SUITE(PlannerModes, Planners, PlannerNames);
-
 template <class R>
 double separation_of_state(const R& robot, const Scene& scene, const std::vector<float>& state) {
   return separation_of_state(robot, scene, rings_of_pieces(scene), doubles(state));
@@ -29,9 +25,9 @@ Room parted() {
   return room;
 }
 
-TYPED_TEST(PlannerModes, DiscreteChecksJumpOverWhatContinuousOnesSee) {
+TEST(PlannerModes, DiscreteChecksJumpOverWhatContinuousOnesSee) {
   for (const bool continuous : {true, false}) {
-    Bench<Slider, TypeParam> bench(parted(), Slider(0.5F, 12.0F));
+    Bench<Slider> bench(parted(), Slider(0.5F, 12.0F));
     bench.parameters.prune_portals = false;
     bench.parameters.continuous = continuous;
     bench.limits.iterations = 400;
@@ -45,8 +41,8 @@ TYPED_TEST(PlannerModes, DiscreteChecksJumpOverWhatContinuousOnesSee) {
   }
 }
 
-TYPED_TEST(PlannerModes, WithoutPruningADoorTooNarrowIsTriedInVain) {
-  Bench<Unicycle, TypeParam> bench(two_rooms(0.3), small_unicycle());
+TEST(PlannerModes, WithoutPruningADoorTooNarrowIsTriedInVain) {
+  Bench<Unicycle> bench(two_rooms(0.3), small_unicycle());
   bench.limits.iterations = 200;
   for (const bool prune : {true, false}) {
     bench.parameters.prune_portals = prune;
@@ -57,11 +53,11 @@ TYPED_TEST(PlannerModes, WithoutPruningADoorTooNarrowIsTriedInVain) {
 }
 
 // What shortcuts prove Box2D finds as well, and repaired costs are those of Dijkstra to the bit.
-TYPED_TEST(PlannerModes, OfStatesThatAreCheckedAloneThePlainWayGivesTheSamePlan) {
+TEST(PlannerModes, OfStatesThatAreCheckedAloneThePlainWayGivesTheSamePlan) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     std::uint64_t hashes[2], iterations[2];
     for (const bool plain : {true, false}) {
-      Bench<Unicycle, TypeParam> bench(two_rooms(0.8), small_unicycle());
+      Bench<Unicycle> bench(two_rooms(0.8), small_unicycle());
       bench.parameters.plain = plain;
       bench.parameters.continuous = false;
       bench.parameters.kappa = 1;
@@ -113,11 +109,11 @@ TEST(PlannerPaper, PlansThroughFreeStatesWithinTheLimits) {
 }
 
 // All of two large triangles is the goal's, so that no failure lies before another region.
-TYPED_TEST(PlannerModes, WhereEveryRegionMeetsTheGoalItIsFoundAndNoCostRises) {
+TEST(PlannerModes, WhereEveryRegionMeetsTheGoalItIsFoundAndNoCostRises) {
   Room room;
   room.bounds = {0, 0, 12, 8};
   room.spacing = 20;
-  Bench<Unicycle, TypeParam> bench(room, small_unicycle());
+  Bench<Unicycle> bench(room, small_unicycle());
   bench.parameters.stray_share = 0.95F;
   bench.parameters.kappa = 1;
   ASSERT_TRUE(bench.init().ok());
@@ -164,11 +160,11 @@ Unicycle arm() {
   return robot;
 }
 
-TYPED_TEST(PlannerModes, APositionOutsideItsBodyMayPassOverAnObstacle) {
+TEST(PlannerModes, APositionOutsideItsBodyMayPassOverAnObstacle) {
   Room room = two_rooms();
   const Rect post{1.5, 5.9, 1.75, 6.1};
   room.boxes.push_back(post);
-  Bench<Unicycle, TypeParam> bench(room, arm());
+  Bench<Unicycle> bench(room, arm());
   bench.parameters.reverse_share = 1.0F;
   bench.limits.iterations = 500;
   ASSERT_TRUE(bench.init().ok());
@@ -186,10 +182,10 @@ TYPED_TEST(PlannerModes, APositionOutsideItsBodyMayPassOverAnObstacle) {
   EXPECT_GT(least, 0.0);
 }
 
-TYPED_TEST(PlannerModes, APositionOnAnObstacleIsNoStart) {
+TEST(PlannerModes, APositionOnAnObstacleIsNoStart) {
   Room room = two_rooms();
   room.boxes.push_back({1.2, 5.8, 1.5, 6.2});
-  Bench<Unicycle, TypeParam> bench(room, arm());
+  Bench<Unicycle> bench(room, arm());
   ASSERT_TRUE(bench.init().ok());
   const float start[] = {1.35F, 6, 0};
   ASSERT_GT(separation_of_state(bench.robot, bench.open.scene, {start, start + 3}), 0.0);
@@ -197,9 +193,9 @@ TYPED_TEST(PlannerModes, APositionOnAnObstacleIsNoStart) {
 }
 
 // No disc around the position lies in the body: the one around the body's middle tells.
-TYPED_TEST(PlannerModes, NoRouteAtOnceThroughADoorNarrowerThanABodyThatIsElsewhere) {
+TEST(PlannerModes, NoRouteAtOnceThroughADoorNarrowerThanABodyThatIsElsewhere) {
   for (const double door : {0.35, 0.6}) {
-    Bench<Unicycle, TypeParam> bench(two_rooms(door), arm());
+    Bench<Unicycle> bench(two_rooms(door), arm());
     ASSERT_TRUE(bench.init().ok());
     EXPECT_EQ(bench.planner.start({kStart}), door < 0.4 ? Status::no_route : Status::searching) << door;
   }

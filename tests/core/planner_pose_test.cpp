@@ -206,20 +206,6 @@ TEST(PlannerPose, AStartThatIsThePoseIsThePlan) {
   EXPECT_GT(poses.bench().planner.statistics().plan_steps, 0U);
 }
 
-template <class P>
-class RivalsPose : public ::testing::Test {};
-using Rivals = ::testing::Types<PriorPlanner, RrtPlanner>;
-TYPED_TEST_SUITE(RivalsPose, Rivals, PlannerNames);
-
-TYPED_TEST(RivalsPose, RefuseOtherHeadings) {
-  Bench<Unicycle, TypeParam> bench(two_rooms(3), small_unicycle());
-  const std::vector<float> start = standing(bench.robot, {3, 4});
-  const Goal goal = Goal::pose(kPoint, 1, 0.5F * kPi, 0.5F);
-  ASSERT_TRUE(bench.init().ok());
-  ASSERT_EQ(bench.solve({start.data(), goal, 1}), Status::solved);
-  EXPECT_LE(excess(goal, Path(bench.planner.plan()).states.back(), 1), 0);
-}
-
 Status answer(const Goal& goal) {
   Poses<Car> poses{Car(Car::defaults())};
   EXPECT_TRUE(poses.bench().init().ok());

@@ -11,11 +11,9 @@ namespace {
 
 constexpr float kStart[] = {2, 6, 0};
 
-template <class P>
 class PlannerRecycling : public ::testing::Test {
  protected:
-  using TestBench = Bench<Unicycle, P>;
-  static constexpr bool kRecycles = !std::is_same_v<P, RrtPlanner>;
+  using TestBench = Bench<Unicycle>;
 
   // That a solved search has a plan from the start to the goal, driven without touching anything.
   static void expect_plan(const TestBench& bench) {
@@ -40,10 +38,9 @@ class PlannerRecycling : public ::testing::Test {
     ASSERT_EQ(std::vector<float>(tree.state(0), tree.state(0) + 3), std::vector<float>(kStart, kStart + 3));
   }
 };
-TYPED_TEST_SUITE(PlannerRecycling, Planners, PlannerNames);
 
-TYPED_TEST(PlannerRecycling, TheSmallestPoolsNeitherCrashNorHangNorLie) {
-  typename TestFixture::TestBench bench(two_rooms(), small_unicycle());
+TEST_F(PlannerRecycling, TheSmallestPoolsNeitherCrashNorHangNorLie) {
+  TestBench bench(two_rooms(), small_unicycle());
   bench.limits.iterations = 400;
   int solved = 0;
   for (const WhenFull when_full : {WhenFull::recycle, WhenFull::stop}) {
@@ -59,41 +56,33 @@ TYPED_TEST(PlannerRecycling, TheSmallestPoolsNeitherCrashNorHangNorLie) {
           ASSERT_LE(bench.planner.tree().expansions(), expansions);
           if (status == Status::solved) {
             ++solved;
-            this->expect_plan(bench);
+            expect_plan(bench);
           } else {
             ASSERT_TRUE(bench.planner.plan().empty());
             ASSERT_TRUE(status == Status::tree_full || status == Status::budget_used) << name(status);
-            const bool stops = when_full == WhenFull::stop || !TestFixture::kRecycles;
-            if (!stops) {
+            if (when_full == WhenFull::recycle) {
               ASSERT_EQ(status, Status::budget_used);
             }
-            this->expect_root_kept(bench);
+            expect_root_kept(bench);
           }
-          if (this->HasFatalFailure())
-            FAIL() << vertices << " vertices, " << expansions << " expansions, seed " << seed;
+          if (HasFatalFailure()) FAIL() << vertices << " vertices, " << expansions << " expansions, seed " << seed;
         }
       }
     }
   }
-  EXPECT_GE(solved, TestFixture::kRecycles ? 20 : 0);
+  EXPECT_GE(solved, 20);
 }
 
-// RRT keeps every state.
-template <class P>
-class PlannerGivingUp : public PlannerRecycling<P> {};
-using Grouped = ::testing::Types<Planner, PriorPlanner>;
-TYPED_TEST_SUITE(PlannerGivingUp, Grouped, PlannerNames);
-
-TYPED_TEST(PlannerGivingUp, GoesOnWhereStoppingWouldEnd) {
+TEST_F(PlannerRecycling, GoesOnWhereStoppingWouldEnd) {
   int recycled = 0, stopped = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    typename TestFixture::TestBench bench(two_rooms(1), small_unicycle());
+    TestBench bench(two_rooms(1), small_unicycle());
     bench.limits.vertices = 60;
     bench.limits.expansions = 30;
     ASSERT_TRUE(bench.init().ok());
     ASSERT_EQ(bench.solve({kStart, Goal::named(0), seed}), Status::solved) << seed;
-    this->expect_plan(bench);
-    if (this->HasFatalFailure()) return;
+    expect_plan(bench);
+    if (HasFatalFailure()) return;
     const Statistics statistics = bench.planner.statistics();
     EXPECT_LE(statistics.bytes_used, statistics.bytes_given);
     const bool gave_up = statistics.recycled > 0;
@@ -112,9 +101,9 @@ TYPED_TEST(PlannerGivingUp, GoesOnWhereStoppingWouldEnd) {
   EXPECT_GT(stopped, 5);
 }
 
-TYPED_TEST(PlannerRecycling, HowTheSearchIsCutDoesNotMatter) {
+TEST_F(PlannerRecycling, HowTheSearchIsCutDoesNotMatter) {
   for (const auto& [vertices, expansions] : {std::pair{2U, 2U}, {9U, 5U}, {60U, 20U}, {20U, 200U}}) {
-    typename TestFixture::TestBench whole(two_rooms(1), small_unicycle()), cut(two_rooms(1), small_unicycle());
+    TestBench whole(two_rooms(1), small_unicycle()), cut(two_rooms(1), small_unicycle());
     for (auto* bench : {&whole, &cut}) {
       bench->limits = {vertices, expansions, 600};
       ASSERT_TRUE(bench->init().ok());
@@ -141,8 +130,8 @@ TYPED_TEST(PlannerRecycling, HowTheSearchIsCutDoesNotMatter) {
 }
 
 // Every kept state is counted: those in the tree, and those given up.
-TYPED_TEST(PlannerGivingUp, WhatIsGivenUpIsCounted) {
-  typename TestFixture::TestBench bench(two_rooms(0.55), small_unicycle());
+TEST_F(PlannerRecycling, WhatIsGivenUpIsCounted) {
+  TestBench bench(two_rooms(0.55), small_unicycle());
   bench.limits = {50, 1000, 300};
   bench.parameters.group_sample = kUnboundedSample;
   ASSERT_TRUE(bench.init().ok());
@@ -155,12 +144,12 @@ TYPED_TEST(PlannerGivingUp, WhatIsGivenUpIsCounted) {
     before = now.recycled;
   }
   EXPECT_GT(before, 50U);
-  this->expect_root_kept(bench);
+  expect_root_kept(bench);
 }
 
 // Groups and tree agree on which vertices there are.
-TYPED_TEST(PlannerGivingUp, EveryVertexIsInOneGroup) {
-  typename TestFixture::TestBench bench(two_rooms(0.55), small_unicycle());
+TEST_F(PlannerRecycling, EveryVertexIsInOneGroup) {
+  TestBench bench(two_rooms(0.55), small_unicycle());
   bench.limits = {40, 15, 300};
   ASSERT_TRUE(bench.init().ok());
   ASSERT_EQ(bench.planner.start({kStart}), Status::searching);
@@ -168,7 +157,7 @@ TYPED_TEST(PlannerGivingUp, EveryVertexIsInOneGroup) {
     std::vector<int> seen(40);
     std::uint32_t members = 0;
     for (Index region = 0; region < bench.open.scene.triangle_count(); ++region) {
-      bench.planner.guide().for_each_vertex(region, [&](Index vertex) {
+      bench.planner.groups().for_each_vertex(region, [&](Index vertex) {
         ++seen.at(vertex);
         const float* state = bench.planner.tree().state(vertex);
         const Index triangle = locate(bench.open.scene, {state[0], state[1]});
@@ -182,14 +171,14 @@ TYPED_TEST(PlannerGivingUp, EveryVertexIsInOneGroup) {
   }
 }
 
-TYPED_TEST(PlannerRecycling, NothingOutsideTheBlockIsWrittenInTheSmallestPools) {
+TEST_F(PlannerRecycling, NothingOutsideTheBlockIsWrittenInTheSmallestPools) {
   for (const std::uint32_t size : {2U, 3U, 10U, 33U}) {
-    typename TestFixture::TestBench bench(two_rooms(1), small_unicycle());
+    TestBench bench(two_rooms(1), small_unicycle());
     bench.limits = {size, size, 200};
     const auto needed = bench.planner.bytes_required(bench.open.scene, bench.robot, bench.limits);
     std::vector<std::uint64_t> block(needed / 8 + 64, 0x5151515151515151ULL);
     ASSERT_TRUE(
-        bench.planner.init(block.data() + 32, needed, bench.open.scene, bench.robot, bench.parameters, bench.limits)
+        bench.planner.init({block.data() + 32, needed, &bench.open.scene, bench.robot}, bench.parameters, bench.limits)
             .ok());
     for (const std::uint64_t seed : {1U, 2U, 3U}) bench.solve({kStart, Goal::named(0), seed});
     for (std::size_t i = 0; i < 32; ++i) {

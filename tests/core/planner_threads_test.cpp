@@ -9,31 +9,29 @@ namespace {
 
 constexpr float kStart[] = {2, 6, 0};
 
-template <class P>
 class PlannerThreads : public ::testing::Test {
  protected:
-  using TestBench = Bench<Unicycle, P>;
+  using TestBench = Bench<Unicycle>;
 
   static std::uint64_t hash_of(TestBench& bench, std::uint64_t seed) {
     bench.solve({kStart, Goal::named(0), seed});
     return bench.planner.statistics().hash;
   }
 };
-TYPED_TEST_SUITE(PlannerThreads, Planners, PlannerNames);
 
-TYPED_TEST(PlannerThreads, PlanAsTheyDoAlone) {
+TEST_F(PlannerThreads, PlanAsTheyDoAlone) {
   constexpr std::uint64_t kThreads = 4, kQueries = 20;
   std::uint64_t alone[kThreads][kQueries], together[kThreads][kQueries];
-  std::vector<std::unique_ptr<typename TestFixture::TestBench>> benches;
+  std::vector<std::unique_ptr<TestBench>> benches;
   for (std::uint64_t i = 0; i < kThreads; ++i) {
-    benches.push_back(std::make_unique<typename TestFixture::TestBench>(two_rooms(), small_unicycle()));
+    benches.push_back(std::make_unique<TestBench>(two_rooms(), small_unicycle()));
     ASSERT_TRUE(benches.back()->init().ok());
-    for (std::uint64_t q = 0; q < kQueries; ++q) alone[i][q] = this->hash_of(*benches[i], 100 * i + q);
+    for (std::uint64_t q = 0; q < kQueries; ++q) alone[i][q] = hash_of(*benches[i], 100 * i + q);
   }
   std::vector<std::thread> threads;
   for (std::uint64_t i = 0; i < kThreads; ++i) {
     threads.emplace_back([&, i] {
-      for (std::uint64_t q = 0; q < kQueries; ++q) together[i][q] = TestFixture::hash_of(*benches[i], 100 * i + q);
+      for (std::uint64_t q = 0; q < kQueries; ++q) together[i][q] = hash_of(*benches[i], 100 * i + q);
     });
   }
   for (std::thread& thread : threads) thread.join();
@@ -43,10 +41,9 @@ TYPED_TEST(PlannerThreads, PlanAsTheyDoAlone) {
 }
 
 // The scene's bytes and the robot are shared; nobody writes to them.
-TYPED_TEST(PlannerThreads, ShareASceneAndARobot) {
+TEST_F(PlannerThreads, ShareASceneAndARobot) {
   const OpenScene open(two_rooms());
   const Unicycle robot = small_unicycle();
-  using P = TypeParam;
   Limits limits;
   limits.vertices = 20'000;
   std::uint64_t hashes[3] = {};
@@ -55,9 +52,9 @@ TYPED_TEST(PlannerThreads, ShareASceneAndARobot) {
     threads.emplace_back([&] {
       Scene scene;
       if (!Scene::open(open.bytes.data(), open.bytes.size(), scene).ok()) return;
-      std::vector<std::uint64_t> block(P::bytes_required(scene, robot, limits) / 8);
-      P planner;
-      EXPECT_TRUE(planner.init(block.data(), block.size() * 8, scene, robot, {}, limits).ok());
+      std::vector<std::uint64_t> block(Planner::bytes_required(scene, robot, limits) / 8);
+      Planner planner;
+      EXPECT_TRUE(planner.init({block.data(), block.size() * 8, &scene, robot}, {}, limits).ok());
       EXPECT_EQ(planner.start({kStart}), Status::searching);
       EXPECT_EQ(planner.advance(1'000'000), Status::solved);
       hash = planner.statistics().hash;

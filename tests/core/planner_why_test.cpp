@@ -205,8 +205,8 @@ TEST(PlannerWhy, TheEffortIsWhereMostExpansionsGrewFrom) {
   std::uint32_t most = 0;
   Index where = kNone;
   for (Index t = 0; t < bench.open.scene.triangle_count(); ++t) {
-    if (bench.planner.guide().selections(t) <= most) continue;
-    most = bench.planner.guide().selections(t);
+    if (bench.planner.groups().selections(t) <= most) continue;
+    most = bench.planner.groups().selections(t);
     where = t;
   }
   EXPECT_EQ(effort.tries, most);

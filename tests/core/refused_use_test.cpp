@@ -16,22 +16,13 @@ constexpr bool kStaysInPlace =
     !std::is_copy_constructible_v<P> && !std::is_copy_assignable_v<P> && !std::is_move_constructible_v<P> &&
     !std::is_move_assignable_v<P> && std::is_default_constructible_v<P>;
 static_assert(kStaysInPlace<Planner>);
-static_assert(kStaysInPlace<PriorPlanner>);
-static_assert(kStaysInPlace<RrtPlanner>);
 
-// Whether a planner can be initialised with a scene and a robot of these value categories.
-template <class P, class S, class R>
-concept Initialises = requires(P& planner, void* block, S&& scene, R&& robot, Parameters parameters, Limits limits) {
-  planner.init(block, 0, std::forward<S>(scene), std::forward<R>(robot), parameters, limits);
+// Whether a planner can be initialised with a robot of this value category. A scene is given by its address.
+template <class R>
+concept Initialises = requires(Planner& planner, const Scene& scene, R&& robot) {
+  planner.init({nullptr, 0, &scene, std::forward<R>(robot)});
 };
-template <class P>
-constexpr bool kKeepsNoTemporary =
-    Initialises<P, const Scene&, const Car&>&& Initialises<P, Scene&, Car&> && !Initialises<P, Scene, Car&> &&
-    !Initialises<P, const Scene, const Car&> && !Initialises<P, Scene&, Car> && !Initialises<P, Scene&, const Car> &&
-    !Initialises<P, Scene, Car>;
-static_assert(kKeepsNoTemporary<Planner>);
-static_assert(kKeepsNoTemporary<PriorPlanner>);
-static_assert(kKeepsNoTemporary<RrtPlanner>);
+static_assert(Initialises<Car&> && Initialises<const Car&> && !Initialises<Car> && !Initialises<const Car>);
 
 template <class S, class R>
 concept Checks = requires(MotionCheck check, S&& scene, R&& robot) {

@@ -5,7 +5,7 @@
 void plan(krait::Planner& planner, const krait::Scene& scene, const krait::Unicycle& robot) {
   krait::Scene opened;
   krait::Scene::open(nullptr, 0, opened);
-  planner.init(nullptr, 0, scene, robot, krait::Parameters(), krait::Limits());
+  planner.init({nullptr, 0, &scene, robot});
   planner.start(krait::Query());
   planner.advance(1);
   planner.advance(1, [](const float*, const float*) {});

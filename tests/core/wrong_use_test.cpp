@@ -35,17 +35,13 @@ void expect_holds(const R& robot, const Scene& scene, const Plan& plan, int part
   }
 }
 
-template <class P>
-class WrongUse : public ::testing::Test {};
-TYPED_TEST_SUITE(WrongUse, Planners, PlannerNames);
-
-TYPED_TEST(WrongUse, ABlockOfEverySizeUpToEnough) {
-  Bench<Unicycle, TypeParam> bench(two_rooms(), small_unicycle());
+TEST(WrongUse, ABlockOfEverySizeUpToEnough) {
+  Bench<Unicycle> bench(two_rooms(), small_unicycle());
   bench.limits.vertices = 2;
   const std::uint64_t needed = bench.planner.bytes_required(bench.open.scene, bench.robot, bench.limits);
   std::vector<std::uint64_t> block(needed / 8 + 2, 0x5151515151515151ULL);
   const auto init = [&](std::uint64_t bytes) {
-    return bench.planner.init(block.data(), bytes, bench.open.scene, bench.robot, bench.parameters, bench.limits);
+    return bench.planner.init({block.data(), bytes, &bench.open.scene, bench.robot}, bench.parameters, bench.limits);
   };
   for (std::uint64_t bytes = 0; bytes < needed; ++bytes) {
     const Failure failure = init(bytes);
@@ -59,8 +55,8 @@ TYPED_TEST(WrongUse, ABlockOfEverySizeUpToEnough) {
   EXPECT_EQ(bench.planner.start({kStart}), Status::searching);
 }
 
-TYPED_TEST(WrongUse, AFailedInitTakesNoMemoryAndALaterOneWorks) {
-  Bench<Unicycle, TypeParam> bench(two_rooms(), small_unicycle());
+TEST(WrongUse, AFailedInitTakesNoMemoryAndALaterOneWorks) {
+  Bench<Unicycle> bench(two_rooms(), small_unicycle());
   ASSERT_TRUE(bench.init().ok());
   bench.parameters.gamma = kNan;
   ASSERT_EQ(bench.init().status, Status::bad_argument);
@@ -71,8 +67,8 @@ TYPED_TEST(WrongUse, AFailedInitTakesNoMemoryAndALaterOneWorks) {
 }
 
 // At one vertex less than a search used, at exactly as many, and at one more.
-TYPED_TEST(WrongUse, ATreeOfOneVertexLessAndOfOneMore) {
-  Bench<Unicycle, TypeParam> bench(two_rooms(), small_unicycle());
+TEST(WrongUse, ATreeOfOneVertexLessAndOfOneMore) {
+  Bench<Unicycle> bench(two_rooms(), small_unicycle());
   bench.limits.expansions = 10'000;
   bench.limits.when_full = WhenFull::stop;
   ASSERT_TRUE(bench.init().ok());
@@ -97,8 +93,8 @@ TYPED_TEST(WrongUse, ATreeOfOneVertexLessAndOfOneMore) {
 }
 
 // A budget that ends one expansion before the solution, at it, and after.
-TYPED_TEST(WrongUse, ABudgetOfOneLessAndOfOneMore) {
-  Bench<Unicycle, TypeParam> bench(two_rooms(), small_unicycle());
+TEST(WrongUse, ABudgetOfOneLessAndOfOneMore) {
+  Bench<Unicycle> bench(two_rooms(), small_unicycle());
   ASSERT_TRUE(bench.init().ok());
   ASSERT_EQ(bench.solve({kStart}), Status::solved);
   const std::uint64_t used = bench.planner.statistics().iterations;
@@ -109,15 +105,14 @@ TYPED_TEST(WrongUse, ABudgetOfOneLessAndOfOneMore) {
   }
 }
 
-TYPED_TEST(WrongUse, ASceneThatWasNeverOpenedHoldsNoStart) {
+TEST(WrongUse, ASceneThatWasNeverOpenedHoldsNoStart) {
   const Scene scene;
   const Unicycle robot = small_unicycle();
-  using P = TypeParam;
-  P planner;
+  Planner planner;
   Limits limits;
   limits.vertices = 100;
-  std::vector<std::uint64_t> block(P::bytes_required(scene, robot, limits) / 8 + 1);
-  (void)planner.init(block.data(), block.size() * 8, scene, robot, {}, limits);
+  std::vector<std::uint64_t> block(Planner::bytes_required(scene, robot, limits) / 8 + 1);
+  (void)planner.init({block.data(), block.size() * 8, &scene, robot}, {}, limits);
   const float start[] = {0, 0, 0};
   for (const Goal& goal : {Goal::named(0), Goal::disc({0, 0}, 1)}) {
     (void)planner.start({start, goal});
@@ -128,59 +123,35 @@ TYPED_TEST(WrongUse, ASceneThatWasNeverOpenedHoldsNoStart) {
 }
 
 // Each parameter at both ends of its range, alone: the search ends, and a plan holds.
-TYPED_TEST(WrongUse, ParametersAtTheEndsOfTheirRangesPlanOrEnd) {
-  const std::function<void(Parameters&)> extremes[] = {[](Parameters& p) { p.alpha = 1; },
-                                                       [](Parameters& p) { p.alpha = 64; },
-                                                       [](Parameters& p) { p.beta = 1e-30F; },
-                                                       [](Parameters& p) { p.beta = std::nextafter(1.0F, 0.0F); },
-                                                       [](Parameters& p) { p.epsilon = 1e-38F; },
-                                                       [](Parameters& p) { p.epsilon = 1; },
-                                                       [](Parameters& p) { p.gamma = 1e-38F; },
-                                                       [](Parameters& p) { p.gamma = 1e6F; },
-                                                       [](Parameters& p) { p.cost_length = 0; },
-                                                       [](Parameters& p) { p.cost_length = 10; },
-                                                       [](Parameters& p) { p.kappa = 1; },
-                                                       [](Parameters& p) { p.kappa = 10000; },
-                                                       [](Parameters& p) { p.update_regions = 0; },
-                                                       [](Parameters& p) { p.update_regions = 1; },
-                                                       [](Parameters& p) { p.dt = 0.001F; },
-                                                       [](Parameters& p) { p.dt = 1; },
-                                                       [](Parameters& p) { p.max_steps = 1; },
-                                                       [](Parameters& p) { p.max_steps = 1000; },
-                                                       [](Parameters& p) { p.open_steps = 0; },
-                                                       [](Parameters& p) { p.open_steps = 1000; },
-                                                       [](Parameters& p) { p.path_regions = 1; },
-                                                       [](Parameters& p) { p.path_regions = 64; },
-                                                       [](Parameters& p) { p.near_radius = 0; },
-                                                       [](Parameters& p) { p.near_radius = 10; },
-                                                       [](Parameters& p) { p.stray_share = 1; },
-                                                       [](Parameters& p) { p.gentle_share = 1; },
-                                                       [](Parameters& p) { p.sight_tries = 0; },
-                                                       [](Parameters& p) { p.sight_tries = 64; },
-                                                       [](Parameters& p) { p.candidates = 0; },
-                                                       [](Parameters& p) { p.candidates = 8; },
-                                                       [](Parameters& p) { p.least_sketch = 0; },
-                                                       [](Parameters& p) { p.least_sketch = 20; },
-                                                       [](Parameters& p) { p.doomed_steps = 0; },
-                                                       [](Parameters& p) { p.doomed_steps = 3; },
-                                                       [](Parameters& p) { p.restart_unit = 0; },
-                                                       [](Parameters& p) { p.restart_unit = 1; },
-                                                       [](Parameters& p) { p.slowest = 0.05F; },
-                                                       [](Parameters& p) { p.slowest = 1; },
-                                                       [](Parameters& p) { p.reverse_share = 1; },
-                                                       [](Parameters& p) { p.clearance = 0; },
-                                                       [](Parameters& p) { p.clearance = 10; },
-                                                       [](Parameters& p) { p.max_substeps = 1; },
-                                                       [](Parameters& p) { p.max_substeps = 64; },
-                                                       [](Parameters& p) { p.goal_margin = 0; },
-                                                       [](Parameters& p) { p.goal_margin = 10; },
-                                                       [](Parameters& p) { p.prior.epsilon = 1e-30F; },
-                                                       [](Parameters& p) { p.prior.path_share = 0; },
-                                                       [](Parameters& p) { p.rrt.goal_share = 1; }};
+TEST(WrongUse, ParametersAtTheEndsOfTheirRangesPlanOrEnd) {
+  const std::function<void(Parameters&)> extremes[] = {
+      [](Parameters& p) { p.alpha = 1; },          [](Parameters& p) { p.alpha = 64; },
+      [](Parameters& p) { p.beta = 1e-30F; },      [](Parameters& p) { p.beta = std::nextafter(1.0F, 0.0F); },
+      [](Parameters& p) { p.epsilon = 1e-38F; },   [](Parameters& p) { p.epsilon = 1; },
+      [](Parameters& p) { p.gamma = 1e-38F; },     [](Parameters& p) { p.gamma = 1e6F; },
+      [](Parameters& p) { p.cost_length = 0; },    [](Parameters& p) { p.cost_length = 10; },
+      [](Parameters& p) { p.kappa = 1; },          [](Parameters& p) { p.kappa = 10000; },
+      [](Parameters& p) { p.update_regions = 0; }, [](Parameters& p) { p.update_regions = 1; },
+      [](Parameters& p) { p.dt = 0.001F; },        [](Parameters& p) { p.dt = 1; },
+      [](Parameters& p) { p.max_steps = 1; },      [](Parameters& p) { p.max_steps = 1000; },
+      [](Parameters& p) { p.open_steps = 0; },     [](Parameters& p) { p.open_steps = 1000; },
+      [](Parameters& p) { p.path_regions = 1; },   [](Parameters& p) { p.path_regions = 64; },
+      [](Parameters& p) { p.near_radius = 0; },    [](Parameters& p) { p.near_radius = 10; },
+      [](Parameters& p) { p.stray_share = 1; },    [](Parameters& p) { p.gentle_share = 1; },
+      [](Parameters& p) { p.sight_tries = 0; },    [](Parameters& p) { p.sight_tries = 64; },
+      [](Parameters& p) { p.candidates = 0; },     [](Parameters& p) { p.candidates = 8; },
+      [](Parameters& p) { p.least_sketch = 0; },   [](Parameters& p) { p.least_sketch = 20; },
+      [](Parameters& p) { p.doomed_steps = 0; },   [](Parameters& p) { p.doomed_steps = 3; },
+      [](Parameters& p) { p.restart_unit = 0; },   [](Parameters& p) { p.restart_unit = 1; },
+      [](Parameters& p) { p.slowest = 0.05F; },    [](Parameters& p) { p.slowest = 1; },
+      [](Parameters& p) { p.reverse_share = 1; },  [](Parameters& p) { p.clearance = 0; },
+      [](Parameters& p) { p.clearance = 10; },     [](Parameters& p) { p.max_substeps = 1; },
+      [](Parameters& p) { p.max_substeps = 64; },  [](Parameters& p) { p.goal_margin = 0; },
+      [](Parameters& p) { p.goal_margin = 10; }};
   int solved = 0;
   for (std::size_t i = 0; i < std::size(extremes); ++i) {
     SCOPED_TRACE(i);
-    Bench<Unicycle, TypeParam> bench(two_rooms(), small_unicycle());
+    Bench<Unicycle> bench(two_rooms(), small_unicycle());
     extremes[i](bench.parameters);
     bench.limits.iterations = 300;
     ASSERT_TRUE(bench.init().ok());
@@ -244,10 +215,10 @@ class Faulty : public Slider {
 };
 
 // Where a fault begins at the wall, no plan leads through; where it is none, one does.
-TYPED_TEST(WrongUse, ARobotThatBreaksItsWordGetsNoPlanThroughTheFault) {
+TEST(WrongUse, ARobotThatBreaksItsWordGetsNoPlanThroughTheFault) {
   for (int fault = 0; fault <= static_cast<int>(Fault::never_within_limits); ++fault) {
     SCOPED_TRACE(fault);
-    Bench<Faulty, TypeParam> bench(two_rooms(), Faulty(static_cast<Fault>(fault), 5.0F));
+    Bench<Faulty> bench(two_rooms(), Faulty(static_cast<Fault>(fault), 5.0F));
     bench.limits.iterations = 500;
     ASSERT_TRUE(bench.init().ok());
     const float start[] = {2, 6};
@@ -267,14 +238,14 @@ TYPED_TEST(WrongUse, ARobotThatBreaksItsWordGetsNoPlanThroughTheFault) {
   }
 }
 
-TYPED_TEST(WrongUse, ARobotThatIsFaultyAtTheStartCannotStart) {
+TEST(WrongUse, ARobotThatIsFaultyAtTheStartCannotStart) {
   for (const Fault fault : {Fault::place_nan, Fault::place_nan_heading}) {
-    Bench<Faulty, TypeParam> bench(two_rooms(), Faulty(fault, 0.0F));
+    Bench<Faulty> bench(two_rooms(), Faulty(fault, 0.0F));
     ASSERT_TRUE(bench.init().ok());
     const float start[] = {2, 6};
     EXPECT_EQ(bench.planner.start({start}), Status::start_in_collision);
   }
-  Bench<Faulty, TypeParam> bench(two_rooms(), Faulty(Fault::never_within_limits, 0.0F));
+  Bench<Faulty> bench(two_rooms(), Faulty(Fault::never_within_limits, 0.0F));
   ASSERT_TRUE(bench.init().ok());
   const float start[] = {2, 6};
   EXPECT_EQ(bench.planner.start({start}), Status::bad_argument);
@@ -299,7 +270,7 @@ std::vector<Vec2> regular(int corners) {
   return vertices;
 }
 
-TYPED_TEST(WrongUse, ADegenerateBodyIsRefused) {
+TEST(WrongUse, ADegenerateBodyIsRefused) {
   std::vector<Vec2> clockwise = regular(5);
   std::reverse(clockwise.begin(), clockwise.end());
   const std::vector<Vec2> bodies[] = {{},
@@ -316,21 +287,21 @@ TYPED_TEST(WrongUse, ADegenerateBodyIsRefused) {
                                       clockwise,
                                       regular(9)};
   for (std::size_t i = 0; i < std::size(bodies); ++i) {
-    Bench<Shaped, TypeParam> bench(two_rooms(), Shaped(bodies[i]));
+    Bench<Shaped> bench(two_rooms(), Shaped(bodies[i]));
     const Failure failure = bench.init(1'000'000);
     EXPECT_EQ(failure.status, Status::bad_robot) << i;
     EXPECT_EQ(failure.element, blame(Argument::robot_polygon)) << i;
     const float start[] = {2, 6};
     EXPECT_EQ(bench.planner.start({start}), Status::bad_robot) << i;
   }
-  Bench<Shaped, TypeParam> bench(two_rooms(), Shaped(regular(8)));
+  Bench<Shaped> bench(two_rooms(), Shaped(regular(8)));
   EXPECT_TRUE(bench.init().ok());
 }
 
 // NaN and infinity in every component of every robot's start.
-template <class P, class R>
+template <class R>
 void expect_bad_starts(const R& robot) {
-  Bench<R, P> bench(two_rooms(), robot);
+  Bench<R> bench(two_rooms(), robot);
   bench.limits.vertices = 100;
   ASSERT_TRUE(bench.init().ok());
   for (int i = 0; i < robot.state_size(); ++i) {
@@ -348,19 +319,19 @@ void expect_bad_starts(const R& robot) {
   }
 }
 
-TYPED_TEST(WrongUse, NoStartWithANumberThatIsNone) {
+TEST(WrongUse, NoStartWithANumberThatIsNone) {
   ChainParameters p;
   p.trailers = 2;
-  expect_bad_starts<TypeParam>(Snake(p));
-  expect_bad_starts<TypeParam>(Truck(p));
-  expect_bad_starts<TypeParam>(Car({}));
-  expect_bad_starts<TypeParam>(small_unicycle());
-  expect_bad_starts<TypeParam>(DifferentialDrive({}));
+  expect_bad_starts(Snake(p));
+  expect_bad_starts(Truck(p));
+  expect_bad_starts(Car({}));
+  expect_bad_starts(small_unicycle());
+  expect_bad_starts(DifferentialDrive({}));
 }
 
-TYPED_TEST(WrongUse, GoalsAtTheEndsOfAllNumbersEnd) {
+TEST(WrongUse, GoalsAtTheEndsOfAllNumbersEnd) {
   for (const float radius : {1e-38F, 1e-4F, 1e4F, 3e38F}) {
-    Bench<Unicycle, TypeParam> bench(two_rooms(), small_unicycle());
+    Bench<Unicycle> bench(two_rooms(), small_unicycle());
     bench.limits.iterations = 50;
     ASSERT_TRUE(bench.init().ok());
     const Status status = bench.solve({kStart, Goal::disc({10, 6}, radius)});

@@ -33,12 +33,12 @@ class Watch {
     Expansion& e = *expansion_;
     e.begun = true;
     for (Index r = 0; r < selections_->size(); ++r) {
-      if (planner_->guide().selections(r) == (*selections_)[r]) continue;
+      if (planner_->groups().selections(r) == (*selections_)[r]) continue;
       e.group = r;
-      e.selected += planner_->guide().selections(r) - (*selections_)[r];
+      e.selected += planner_->groups().selections(r) - (*selections_)[r];
     }
     e.vertex = vertex;
-    planner_->guide().for_each_vertex(e.group, [&](Index member) { e.members.push_back(member); });
+    planner_->groups().for_each_vertex(e.group, [&](Index member) { e.members.push_back(member); });
     e.target = target;
     e.path.push_back(position(planner_->tree().state(vertex)));
   }

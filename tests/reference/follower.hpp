@@ -103,7 +103,7 @@ class Follower {
 
   std::vector<std::uint32_t> core_selections() const {
     std::vector<std::uint32_t> selections;
-    for (Index r = 0; r < scene_->triangle_count(); ++r) selections.push_back(planner_->guide().selections(r));
+    for (Index r = 0; r < scene_->triangle_count(); ++r) selections.push_back(planner_->groups().selections(r));
     return selections;
   }
 
@@ -264,8 +264,8 @@ class Follower {
       } else {
         ASSERT_NEAR(core, regions_.h(r), kRounding * (1 + regions_.h(r))) << "iteration " << iterations_ << ", " << r;
       }
-      ASSERT_EQ(planner_->guide().reached(r), reached_[r]) << "iteration " << iterations_ << ", region " << r;
-      ASSERT_EQ(planner_->guide().size(r), std::min(reached_[r], rules_.sample));
+      ASSERT_EQ(planner_->groups().reached(r), reached_[r]) << "iteration " << iterations_ << ", region " << r;
+      ASSERT_EQ(planner_->groups().size(r), std::min(reached_[r], rules_.sample));
     }
   }
 

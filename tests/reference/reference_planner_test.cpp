@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Searches followed by a second planner that is written from the paper alone: every decision is held against it.
 #include "choices.hpp"
+#include "rivals.hpp"
 
 namespace krait::test::reference {
 namespace {
@@ -74,7 +75,7 @@ Shares shares_of(const Parameters& p) {
 // The planner of prior work: Algorithm 2's other choices, and costs that never change.
 Rules rules_of_prior(const Parameters& p, double length, double inner_radius) {
   Rules rules = rules_of(p, length, inner_radius);
-  rules.epsilon = double{p.prior.epsilon};
+  rules.epsilon = double{rivals::PriorParameters().epsilon};
   rules.gamma = 0;
   rules.doomed_steps = 0;
   rules.restart_unit = 0;
@@ -83,13 +84,14 @@ Rules rules_of_prior(const Parameters& p, double length, double inner_radius) {
 }
 
 Shares shares_of_prior(const Parameters& p) {
+  const rivals::PriorParameters prior;
   Shares shares = shares_of(p);
-  shares.path_regions = p.prior.path_regions;
-  shares.slowest = double{kRivalsSlowest};
-  shares.ahead = double{p.prior.path_share};
-  shares.goal = double{p.prior.goal_share};
+  shares.path_regions = prior.path_regions;
+  shares.slowest = double{rivals::kRivalsSlowest};
+  shares.ahead = double{prior.path_share};
+  shares.goal = double{prior.goal_share};
   shares.strays_in_bounds = false;
-  shares.nearest = double{p.prior.nearest_share};
+  shares.nearest = double{prior.nearest_share};
   return shares;
 }
 

@@ -17,7 +17,6 @@ enum class Pool : std::uint8_t {
   states,
   expansions,
   members,
-  nearest,
   improvement,
   work,  // arrays of the robot's sizes, by body and component
   count

@@ -8,7 +8,8 @@
 
 namespace krait {
 
-// Refers to a robot that must outlive it; made by whatever takes one from any robot. Its sizes are those at that time.
+// Refers to a robot that must outlive it, or to none; made by whatever takes one from any robot. Its sizes are those at
+// that time.
 // What a member does is said of the one of its name in robot_model.hpp; states have state_size() floats, controls
 // control_size().
 class Robot {
@@ -30,19 +31,19 @@ class Robot {
   int control_size() const { return control_size_; }
   int body_count() const { return body_count_; }
   int self_collision_gap() const { return functions_->self_collision_gap(self_); }
-  bool sound() const { return functions_->sound(self_); }
+  bool sound() const { return functions_ == nullptr || functions_->sound(self_); }
   bool reversible() const { return functions_->reversible(self_); }
   Polygon body(int k) const { return functions_->body(self_, k); }
 
   // Whether the sizes are within the model's.
   bool fits() const {
-    return state_size_ >= 2 && state_size_ <= functions_->max_state && control_size_ >= 1 &&
+    return functions_ != nullptr && state_size_ >= 2 && state_size_ <= functions_->max_state && control_size_ >= 1 &&
            control_size_ <= functions_->max_control && body_count_ >= 1 && body_count_ <= functions_->max_bodies;
   }
   bool leads() const { return functions_->leads; }
   bool has_speed() const { return functions_->has_speed; }
   // Whether the robot was compiled with the library's arithmetic.
-  bool exact() const { return functions_->exact(self_); }
+  bool exact() const { return functions_ == nullptr || functions_->exact(self_); }
   bool answers_proven() const { return functions_->answers_proven; }
 
   void place(const float* s, Pose* poses) const { functions_->place(self_, s, state_size_, poses); }

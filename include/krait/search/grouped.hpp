@@ -13,15 +13,9 @@ struct Effort {
   std::uint32_t tries = 0;  // expansions from there since the search last began anew; 0: none
 };
 
-// `Guide` is Groups or has them as its base.
-template <class Derived, class Guide>
-class GroupedSearch : public Search<Derived, Guide> {
-  using Base = Search<Derived, Guide>;
-
+class GroupedSearch : public Search {
  public:
-  // Puts the state into its region's group, if the group's sample has a place for it and there is room. False when the
-  // search has to stop for want of memory.
-  bool keep(Index region, Branch branch, const float* state);
+  const Groups& groups() const { return groups_; }
 
   // Where a search that has started has made most of its expansions, the first among equals. O(R).
   Effort effort() const;
@@ -31,10 +25,27 @@ class GroupedSearch : public Search<Derived, Guide> {
   float cost_to_go() const;
 
  protected:
+  GroupedSearch() = default;
+  ~GroupedSearch() = default;
+
+  // Search::shared_bytes and the groups'.
+  static std::uint64_t grouped_bytes(const Scene& scene, const Robot& robot, const Limits& limits);
+
+  // After Search::take_block.
+  void take_groups() { groups_.take(arena_, *scene_, limits_.vertices); }
+
+  // As Keeper has it: puts the state into its region's group, if the group's sample has a place for it and there is
+  // room. False when the search has to stop for want of memory.
+  bool keep(Index region, Branch branch, const float* state);
+
   // Makes sure that the tree has room for an expansion. False, and the search has ended, when it has not.
   bool room_for_expansion();
 
+  Groups groups_;
+
  private:
+  friend class Keeper;
+
   // Empties the group that helps least if it helps less than the region's. False when there is none such.
   bool make_room_for(Index region);
 

@@ -8,34 +8,49 @@
 
 namespace krait {
 
-// By what the planner chooses where to grow: groups, and sketches of the ways from their members.
-struct PlannerGuide : Groups {
-  void take_work(Arena& arena, const Robot& robot) { sketcher.take(arena, robot); }
+class Planner : public GroupedSearch {
+ public:
+  // Bytes of the block that init needs. The same on every target. O(1).
+  static std::uint64_t bytes_required(const Scene& scene, const Robot& robot, const Limits& limits);
 
-  Sketcher sketcher;
-};
+  // The limits that spend a block of `bytes` best: as many vertices and expansions as fit beside `way_legs` legs, at
+  // least 2. O(1).
+  static Limits limits_for(std::uint64_t bytes, const Scene& scene, const Robot& robot, std::uint32_t way_legs = 0);
 
-class Planner : public GroupedSearch<Planner, PlannerGuide> {
-  using Base = GroupedSearch<Planner, PlannerGuide>;
-  using Expansion = Base::Expansion;
-  using Expanded = Base::Expanded;
-  template <class, class>
-  friend class Search;
+  // Cuts the block up: as many vertices as fit where the limits state none. Copies parameters and limits. Returns ok,
+  // or why not: bad_arithmetic, bad_argument (a scene that was not opened, too), bad_robot, arena_too_small. May be
+  // called again.
+  [[nodiscard]] Failure init(const Setup& setup, const Parameters& parameters = {}, const Limits& limits = {});
 
+  // Begins a search, ending any other. Returns searching; or solved, when a plan may end with the start; or no_route,
+  // goal_in_obstacle, start_outside, start_in_collision, bad_argument; bad_scene, when the scene is found to be another
+  // than at init (Scene::fingerprint); after an init that failed, what that one returned. Work: a Dijkstra, 2,730
+  // distances.
+  [[nodiscard]] Status start(const Query& query);
+
+  // At most `iterations` expansions more; returns at once when the search has ended. Where an expansion comes so near
+  // to the goal that braking may end there, it brakes, and from every fourth state near a pose it drives the shortest
+  // few of at most 216 lines to it (last_metres.hpp); such steps count as steps of the expansion for the work of a
+  // call, and it goes on where they lead to nothing. A way that has reached the goal is driven once more before it is
+  // returned as a plan: up to max_steps steps of it count as one of `iterations` here, but not in Statistics and
+  // Limits. The result does not depend on how a search is cut into calls.
+  [[nodiscard]] Status advance(std::uint64_t iterations) { return advance(iterations, Watch()); }
+
+  // The same, and calls watch(from, to), states, for every step that the tree grows by; before an expansion
+  // watch.expands(vertex, target), where there is such a member.
+  [[nodiscard]] Status advance(std::uint64_t iterations, const Watch& watch);
+
+ private:
   static constexpr float kSketchTime = 2.0F;   // of a sketched step, in time steps, at most
   static constexpr float kSketchRate = 0.65F;  // a sketched step times the robot's fastest rate, at most
   static constexpr float kSightRoom = 1.6F;    // of a line of sight, in radii of the bodies' discs
   static constexpr float kSightStep = 0.4F;    // of looks along it, in lengths of body 0
 
-  void reset_guide();
-  // Seconds.
+  // No groups, and no long expansion.
+  void forget();
+
+  // Of a sketched step, seconds.
   float sketched_step() const;
-  std::uint32_t restart_unit() const { return parameters_.restart_unit; }
-  std::uint32_t doomed_steps() const { return parameters_.doomed_steps; }
-  std::uint32_t open_steps() const { return parameters_.open_steps; }
-  float slowest() const { return parameters_.slowest; }
-  float end_speed() const { return parameters_.end_speed; }
-  static bool shoots() { return true; }
 
   // Algorithm 1, lines 4 to 13.
   void iterate(const Watch& watch);
@@ -74,15 +89,12 @@ class Planner : public GroupedSearch<Planner, PlannerGuide> {
   // Algorithm 1, line 12.
   void update_costs();
 
+  Sketcher sketcher_;
+  Sight sight_;
   bool raised_ = false;
   bool goes_on_ = false;  // whether the last expansion is a long one that has not ended
   Index group_ = kNone;   // that it grows from
-  Sight sight_;
   Way ways_[Parameters::kMostCandidates];
 };
-
-// Compiled once, in the library.
-extern template class Search<Planner, PlannerGuide>;
-extern template class GroupedSearch<Planner, PlannerGuide>;
 
 }  // namespace krait

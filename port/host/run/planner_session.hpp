@@ -7,8 +7,6 @@
 
 #include "host/run/session.hpp"
 #include "krait/search/planner.hpp"
-#include "krait/search/prior.hpp"
-#include "krait/search/rrt.hpp"
 
 namespace krait::host {
 
@@ -27,7 +25,7 @@ class PlannerSession : public Session {
       : core_(request.robot), robot_(core_.view()), query_(resolve(scene, robot_, request)) {
     Limits limits = P::limits_for(request.memory, scene, robot_, way_legs(request));
     limits.iterations = request.iterations;
-    refuse(planner_.init(block.data(), request.memory, scene, robot_, request.parameters, limits), request);
+    refuse(planner_.init({block.data(), request.memory, &scene, robot_}, request.parameters, limits), request);
     (void)planner_.start({query_.start.data(), query_.goal, request.seed});
     refuse(planner_.failure(), request);
     if (planner_.status() == Status::start_in_collision) refuse(planner_.contact(), scene, request);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "host/rivals/prior.hpp"
+#include "host/rivals/rrt.hpp"
 #include "host/run/planner_session.hpp"
 #include "host/run/why.hpp"
 #include "host/workspace/printed.hpp"
@@ -74,8 +76,8 @@ std::uint32_t way_legs(const SearchRequest& request) {
 
 std::unique_ptr<Session> start_session(const krait::Scene& scene, const SearchRequest& request, Block& block) {
   if (request.planner == "adaptive") return std::make_unique<PlannerSession<Planner>>(scene, request, block);
-  if (request.planner == "prior") return std::make_unique<PlannerSession<PriorPlanner>>(scene, request, block);
-  if (request.planner == "rrt") return std::make_unique<PlannerSession<RrtPlanner>>(scene, request, block);
+  if (request.planner == "prior") return std::make_unique<PlannerSession<rivals::PriorPlanner>>(scene, request, block);
+  if (request.planner == "rrt") return std::make_unique<PlannerSession<rivals::RrtPlanner>>(scene, request, block);
   throw InputError("no planner '" + request.planner + "' (there is: adaptive, prior, rrt)");
 }
 

@@ -16,10 +16,9 @@ static void write_hash(uint64_t hash) {
 }
 
 static int report(const char* name, const krait_robot* robot, const float* start) {
-  const krait_parameters parameters = krait_default_parameters();
-  const krait_limits limits = krait_limits_for(sizeof block, &scene, robot);
+  const krait_setup setup = {block, sizeof block, &scene, robot};
   krait_planner* planner;
-  krait_status status = krait_init(&planner, block, sizeof block, &scene, robot, &parameters, &limits).status;
+  krait_status status = krait_init(&planner, &setup, NULL, NULL).status;
   const krait_query query = {start, krait_named_goal(0), 1};
   if (status == KRAIT_OK) status = krait_start(planner, &query);
   while (status == KRAIT_SEARCHING) status = krait_advance(planner, 10);

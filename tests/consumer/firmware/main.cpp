@@ -19,8 +19,7 @@ void write_hash(std::uint64_t hash) {
 
 template <class R>
 krait::Status plan(krait::Planner& planner, const R& robot, const float* start) {
-  const krait::Limits limits = planner.limits_for(sizeof block, scene, robot);
-  const krait::Failure ready = planner.init(block, sizeof block, scene, robot, krait::Parameters(), limits);
+  const krait::Failure ready = planner.init({block, sizeof block, &scene, robot});
   if (!ready.ok()) return ready.status;
   krait::Status status = planner.start({start, krait::Goal::named(0), 1});
   while (status == krait::Status::searching) status = planner.advance(10);

@@ -33,7 +33,7 @@ TEST_P(SmallBlock, HoldsEverySearch) {
     Planner planner;
     Limits limits = Planner::limits_for(kBlock, scene, snake);
     limits.iterations = kIterations;
-    ASSERT_TRUE(planner.init(block.data(), kBlock, scene, snake, Parameters(), limits).ok());
+    ASSERT_TRUE(planner.init({block.data(), kBlock, &scene, snake}, Parameters(), limits).ok());
     std::vector<float> start(static_cast<std::size_t>(snake.state_size()));
     const ScenePose pose = scene.start(0);
     snake.rest(pose.position, pose.heading, nullptr, start.data());

@@ -3,11 +3,11 @@
 #include "krait/krait.h"
 
 void drive(const float* control);
-int plan_and_drive(krait_scene scene, krait_robot robot, krait_parameters parameters, krait_query query);
+int plan_and_drive(krait_scene scene, krait_robot robot, krait_query query);
 
 static uint64_t block[1024];
 
-int plan_and_drive(krait_scene scene, krait_robot robot, krait_parameters parameters, krait_query query) {
+int plan_and_drive(krait_scene scene, krait_robot robot, krait_query query) {
   krait_planner* planner;
   float state[KRAIT_MAX_STATE];
   float control[KRAIT_CONTROL];

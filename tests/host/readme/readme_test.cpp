@@ -60,8 +60,7 @@ TEST(Readme, OwnRobotPlans) {
   std::vector<std::uint64_t> memory(1U << 20U);
   const auto planner = std::make_unique<krait::Planner>();
   const std::size_t size = memory.size() * sizeof memory[0];
-  const krait::Limits limits = planner->limits_for(size, scene, robot);
-  ASSERT_TRUE(planner->init(memory.data(), size, scene, robot, krait::Parameters(), limits).ok());
+  ASSERT_TRUE(planner->init({memory.data(), size, &scene, robot}).ok());
   const krait::Vec2 at = scene.start(0).position;
   const float start[] = {at.x, at.y, 0.0F, 0.0F};
   EXPECT_EQ(planner->start({start, krait::Goal::named(0), 1}), krait::Status::searching);

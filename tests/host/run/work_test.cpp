@@ -80,7 +80,7 @@ Work most_work(const krait::Scene& scene, const R& robot, std::uint64_t seed) {
   std::vector<std::uint64_t> block(1U << 19U);
   const auto planner = std::make_unique<Planner>();
   const Limits limits = planner->limits_for(8 * block.size(), scene, robot);
-  EXPECT_TRUE(planner->init(block.data(), 8 * block.size(), scene, robot, Parameters(), limits).ok());
+  EXPECT_TRUE(planner->init({block.data(), 8 * block.size(), &scene, robot}, Parameters(), limits).ok());
   float state[R::kMaxState] = {};
   const ScenePose start = scene.start(0);
   state[0] = start.position.x;

@@ -54,7 +54,7 @@ void search(const firmware::Board& board, const Scene& scene, const char* name, 
   Limits limits = planner.limits_for(kBlock, scene, robot);
   limits.iterations = kIterations;
   robot.forget();
-  const bool ready = planner.init(board.arena, kBlock, scene, robot, Parameters(), limits).ok();
+  const bool ready = planner.init({board.arena, kBlock, &scene, robot}, Parameters(), limits).ok();
   tree.add(std::uint32_t{ready});
   for (std::uint64_t seed = 1; seed <= 2; ++seed) {
     (void)planner.start({start, Goal::named(0), seed});

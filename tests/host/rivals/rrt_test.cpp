@@ -1,24 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 // RRT: where connections begin, and that they go on. What holds for every planner is tested in planner_*_test.cpp.
-#include "krait/search/rrt.hpp"
 
 #include <algorithm>
 
-#include "planner_fixture.hpp"
+#include "rivals.hpp"
 
 namespace krait::test {
 namespace {
 
 using OfUnicycle = RrtPlanner;
 using RrtBench = Bench<Unicycle, RrtPlanner>;
+using rivals::RrtParameters;
 
 Vec2 position(const OfUnicycle& planner, Index vertex) {
   return {planner.tree().state(vertex)[0], planner.tree().state(vertex)[1]};
 }
 
 TEST(RrtPlanner, ConnectionsBeginAtTheVertexNearestToTheirTarget) {
-  RrtBench f(two_rooms(), small_unicycle());
-  f.parameters.rrt.goal_share = 1.0F;
+  RrtBench f(two_rooms(), small_unicycle(), RrtParameters{1.0F});
   ASSERT_TRUE(f.init().ok());
   const Vec2 center{11, 1};  // behind the wall: connections end at it
   const float start[] = {2, 1, 0};
@@ -45,9 +44,8 @@ TEST(RrtPlanner, ConnectionsBeginAtTheVertexNearestToTheirTarget) {
 TEST(RrtPlanner, ConnectionsGoOnInTheNextIteration) {
   Room open;
   open.bounds = {0, 0, 40, 40};
-  RrtBench f(open, small_unicycle());
+  RrtBench f(open, small_unicycle(), RrtParameters{0.0F});
   f.parameters.max_steps = 1;
-  f.parameters.rrt.goal_share = 0.0F;
   ASSERT_TRUE(f.init().ok());
   const float start[] = {20, 20, 0};
   EXPECT_EQ(f.planner.start({start, Goal::disc({1, 1}, 1e-3F), 1}), Status::searching);
@@ -89,10 +87,9 @@ struct ConnectionWatch {
 TEST(RrtPlanner, ConnectionsEndThatComeNoCloser) {
   Room open;
   open.bounds = {0, 0, 20, 20};
-  RrtBench f(open, small_unicycle());
+  RrtBench f(open, small_unicycle(), RrtParameters{0.0F});
   f.parameters.max_steps = 3;
   f.parameters.near_radius = 0;
-  f.parameters.rrt.goal_share = 0.0F;
   ASSERT_TRUE(f.init().ok());
   const float start[] = {10, 10, 0};
   EXPECT_EQ(f.planner.start({start, Goal::disc({1, 1}, 1e-3F), 1}), Status::searching);

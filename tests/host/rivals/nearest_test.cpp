@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The nearest point against brute force.
-#include "krait/search/nearest.hpp"
+#include "host/rivals/nearest.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +8,8 @@
 
 namespace krait::test {
 namespace {
+
+using rivals::NearestPoints;
 
 // Memory that ends where the points' does.
 struct Points {

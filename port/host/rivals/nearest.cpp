@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/search/nearest.hpp"
+#include "host/rivals/nearest.hpp"
 
-namespace krait {
+namespace krait::rivals {
 
 // As many levels as give at most one leaf for two points.
 void NearestPoints::take(Arena& arena, const Scene& scene, std::uint32_t capacity) {
@@ -20,9 +20,9 @@ void NearestPoints::take(Arena& arena, const Scene& scene, std::uint32_t capacit
   grid_.per_metre = static_cast<float>(side) / (width > height ? width : height);
   grid_.columns = side;
   grid_.rows = side;
-  newest_ = arena.take<Index>(Pool::nearest, node_count());
-  next_ = arena.take<Index>(Pool::nearest, capacity);
-  points_ = arena.take<Vec2>(Pool::nearest, capacity);
+  newest_ = arena.take<Index>(Pool::groups, node_count());
+  next_ = arena.take<Index>(Pool::groups, capacity);
+  points_ = arena.take<Vec2>(Pool::groups, capacity);
 }
 
 void NearestPoints::clear() {
@@ -96,4 +96,4 @@ void NearestPoints::search_list(Index newest, Vec2 p, Best& best) const {
   }
 }
 
-}  // namespace krait
+}  // namespace krait::rivals

@@ -6,7 +6,7 @@
 #include "krait/base/arena.hpp"
 #include "krait/scene/scene.hpp"
 
-namespace krait {
+namespace krait::rivals {
 
 class NearestPoints {
  public:
@@ -54,4 +54,4 @@ class NearestPoints {
   std::uint32_t size_ = 0;
 };
 
-}  // namespace krait
+}  // namespace krait::rivals

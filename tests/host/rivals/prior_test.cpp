@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // The planner of prior work: its group weights and its choice of vertices by their definition. What holds for every
 // planner is tested in planner_*_test.cpp.
-#include "krait/search/prior.hpp"
 
 #include <cmath>
 #include <map>
 #include <set>
 
-#include "planner_fixture.hpp"
+#include "rivals.hpp"
 
 namespace krait::test {
 namespace {
 
 using OfUnicycle = PriorPlanner;
 using PriorBench = Bench<Unicycle, PriorPlanner>;
+using rivals::PriorParameters;
 
 constexpr float kStart[] = {1, 6.6F, 0};
 
@@ -38,13 +38,13 @@ double log_weight(const OfUnicycle& planner, Index region) {
   if (!std::isfinite(h)) return -std::numeric_limits<double>::infinity();
   const double epsilon = 1e-11;
   return 8 * std::log(epsilon + (1 - epsilon) * (most - h) / (most - least)) +
-         std::log(double{Parameters().beta}) * planner.guide().selections(region);
+         std::log(double{Parameters().beta}) * planner.groups().selections(region);
 }
 
 std::set<Index> groups_of(const OfUnicycle& planner) {
   std::set<Index> regions;
   for (Index r = 0; r < planner.regions().scene().triangle_count(); ++r) {
-    if (planner.guide().size(r) > 0) regions.insert(r);
+    if (planner.groups().size(r) > 0) regions.insert(r);
   }
   return regions;
 }
@@ -59,7 +59,7 @@ TEST(PriorPlanner, SelectsTheGroupOfTheLargestWeight) {
       std::map<Index, double> weights;
       double best = -std::numeric_limits<double>::infinity();
       for (const Index region : groups_of(f.planner)) {
-        selections[region] = f.planner.guide().selections(region);
+        selections[region] = f.planner.groups().selections(region);
         weights[region] = log_weight(f.planner, region);
         best = std::max(best, weights[region]);
       }
@@ -67,7 +67,7 @@ TEST(PriorPlanner, SelectsTheGroupOfTheLargestWeight) {
       (void)f.planner.advance(1);
       int grown = 0;
       for (const auto& [region, before] : selections) {
-        if (f.planner.guide().selections(region) == before) continue;
+        if (f.planner.groups().selections(region) == before) continue;
         ++grown;
         ASSERT_NEAR(weights[region], best, 1e-4 * (1 + std::abs(best))) << i;
       }
@@ -93,7 +93,7 @@ float distance(const float* state, Vec2 point) { return length(point - Vec2{stat
 // How near the nearest member of a group is to the point.
 float least_distance(const OfUnicycle& planner, Index group, Vec2 point) {
   float least = kInfinity;
-  planner.guide().for_each_vertex(
+  planner.groups().for_each_vertex(
       group, [&](Index vertex) { least = std::min(least, distance(planner.tree().state(vertex), point)); });
   return least;
 }
@@ -101,10 +101,11 @@ float least_distance(const OfUnicycle& planner, Index group, Vec2 point) {
 // Runs with every target in a goal too small to matter where; returns how many of the expansions that added vertices
 // began at their group's nearest one to it, and how many there were.
 std::pair<int, int> nearest_expansions(float nearest_share) {
-  PriorBench f(dead_end(), small_unicycle());
-  f.parameters.prior.path_share = 0.0F;
-  f.parameters.prior.goal_share = 1.0F;
-  f.parameters.prior.nearest_share = nearest_share;
+  PriorParameters prior;
+  prior.path_share = 0.0F;
+  prior.goal_share = 1.0F;
+  prior.nearest_share = nearest_share;
+  PriorBench f(dead_end(), small_unicycle(), prior);
   EXPECT_TRUE(f.init().ok());
   const Vec2 center{11, 7};
   EXPECT_EQ(f.planner.start({kStart, Goal::disc(center, 1e-3F), 1}), Status::searching);
@@ -112,7 +113,7 @@ std::pair<int, int> nearest_expansions(float nearest_share) {
   for (int i = 0; i < 400 && f.planner.status() == Status::searching; ++i) {
     std::map<Index, std::pair<std::uint32_t, float>> before;  // by group: selections, nearest member
     for (const Index group : groups_of(f.planner)) {
-      before[group] = {f.planner.guide().selections(group), least_distance(f.planner, group, center)};
+      before[group] = {f.planner.groups().selections(group), least_distance(f.planner, group, center)};
     }
     float from = kInfinity;  // of the expansion's first state, if it had a step
     (void)f.planner.advance(1, [&](const float* state, const float*) {
@@ -121,7 +122,7 @@ std::pair<int, int> nearest_expansions(float nearest_share) {
     if (from == kInfinity) continue;
     ++all;
     for (const auto& [group, then] : before) {
-      const bool selected = f.planner.guide().selections(group) > then.first;
+      const bool selected = f.planner.groups().selections(group) > then.first;
       nearest += selected && from <= then.second + 3e-3F ? 1 : 0;
     }
   }
@@ -146,9 +147,10 @@ TEST(PriorPlanner, PlansAlongACorridorWhereNearlyAllIsObstacle) {
   room.bounds = {0, 0, 12, 8};
   room.boxes = {{0, 0.75, 11.25, 8}};
   room.goals = {{11.25, 7, 12, 8}};
-  Bench<Unicycle, PriorPlanner> bench(room, small_unicycle());
-  bench.parameters.prior.path_share = 0.5F;
-  bench.parameters.prior.goal_share = 0.0F;
+  PriorParameters prior;
+  prior.path_share = 0.5F;
+  prior.goal_share = 0.0F;
+  PriorBench bench(room, small_unicycle(), prior);
   ASSERT_TRUE(bench.init().ok());
   const float start[] = {0.5F, 0.375F, 0};
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {

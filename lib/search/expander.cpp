@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "krait/search/expander.hpp"
+
+#include "krait/decomposition/locate.hpp"
+#include "krait/plan/proven_step.hpp"
+#include "krait/robot/shape.hpp"
+
+namespace krait {
+namespace {
+
+// What lines to a pose must be like for the robot.
+Nimbleness nimbleness(const Robot& robot, float length, float dt) {
+  return {length,
+          robot.turning_radius(length),
+          robot.top_speed(length),
+          inner_radius(robot.body(0), {}),
+          robot.reversible() && robot.body_count() == 1,
+          dt};
+}
+
+}  // namespace
+
+void Expander::set_up(const Robot& robot, float dt, const RecentStates& recent) {
+  drive_.assign(robot, dt);
+  brake_.assign(robot, dt);
+  recent_ = recent;
+}
+
+void Expander::assign(const ExpanderTools& tools) {
+  tools_ = tools;
+  if (!tools.shoots) return;
+  const Nimbleness robot = nimbleness(tools.robot, tools.robot_length, tools.parameters->dt);
+  last_metres_.assign(*tools.scene, tools.ending->goal(), robot);
+}
+
+void Expander::reset() {
+  braking_ = kNone;
+  shooting_ = false;
+}
+
+Expanded Expander::expand(Index vertex, Index region, const Target& toward, const Watch& watch) {
+  MotionTree& tree = *tools_.tree;
+  const Index expansion = tree.begin_expansion(tree.branch(vertex), toward);
+  drive_.begin(tree.state(vertex));
+  tools_.check->begin(drive_.state());
+  drive_.aim(tree.target(expansion));
+  watch.expands(vertex, drive_.target());
+  expanded_ = {Outcome::target_not_reached, region, {expansion, 0}};
+  apart_ = kInfinity;
+  return go_on(watch);
+}
+
+Expanded Expander::go_on(const Watch& watch) {
+  bool goes = true;
+  for (std::uint32_t left = tools_.parameters->max_steps; goes && left > 0; --left) {
+    expanded_.outcome = take_turn(watch);
+    goes = expanded_.outcome == Outcome::target_not_reached && (aside() || continues());
+  }
+  if (goes) expanded_.outcome = Outcome::goes_on;
+  if (goes || expanded_.outcome == Outcome::goal_reached) return expanded_;
+  if (expanded_.outcome != Outcome::collision) {
+    for (std::uint32_t back = tools_.parameters->doomed_steps; back-- > 0;) {
+      if (!keep_recent(back)) expanded_.outcome = Outcome::tree_full;
+    }
+  }
+  tools_.tree->end_expansion(expanded_.last.expansion, expanded_.last.step);
+  return expanded_;
+}
+
+void Expander::refuse() {
+  if (braking()) tools_.tree->end_expansion(braking_, brake_steps_);
+  reset();
+  tools_.tree->end_expansion(expanded_.last.expansion, expanded_.last.step);
+}
+
+Outcome Expander::take_turn(const Watch& watch) {
+  if (shooting_) return shoot(watch);
+  return braking() ? take_brake_step(watch) : grow(watch);
+}
+
+bool Expander::continues() {
+  const std::uint32_t steps = expanded_.last.step;
+  if (steps < tools_.parameters->max_steps) return true;
+  if (steps >= tools_.parameters->open_steps || expanded_.crossed > kOpen) return false;
+  const float before = apart_;
+  apart_ = length(drive_.target().point - position());
+  return apart_ < before;
+}
+
+Outcome Expander::grow(const Watch& watch) {
+  if (!take_step(drive_)) return Outcome::collision;
+  watch(drive_.state(), drive_.next());
+  drive_.go();
+  ++tools_.statistics->vertices;
+  ++expanded_.last.step;
+  const Index before = expanded_.region;
+  expanded_.region = region_of(position(), before);
+  if (expanded_.region != before) ++expanded_.crossed;
+  const Ending& ending = *tools_.ending;
+  const Pose* const poses = tools_.check->poses();
+  if (ending.holds(drive_.state(), tools_.goal_depth)) return Outcome::goal_reached;
+  if (ending.stops_inside(drive_.state(), poses[0])) {
+    begin_braking();
+    return Outcome::target_not_reached;
+  }
+  if (tools_.shoots && expanded_.last.step % LastMetres::kEvery == 0 && last_metres_.near(position())) {
+    last_metres_.choose(poses[0]);
+    if (begin_shot()) return Outcome::target_not_reached;
+  }
+  return settle();
+}
+
+bool Expander::begin_shot() {
+  tools_.check->begin(drive_.state());
+  shooting_ = last_metres_.next(tools_.check->poses()[0]);
+  if (shooting_) brake_.begin(drive_.state());
+  shot_legs_ = 0;
+  brake_steps_ = LastMetres::kHold;
+  return shooting_;
+}
+
+Outcome Expander::shoot(const Watch& watch) {
+  const bool aimed = brake_steps_ < LastMetres::kHold || begin_shot_leg();
+  if (aimed && take_step(brake_)) {
+    watch(brake_.state(), brake_.next());
+    brake_.go();
+    ++tools_.statistics->vertices;
+    ++brake_steps_;
+    return tools_.ending->holds(brake_.state(), tools_.goal_depth) ? end_braking() : Outcome::target_not_reached;
+  }
+  if (braking()) tools_.tree->end_expansion(braking_, 0);
+  braking_ = kNone;
+  return begin_shot() ? Outcome::target_not_reached : settle();
+}
+
+bool Expander::begin_shot_leg() {
+  const Robot& robot = tools_.robot;
+  const float* const state = brake_.state();
+  Target target;
+  const float speed = robot.speed(state);
+  const bool aims = last_metres_.aim(tools_.check->poses()[0], speed, robot.stopping_way(state), target);
+  if (!aims || shot_legs_ == tools_.spare_expansions) return false;
+  MotionTree& tree = *tools_.tree;
+  const Index before = braking_;
+  braking_ = tree.begin_expansion(before == kNone ? expanded_.last : Branch{before, brake_steps_}, target);
+  if (before != kNone) tree.end_expansion(before, brake_steps_);
+  ++shot_legs_;
+  brake_steps_ = 0;
+  brake_.aim(tree.target(braking_));
+  return true;
+}
+
+Outcome Expander::settle() {
+  recent_.remember(expanded_.last.step, expanded_.region, drive_.state());
+  if (!keep_recent(tools_.parameters->doomed_steps)) return Outcome::tree_full;
+  const float reached = tools_.parameters->near_radius * tools_.robot_length;
+  const bool near = length(drive_.target().point - position()) <= reached;
+  return near ? Outcome::target_reached : Outcome::target_not_reached;
+}
+
+void Expander::begin_braking() {
+  Target target = drive_.target();
+  target.speed = 0.0F;
+  braking_ = tools_.tree->begin_expansion(expanded_.last, target);
+  brake_steps_ = 0;
+  brake_.begin(drive_.state());
+  brake_.aim(tools_.tree->target(braking_));
+}
+
+Outcome Expander::take_brake_step(const Watch& watch) {
+  if (take_step(brake_)) {
+    watch(brake_.state(), brake_.next());
+    const float before = tools_.robot.speed(brake_.state());
+    brake_.go();
+    ++tools_.statistics->vertices;
+    ++brake_steps_;
+    const float* const state = brake_.state();
+    const Ending& ending = *tools_.ending;
+    if (ending.holds(state, tools_.goal_depth)) return end_braking();
+    const bool slower = tools_.robot.speed(state) < before;
+    if (slower && !ending.slow(state) && brake_steps_ < MotionTree::kMostSteps) return Outcome::target_not_reached;
+  }
+  tools_.tree->end_expansion(braking_, 0);
+  braking_ = kNone;
+  tools_.check->begin(drive_.state());
+  return settle();
+}
+
+Outcome Expander::end_braking() {
+  drive_.begin(brake_.state());
+  return Outcome::goal_reached;
+}
+
+bool Expander::keep_recent(std::uint32_t back) {
+  const Branch last = expanded_.last;
+  if (last.step <= back) return true;
+  const std::uint32_t step = last.step - back;
+  return tools_.keeper(recent_.region(step), {last.expansion, step}, recent_.state(step));
+}
+
+bool Expander::take_step(Drive& drive) {
+  return ProvenStep(tools_.robot, *tools_.scene, *tools_.parameters, *tools_.check).take(drive);
+}
+
+Index Expander::region_of(Vec2 at, Index last) const {
+  const Index triangle = locate(*tools_.scene, at, last);
+  return triangle == kNone ? last : tools_.regions->region(triangle);
+}
+
+}  // namespace krait

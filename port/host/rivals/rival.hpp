@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the planners that the paper compares with have in place of Parameters: of the adaptive planner's parameters they
+// have no use for those by which it looks ahead, keeps states back, begins anew and ends at rest.
+#pragma once
+
+#include "krait/parameters.hpp"
+
+namespace krait::rivals {
+
+// They drive where nothing has looked: the share of the top speed from which on set-points are uniform.
+inline constexpr float kRivalsSlowest = 0.75F;
+
+inline Parameters of_rival(Parameters parameters) {
+  parameters.open_steps = 0;
+  parameters.doomed_steps = 0;
+  parameters.restart_unit = 0;
+  parameters.slowest = kRivalsSlowest;
+  parameters.end_speed = kInfinity;
+  return parameters;
+}
+
+}  // namespace krait::rivals
