@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "krait/decomposition/regions.hpp"
 
+#include "krait/base/contract.hpp"
+
 namespace krait {
 namespace {
 
@@ -307,6 +309,7 @@ void Regions::raise_triangle_edges(Index triangle, const CostRaise& raise) {
 }
 
 void Regions::raise_edges(Index region, const CostRaise& raise) {
+  KRAIT_ASSERT(region < scene_->triangle_count());
   if (region != goal_region_) {
     raise_triangle_edges(region, raise);
     return;
@@ -342,6 +345,7 @@ Vec2 Regions::random_point(Index region, Random& random) const {
 }
 
 Index Regions::random_ahead(Index region, std::uint32_t most, Random& random) const {
+  KRAIT_ASSERT(region < scene_->triangle_count() && most > 0);
   std::uint32_t length = 0;
   for (Index r = next(region); r != kNone && length < most; r = next(r)) ++length;
   if (length == 0) return region;

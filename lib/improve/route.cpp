@@ -4,11 +4,13 @@
 namespace krait {
 
 void Route::insert(std::uint32_t i, const Via& via) {
+  KRAIT_ASSERT(!full() && i <= count_);
   for (std::uint32_t k = count_++; k > i; --k) vias_[k] = vias_[k - 1];
   vias_[i] = via;
 }
 
 void Route::remove(std::uint32_t i) {
+  KRAIT_ASSERT(i < count_);
   --count_;
   for (std::uint32_t k = i; k < count_; ++k) vias_[k] = vias_[k + 1];
 }
@@ -23,11 +25,13 @@ std::uint32_t Route::divide(float arc) {
 }
 
 void Route::copy(const Route& from) {
+  KRAIT_ASSERT(from.count_ <= capacity_);
   count_ = from.count_;
   for (std::uint32_t i = 0; i < count_; ++i) vias_[i] = from.vias_[i];
 }
 
 void Route::measure() {
+  KRAIT_ASSERT(count_ > 0);
   vias_[0].arc = 0.0F;
   for (std::uint32_t i = 1; i < count_; ++i) {
     vias_[i].arc = vias_[i - 1].arc + krait::length(vias_[i].at - vias_[i - 1].at);
@@ -35,6 +39,7 @@ void Route::measure() {
 }
 
 std::uint32_t Route::stretch(float arc) const {
+  KRAIT_ASSERT(count_ > 1);
   std::uint32_t low = 1;
   std::uint32_t high = count_ - 1;
   while (low < high) {

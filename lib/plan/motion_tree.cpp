@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "krait/plan/motion_tree.hpp"
 
+#include "krait/base/contract.hpp"
+
 namespace krait {
 
 void MotionTree::take(Arena& arena, std::uint32_t vertices, std::uint32_t expansions, int state_size) {
@@ -38,6 +40,7 @@ std::uint64_t MotionTree::bytes_untouched() const {
 }
 
 Index MotionTree::begin_expansion(Branch from, const Target& target) {
+  KRAIT_ASSERT(expansions_ < expansion_capacity_);
   const Index expansion = free_expansion_ == kNone ? expansion_high_++ : free_expansion_;
   Expansion& record = records_[expansion];
   if (expansion == free_expansion_) free_expansion_ = record.origin;
@@ -48,6 +51,7 @@ Index MotionTree::begin_expansion(Branch from, const Target& target) {
 }
 
 void MotionTree::end_expansion(Index expansion, std::uint32_t steps) {
+  KRAIT_ASSERT(expansion < expansion_high_ && steps <= kMostSteps);
   set_steps(records_[expansion], steps);
   release({expansion, 0});
 }
@@ -55,6 +59,7 @@ void MotionTree::end_expansion(Index expansion, std::uint32_t steps) {
 Branch MotionTree::origin(Index expansion) const { return unpacked(records_[expansion].origin); }
 
 Index MotionTree::add(Branch branch, const float* state) {
+  KRAIT_ASSERT(!vertices_full());
   const Index vertex = free_vertex_ == kNone ? vertex_high_++ : free_vertex_;
   if (vertex == free_vertex_) free_vertex_ = branches_[vertex];
   ++vertices_;
@@ -63,12 +68,14 @@ Index MotionTree::add(Branch branch, const float* state) {
 }
 
 void MotionTree::replace(Index vertex, Branch branch, const float* state) {
+  KRAIT_ASSERT(vertex != kRoot && vertex < vertex_high_);
   const Branch before = this->branch(vertex);
   write(vertex, branch, state);
   release(before);
 }
 
 void MotionTree::remove(Index vertex) {
+  KRAIT_ASSERT(vertex != kRoot && vertex < vertex_high_);
   const Branch before = branch(vertex);
   branches_[vertex] = free_vertex_;
   free_vertex_ = vertex;
@@ -98,6 +105,7 @@ void MotionTree::release(Branch branch) {
 }
 
 Index MotionTree::turn_path(Branch last) {
+  KRAIT_ASSERT(last.expansion < expansion_high_);
   Branch at = last;
   Index after = kNone;
   for (;;) {

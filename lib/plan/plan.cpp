@@ -3,6 +3,8 @@
 
 #include <bit>
 
+#include "krait/base/contract.hpp"
+
 namespace krait {
 
 void Fnv::add(const float* values, int count) {
@@ -37,6 +39,7 @@ PlanCursor::PlanCursor(const Robot& robot, const PlanPath& path, const float* st
 }
 
 void PlanCursor::advance() {
+  KRAIT_ASSERT(!done());
   drive_.go();
   if (++step_ == path_.steps(leg_)) {
     leg_ = path_.next(leg_);

@@ -86,6 +86,7 @@ Index Scene::find_goal(const char* goal) const {
 }
 
 ScenePose Scene::start(Index start) const {
+  KRAIT_ASSERT(start < start_count());
   const format::StartRecord& record = starts_[start];
   return {{record.x, record.y}, record.heading, start_angles_ + record.first_angle, record.angle_count};
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "krait/search/dubins.hpp"
 
+#include "krait/base/contract.hpp"
+
 namespace krait {
 namespace {
 
@@ -64,6 +66,7 @@ bool three_turns(int first, const Pose& from, const Pose& to, float radius, Curv
 }  // namespace
 
 void CurvedLine::add(int turn, float length) {
+  KRAIT_ASSERT(count_ < kMostPieces);
   pieces_[count_++] = {end_, length, turn};
   end_ = along(end_, turn, length);
   length_ += length;

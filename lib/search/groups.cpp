@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "krait/search/groups.hpp"
 
+#include "krait/base/contract.hpp"
+
 namespace krait {
 
 void Groups::take(Arena& arena, const Scene& scene, std::uint32_t vertices) {
@@ -30,6 +32,7 @@ void Groups::clear(const GroupWeights& weights, std::uint32_t sample) {
 
 // Sampling with a reservoir (Vitter's algorithm R).
 Groups::Place Groups::place(Index region, Random& random) {
+  KRAIT_ASSERT(region < region_count_);
   const std::uint32_t before = reached_[region];
   if (before != 0xFFFFFFFF) ++reached_[region];
   if (sizes_[region] < sample_) return {true, kNone};
@@ -41,6 +44,7 @@ Groups::Place Groups::place(Index region, Random& random) {
 }
 
 void Groups::insert(const Regions& regions, Index region, Index vertex) {
+  KRAIT_ASSERT(region < region_count_);
   links_.set(vertex, newest_[region]);
   newest_.set(region, vertex);
   if (sizes_[region]++ == 0) set_weight(regions, region);
@@ -127,6 +131,7 @@ Index Groups::lightest(Index besides) const {
 }
 
 Index Groups::random_vertex(Index region, Random& random) const {
+  KRAIT_ASSERT(region < region_count_ && sizes_[region] > 0);
   Index vertex = newest_[region];
   for (std::uint32_t place = random.below(sizes_[region]); place > 0; --place) vertex = links_[vertex];
   return vertex;

@@ -33,11 +33,9 @@ Status Planner::start(const Query& query) {
 
 Status Planner::advance(std::uint64_t iterations, const Watch& watch) {
   for (; iterations > 0 && status() == Status::searching; --iterations) {
-    if (!expansion_due()) continue;
-    if (new_try_due()) {
-      forget();
-      new_try();
-    } else {
+    if (driving()) {
+      drive_plan();
+    } else if (count_expansion()) {
       iterate(watch);
     }
   }
@@ -59,6 +57,11 @@ float Planner::sketched_step() const {
 }
 
 void Planner::iterate(const Watch& watch) {
+  if (new_try_due()) {
+    forget();
+    new_try();
+    return;
+  }
   if (goes_on_) {
     heed(go_on(watch));
   } else {

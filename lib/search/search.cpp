@@ -165,11 +165,7 @@ DiscRoute Search::disc_route() {
 
 // The search.
 
-bool Search::expansion_due() {
-  if (driving()) {
-    drive_plan();
-    return false;
-  }
+bool Search::count_expansion() {
   if (statistics_.iterations == limits_.iterations) {
     finish(Status::budget_used);
     return false;

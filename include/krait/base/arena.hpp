@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "krait/base/contract.hpp"
+
 namespace krait {
 
 // What a pool holds.
@@ -34,7 +36,9 @@ class Arena {
   Arena() = default;
 
   // `block` must be aligned to kAlignment and outlive everything taken from it.
-  Arena(void* block, std::uint64_t bytes) : block_(static_cast<std::byte*>(block)), bytes_(bytes) {}
+  Arena(void* block, std::uint64_t bytes) : block_(static_cast<std::byte*>(block)), bytes_(bytes) {
+    KRAIT_ASSERT(reinterpret_cast<std::uintptr_t>(block) % kAlignment == 0);
+  }
 
   // Room for `count` objects, uninitialised; null while counting or when the block is too small. O(1).
   template <class T>

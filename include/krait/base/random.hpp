@@ -6,6 +6,8 @@
 #include <bit>
 #include <cstdint>
 
+#include "krait/base/contract.hpp"
+
 namespace krait {
 
 class Random {
@@ -37,6 +39,7 @@ class Random {
 
   // Uniform on 0 … count - 1 (Lemire's multiply; the bias is below count / 2^32). count > 0.
   std::uint32_t below(std::uint32_t count) {
+    KRAIT_ASSERT(count > 0);
     return static_cast<std::uint32_t>((static_cast<std::uint64_t>(bits()) * count) >> 32U);
   }
 

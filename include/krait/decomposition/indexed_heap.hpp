@@ -2,6 +2,7 @@
 // A binary heap of region numbers ordered by (key, number), with decrease-key: Dijkstra's queue.
 #pragma once
 
+#include "krait/base/contract.hpp"
 #include "krait/base/packed_indices.hpp"
 
 namespace krait {
@@ -26,13 +27,20 @@ class IndexedHeap {
 
   // The queue's memory as a plain list of `capacity` numbers, while it is empty. Pushing the list's numbers one by one,
   // front to back, overwrites none that is still to come.
-  Index listed(Index i) const { return heap_[i]; }
-  void list(Index i, Index number) { heap_.set(i, number); }
+  Index listed(Index i) const {
+    KRAIT_ASSERT(empty() && i < capacity_);
+    return heap_[i];
+  }
+  void list(Index i, Index number) {
+    KRAIT_ASSERT(empty() && i < capacity_);
+    heap_.set(i, number);
+  }
 
   bool empty() const { return size_ == 0; }
 
   // Inserts `number`, or moves it up after its key fell. O(log n).
   void push(Index number) {
+    KRAIT_ASSERT(number < capacity_);
     Index hole = place_[number];
     if (hole == kNone) hole = size_++;
     while (hole > 0) {
@@ -46,6 +54,7 @@ class IndexedHeap {
 
   // Removes and returns the number with the smallest (key, number). Not empty. O(log n).
   Index pop() {
+    KRAIT_ASSERT(!empty());
     const Index top = heap_[0];
     place_.set(top, kNone);
     const Index last = heap_[--size_];

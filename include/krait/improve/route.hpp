@@ -3,6 +3,7 @@
 #pragma once
 
 #include "krait/base/arena.hpp"
+#include "krait/base/contract.hpp"
 #include "krait/base/math.hpp"
 
 namespace krait {
@@ -27,10 +28,20 @@ class Route {
   std::uint32_t count() const { return count_; }
   std::uint32_t capacity() const { return capacity_; }
   bool full() const { return count_ == capacity_; }
-  const Via& operator[](std::uint32_t i) const { return vias_[i]; }
-  const Via& last() const { return vias_[count_ - 1]; }
-  // Changes need measure() before the line is used again. Not when full.
-  Via& operator[](std::uint32_t i) { return vias_[i]; }
+  const Via& operator[](std::uint32_t i) const {
+    KRAIT_ASSERT(i < count_);
+    return vias_[i];
+  }
+  const Via& last() const {
+    KRAIT_ASSERT(count_ > 0);
+    return vias_[count_ - 1];
+  }
+  // Changes need measure() before the line is used again.
+  Via& operator[](std::uint32_t i) {
+    KRAIT_ASSERT(i < count_);
+    return vias_[i];
+  }
+  // Not when full.
   void insert(std::uint32_t i, const Via& via);
   void add(const Via& via) { insert(count_, via); }
   void remove(std::uint32_t i);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "krait/base/arena.hpp"
+#include "krait/base/contract.hpp"
 #include "krait/base/geometry.hpp"
 #include "krait/base/index.hpp"
 #include "krait/parameters.hpp"
@@ -61,7 +62,10 @@ class MotionTree {
   void replace(Index vertex, Branch branch, const float* state);
   void remove(Index vertex);
 
-  const float* state(Index vertex) const { return states_ + std::size_t{vertex} * state_size_; }
+  const float* state(Index vertex) const {
+    KRAIT_ASSERT(vertex < vertex_high_);
+    return states_ + std::size_t{vertex} * state_size_;
+  }
   Branch branch(Index vertex) const { return unpacked(branches_[vertex]); }
 
   // Turns the path that ends at `last` around: from then on next(root's expansion) is the expansion after it, and so

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "krait/base/contract.hpp"
 #include "krait/motion/plan_drive.hpp"
 #include "krait/plan/motion_tree.hpp"
 #include "krait/plan/way.hpp"
@@ -76,9 +77,15 @@ class PlanCursor {
   // state_size() floats.
   const float* state() const { return drive_.state(); }
   // control_size() floats, held for dt from this state on; not when done.
-  const float* control() const { return drive_.control(); }
+  const float* control() const {
+    KRAIT_ASSERT(!done());
+    return drive_.control();
+  }
   // The state that the control leads to; not when done.
-  const float* next() const { return drive_.next(); }
+  const float* next() const {
+    KRAIT_ASSERT(!done());
+    return drive_.next();
+  }
 
   // On to the next state; not when done. Work: one control and the Runge-Kutta steps of a time step.
   void advance();

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "krait/base/arena.hpp"
+#include "krait/base/contract.hpp"
 #include "krait/plan/target_grid.hpp"
 
 namespace krait {
@@ -37,10 +38,14 @@ class Way {
   bool full() const { return count_ == capacity_; }
   std::uint32_t steps() const { return steps_; }  // of all legs
   float length() const { return length_; }        // metres, of the line through the positions
-  const Leg& operator[](std::uint32_t i) const { return legs_[i]; }
+  const Leg& operator[](std::uint32_t i) const {
+    KRAIT_ASSERT(i < count_);
+    return legs_[i];
+  }
 
   // Begins a leg, of no steps yet, from `state`. Not when full.
   void add(const PackedTarget& target, float arc, const float* state) {
+    KRAIT_ASSERT(!full());
     if (count_ % kLegsAState == 0) {
       for (std::size_t i = 0; i < state_size_; ++i) states_[count_ / kLegsAState * state_size_ + i] = state[i];
     }
@@ -48,22 +53,28 @@ class Way {
   }
   // Counts a step of the last leg, `metres` long.
   void step(float metres) {
+    KRAIT_ASSERT(count_ > 0);
     ++legs_[count_ - 1].steps;
     ++steps_;
     length_ += metres;
   }
 
   void remove_last() {
+    KRAIT_ASSERT(count_ > 0);
     const Leg& last = legs_[--count_];
     steps_ -= last.steps;
     length_ = last.length;
   }
 
   // The state that leg i begins from, for i a multiple of kLegsAState.
-  const float* state(std::uint32_t i) const { return states_ + i / kLegsAState * state_size_; }
+  const float* state(std::uint32_t i) const {
+    KRAIT_ASSERT(i % kLegsAState == 0 && i < count_);
+    return states_ + i / kLegsAState * state_size_;
+  }
 
   // Becomes the first `legs` legs of another way of the same capacity. O(legs).
   void copy(const Way& from, std::uint32_t legs) {
+    KRAIT_ASSERT(legs <= from.count_ && legs <= capacity_);
     clear();
     for (std::uint32_t i = 0; i < legs; ++i) {
       legs_[i] = from.legs_[i];

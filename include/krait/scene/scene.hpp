@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "krait/base/contract.hpp"
 #include "krait/base/geometry.hpp"
 #include "krait/base/index.hpp"
 #include "krait/scene/format.hpp"
@@ -127,22 +128,30 @@ class Scene {
   // The decomposition. Edge i of a triangle goes from its vertex i to vertex (i + 1) % 3.
   Index triangle_count() const { return header_.triangles; }
   Index portal_count() const { return header_.portals; }
-  Vec2 corner(Index triangle, int i) const { return vertices_[triangle_vertices_[at(triangle, i)]]; }
+  Vec2 corner(Index triangle, int i) const { return vertices_[triangle_vertices_[edge_at(triangle, i)]]; }
   Vec2 centroid(Index triangle) const {
     return (1.0F / 3.0F) * (corner(triangle, 0) + corner(triangle, 1) + corner(triangle, 2));
   }
-  Index neighbor(Index triangle, int edge) const { return triangle_neighbors_[at(triangle, edge)]; }
-  Index portal(Index triangle, int edge) const { return triangle_portals_[at(triangle, edge)]; }
-  float portal_width(Index portal) const { return portal_widths_[portal]; }
+  Index neighbor(Index triangle, int edge) const { return triangle_neighbors_[edge_at(triangle, edge)]; }
+  Index portal(Index triangle, int edge) const { return triangle_portals_[edge_at(triangle, edge)]; }
+  float portal_width(Index portal) const {
+    KRAIT_ASSERT(portal < portal_count());
+    return portal_widths_[portal];
+  }
   Index goal_of(Index triangle) const {
+    KRAIT_ASSERT(triangle < triangle_count());
     const std::uint16_t goal = triangle_goals_[triangle];
     return goal == format::kNone16 ? kNone : goal;
   }
 
   Index goal_count() const { return header_.goals; }
   const char* name() const { return names_; }
-  const char* goal_name(Index goal) const { return nth_name(1 + goal); }
+  const char* goal_name(Index goal) const {
+    KRAIT_ASSERT(goal < goal_count());
+    return nth_name(1 + goal);
+  }
   Polygon goal_polygon(Index goal) const {
+    KRAIT_ASSERT(goal < goal_count());
     const std::uint32_t first = goal_offsets_[goal];
     return {goal_vertices_ + first, static_cast<int>(goal_offsets_[goal + 1] - first)};
   }
@@ -150,16 +159,23 @@ class Scene {
   Index find_goal(const char* goal) const;
 
   Index start_count() const { return header_.starts; }
-  const char* start_name(Index start) const { return nth_name(1 + header_.goals + start); }
+  const char* start_name(Index start) const {
+    KRAIT_ASSERT(start < start_count());
+    return nth_name(1 + header_.goals + start);
+  }
   ScenePose start(Index start) const;
 
   // Obstacles.
   Index piece_count() const { return header_.pieces; }
   Polygon piece(Index piece) const {
+    KRAIT_ASSERT(piece < piece_count());
     const std::uint32_t first = piece_offsets_[piece];
     return {piece_vertices_ + first, static_cast<int>(piece_offsets_[piece + 1] - first)};
   }
-  Box piece_box(Index piece) const { return piece_boxes_[piece]; }
+  Box piece_box(Index piece) const {
+    KRAIT_ASSERT(piece < piece_count());
+    return piece_boxes_[piece];
+  }
 
   // Buckets: triangles and pieces by place.
   const CellGrid& buckets() const { return buckets_; }
@@ -172,6 +188,10 @@ class Scene {
 
  private:
   static std::size_t at(Index triangle, int i) { return std::size_t{triangle} * 3 + static_cast<std::size_t>(i); }
+  std::size_t edge_at(Index triangle, int i) const {
+    KRAIT_ASSERT(triangle < triangle_count() && i >= 0 && i < 3);
+    return at(triangle, i);
+  }
   // Of a scene that was not opened, which contains no point.
   static format::Header unopened() {
     format::Header header{};

@@ -40,7 +40,8 @@ struct Query {
 //   bytes_required   adds what it keeps itself to shared_bytes
 //   init             check_setup, take_block, and what it keeps itself from arena_
 //   start            usable, then begin
-//   advance          for each iteration: expansion_due, then new_try where new_try_due, or else expand or go_on
+//   advance          for each iteration drive_plan while driving; else count_expansion, then new_try where new_try_due,
+//                    or else expand or go_on
 //   keep             as Keeper has it
 class Search {
  public:
@@ -124,9 +125,11 @@ class Search {
   // plan may end with the start.
   Status begin(const Query& query, const Keeper& keeper);
 
-  // Whether the next iteration is an expansion, and counts it. False where it drives a way to the goal once more, or
-  // ends the search.
-  bool expansion_due();
+  // An iteration while driving(): at most max_steps steps of one expansion of the way.
+  void drive_plan();
+
+  // Counts an iteration that is an expansion. False, and the search has ended, when the budget is used.
+  bool count_expansion();
 
   // Whether a try is over; then new_try forgets all but the start and where the random numbers have got to.
   bool new_try_due() { return restarts_.due(); }
@@ -206,9 +209,6 @@ class Search {
   // controls alone would drive the robot, and every step is proven again: what holds is the plan. Until then the tree
   // is used for nothing else. O(expansions of the way).
   void begin_plan(Branch end);
-
-  // At most max_steps steps of one expansion of the way.
-  void drive_plan();
 
   // Ends the search as solved where the way that was driven ends in the goal; as internal where the tree beside it was
   // not the same as when it grew.

@@ -27,7 +27,11 @@ Status PriorPlanner::start(const Query& query) {
 
 Status PriorPlanner::advance(std::uint64_t iterations, const Watch& watch) {
   for (; iterations > 0 && status() == Status::searching; --iterations) {
-    if (expansion_due()) iterate(watch);
+    if (driving()) {
+      drive_plan();
+    } else if (count_expansion()) {
+      iterate(watch);
+    }
   }
   return status();
 }

@@ -34,7 +34,11 @@ Status RrtPlanner::start(const Query& query) {
 
 Status RrtPlanner::advance(std::uint64_t iterations, const Watch& watch) {
   for (; iterations > 0 && status() == Status::searching; --iterations) {
-    if (expansion_due()) iterate(watch);
+    if (driving()) {
+      drive_plan();
+    } else if (count_expansion()) {
+      iterate(watch);
+    }
   }
   return status();
 }
