@@ -3,11 +3,10 @@
 
 namespace krait {
 
-std::uint64_t GroupedSearch::grouped_bytes(const Scene& scene, const Robot& robot, const Limits& limits) {
-  Arena counting;
+void GroupedSearch::count(Arena& counting, const Scene& scene, const Robot& robot, const Limits& limits) {
+  Search::count(counting, scene, robot, limits);
   Groups groups;
   groups.take(counting, scene, limits.vertices);
-  return shared_bytes(scene, robot, limits) + counting.needed();
 }
 
 bool GroupedSearch::keep(Index region, Branch branch, const float* state) {

@@ -5,9 +5,10 @@ namespace krait {
 
 std::uint64_t Planner::bytes_required(const Scene& scene, const Robot& robot, const Limits& limits) {
   Arena counting;
+  count(counting, scene, robot, limits);
   Sketcher sketcher;
   sketcher.take(counting, robot);
-  return grouped_bytes(scene, robot, limits) + counting.needed();
+  return counting.needed();
 }
 
 Limits Planner::limits_for(std::uint64_t bytes, const Scene& scene, const Robot& robot, std::uint32_t way_legs) {

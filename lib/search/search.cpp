@@ -9,15 +9,13 @@ namespace krait {
 
 // The block.
 
-std::uint64_t Search::shared_bytes(const Scene& scene, const Robot& robot, const Limits& limits) {
-  Arena counting;
+void Search::count(Arena& counting, const Scene& scene, const Robot& robot, const Limits& limits) {
   Regions regions;
   MotionTree tree;
   Improver improver;
   MotionCheck check;
   RecentStates recent;
   take_pools(counting, scene, robot, limits, regions, tree, improver, check, recent);
-  return counting.needed();
 }
 
 void Search::take_pools(Arena& arena, const Scene& scene, const Robot& robot, const Limits& limits, Regions& regions,

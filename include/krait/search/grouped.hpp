@@ -28,8 +28,8 @@ class GroupedSearch : public Search {
   GroupedSearch() = default;
   ~GroupedSearch() = default;
 
-  // Search::shared_bytes and the groups'.
-  static std::uint64_t grouped_bytes(const Scene& scene, const Robot& robot, const Limits& limits);
+  // Search::count, and counts the groups.
+  static void count(Arena& counting, const Scene& scene, const Robot& robot, const Limits& limits);
 
   // After Search::take_block.
   void take_groups() { groups_.take(arena_, *scene_, limits_.vertices); }

@@ -37,7 +37,7 @@ struct Query {
 };
 
 // A planner has it as its base, and
-//   bytes_required   adds what it keeps itself to shared_bytes
+//   bytes_required   counts what is kept here and what it keeps itself
 //   init             check_setup, take_block, and what it keeps itself from arena_
 //   start            usable, then begin
 //   advance          for each iteration drive_plan while driving; else count_expansion, then new_try where new_try_due,
@@ -91,8 +91,8 @@ class Search {
   Search() = default;
   ~Search() = default;
 
-  // Bytes of the block for all that is kept here.
-  static std::uint64_t shared_bytes(const Scene& scene, const Robot& robot, const Limits& limits);
+  // Takes from an arena that only counts what is kept here.
+  static void count(Arena& counting, const Scene& scene, const Robot& robot, const Limits& limits);
 
   // The limits with the most vertices for which required(limits) is at most `bytes`, at least 2. O(1).
   template <class Required>

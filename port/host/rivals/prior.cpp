@@ -6,6 +6,12 @@
 
 namespace krait::rivals {
 
+std::uint64_t PriorPlanner::bytes_required(const Scene& scene, const Robot& robot, const Limits& limits) {
+  Arena counting;
+  count(counting, scene, robot, limits);
+  return counting.needed();
+}
+
 Limits PriorPlanner::limits_for(std::uint64_t bytes, const Scene& scene, const Robot& robot, std::uint32_t way_legs) {
   return limits_within(bytes, {.way_legs = way_legs},
                        [&](const Limits& limits) { return bytes_required(scene, robot, limits); });

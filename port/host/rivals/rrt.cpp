@@ -7,9 +7,10 @@ namespace krait::rivals {
 
 std::uint64_t RrtPlanner::bytes_required(const Scene& scene, const Robot& robot, const Limits& limits) {
   Arena counting;
+  count(counting, scene, robot, limits);
   NearestPoints points;
   points.take(counting, scene, limits.vertices);
-  return shared_bytes(scene, robot, limits) + counting.needed();
+  return counting.needed();
 }
 
 Limits RrtPlanner::limits_for(std::uint64_t bytes, const Scene& scene, const Robot& robot, std::uint32_t way_legs) {
