@@ -22,9 +22,7 @@ int solved(const krait::Scene& scene, const Snake& robot, std::uint64_t bytes, i
   const ScenePose pose = scene.start(0);
   robot.rest(pose.position, pose.heading, nullptr, start.data());
   static Planner planner;
-  Limits limits = Planner::limits_for(bytes, scene, robot);
-  limits.iterations = kIterations;
-  if (!planner.init({block.data(), bytes, &scene, robot}, Parameters(), limits).ok()) return 0;
+  if (!planner.init({block.data(), bytes, &scene, robot}, {}, {.iterations = kIterations}).ok()) return 0;
   int count = 0;
   for (int seed = 1; seed <= seeds; ++seed) {
     (void)planner.start({start.data(), krait::Goal::named(0), static_cast<std::uint64_t>(seed)});

@@ -99,8 +99,7 @@ void search_everywhere(const Board& board, const Robot& robot, Costs& costs) {
     float start[kMaxState];
     const ScenePose pose = scene.start(0);
     (void)robot.rest(pose.position, pose.heading, pose.angles, pose.angle_count, start);
-    const Limits limits = planner.limits_for(kBlock, scene, robot);
-    (void)planner.init({board.arena, kBlock, &scene, robot}, Parameters(), limits);
+    (void)planner.init({board.arena, kBlock, &scene, robot});
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
       const std::uint64_t begin = instructions(board);
       (void)planner.start({start, Goal::named(0), seed});
@@ -119,7 +118,7 @@ void add_pools(firmware::JsonLine& line, const Board& board, const Robot& robot,
   firmware::for_each_scene(board, [&](const Scene& scene) {
     if (!first) return;
     first = false;
-    (void)planner.init({board.arena, block, &scene, robot}, Parameters(), planner.limits_for(block, scene, robot));
+    (void)planner.init({board.arena, block, &scene, robot});
     for (std::size_t pool = 0; pool < kPoolCount; ++pool) {
       const std::uint64_t bytes = planner.arena().needed(static_cast<Pool>(pool));
       if (bytes > 0) line.add(name(static_cast<Pool>(pool)), bytes);

@@ -61,9 +61,7 @@ Goal goal_of(const Scene& scene, const Request& request) {
   if (!placed.ok()) return placed;
   const std::uint64_t bytes = block_bytes(board, request);
   if (bytes > board.arena_room) return {Status::arena_too_small, 0, 0, bytes};
-  Limits limits = Planner::limits_for(bytes, scene, robot);
-  limits.iterations = request.iterations;
-  const Failure ready = planner.init({board.arena, bytes, &scene, robot}, Parameters(), limits);
+  const Failure ready = planner.init({board.arena, bytes, &scene, robot}, {}, {.iterations = request.iterations});
   if (!ready.ok()) return ready;
   (void)planner.start({state, goal_of(scene, request), request.seed});
   return planner.failure();

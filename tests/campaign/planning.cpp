@@ -38,8 +38,7 @@ Planned plan_with(R robot, const Scene& scene, const Query& query) {
     robot.set_body(static_cast<int>(k), {body.data(), static_cast<int>(body.size())});
   }
   Planner planner;
-  Limits limits = Planner::limits_for(query.bytes, scene, robot);
-  limits.iterations = query.iterations;
+  const Limits limits{.iterations = query.iterations};
   Planned result;
   const Failure ready = planner.init({block(query.bytes), query.bytes, &scene, robot}, query.parameters, limits);
   if (!ready.ok()) {

@@ -12,11 +12,6 @@ std::uint64_t PriorPlanner::bytes_required(const Scene& scene, const Robot& robo
   return counting.needed();
 }
 
-Limits PriorPlanner::limits_for(std::uint64_t bytes, const Scene& scene, const Robot& robot, std::uint32_t way_legs) {
-  return limits_within(bytes, {.way_legs = way_legs},
-                       [&](const Limits& limits) { return bytes_required(scene, robot, limits); });
-}
-
 Failure PriorPlanner::init(const Setup& setup, const Parameters& parameters, const Limits& limits) {
   if (!check_setup(setup, of_rival(parameters), limits).ok()) return failure();
   const auto required = [&](const Limits& any) { return bytes_required(*setup.scene, setup.robot, any); };

@@ -22,7 +22,6 @@ class PriorPlanner : public GroupedSearch {
   explicit PriorPlanner(const PriorParameters& prior = {}) : prior_(prior) { shoots_at_poses_ = false; }
 
   static std::uint64_t bytes_required(const Scene& scene, const Robot& robot, const Limits& limits);
-  static Limits limits_for(std::uint64_t bytes, const Scene& scene, const Robot& robot, std::uint32_t way_legs = 0);
 
   [[nodiscard]] Failure init(const Setup& setup, const Parameters& parameters = {}, const Limits& limits = {});
   [[nodiscard]] Status start(const Query& query);

@@ -13,11 +13,6 @@ std::uint64_t RrtPlanner::bytes_required(const Scene& scene, const Robot& robot,
   return counting.needed();
 }
 
-Limits RrtPlanner::limits_for(std::uint64_t bytes, const Scene& scene, const Robot& robot, std::uint32_t way_legs) {
-  return limits_within(bytes, {.way_legs = way_legs},
-                       [&](const Limits& limits) { return bytes_required(scene, robot, limits); });
-}
-
 Failure RrtPlanner::init(const Setup& setup, const Parameters& parameters, const Limits& limits) {
   if (!check_setup(setup, of_rival(parameters), limits).ok()) return failure();
   const auto required = [&](const Limits& any) { return bytes_required(*setup.scene, setup.robot, any); };

@@ -19,7 +19,6 @@ class RrtPlanner : public Search {
   explicit RrtPlanner(const RrtParameters& rrt = {}) : rrt_(rrt) { shoots_at_poses_ = false; }
 
   static std::uint64_t bytes_required(const Scene& scene, const Robot& robot, const Limits& limits);
-  static Limits limits_for(std::uint64_t bytes, const Scene& scene, const Robot& robot, std::uint32_t way_legs = 0);
 
   [[nodiscard]] Failure init(const Setup& setup, const Parameters& parameters = {}, const Limits& limits = {});
   [[nodiscard]] Status start(const Query& query);

@@ -23,8 +23,7 @@ class PlannerSession : public Session {
  public:
   PlannerSession(const krait::Scene& scene, const SearchRequest& request, Block& block)
       : core_(request.robot), robot_(core_.view()), query_(resolve(scene, robot_, request)) {
-    Limits limits = P::limits_for(request.memory, scene, robot_, way_legs(request));
-    limits.iterations = request.iterations;
+    const Limits limits{.iterations = request.iterations, .way_legs = way_legs(request)};
     refuse(planner_.init({block.data(), request.memory, &scene, robot_}, request.parameters, limits), request);
     (void)planner_.start({query_.start.data(), query_.goal, request.seed});
     refuse(planner_.failure(), request);

@@ -51,10 +51,8 @@ void search(const firmware::Board& board, const Scene& scene, const char* name, 
   float start[R::kMaxState];
   const ScenePose pose = scene.start(0);
   (void)rest(robot, pose.position, pose.heading, pose.angles, pose.angle_count, start);
-  Limits limits = planner.limits_for(kBlock, scene, robot);
-  limits.iterations = kIterations;
   robot.forget();
-  const bool ready = planner.init({board.arena, kBlock, &scene, robot}, Parameters(), limits).ok();
+  const bool ready = planner.init({board.arena, kBlock, &scene, robot}, {}, {.iterations = kIterations}).ok();
   tree.add(std::uint32_t{ready});
   for (std::uint64_t seed = 1; seed <= 2; ++seed) {
     (void)planner.start({start, Goal::named(0), seed});
