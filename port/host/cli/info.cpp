@@ -4,6 +4,8 @@
 #include <memory>
 
 #include "host/cli/commands.hpp"
+#include "host/cli/options.hpp"
+#include "host/run/pools.hpp"
 #include "host/run/robots.hpp"
 #include "host/run/run.hpp"
 
@@ -16,13 +18,19 @@ void print_names(const char* what, Index count, auto name) {
   std::printf("%s\n", count == 0 ? "none" : "");
 }
 
+std::uint64_t print_row(const char* name, std::uint64_t bytes) {
+  std::printf("%-26s %10llu\n", name, static_cast<unsigned long long>(bytes));
+  return bytes;
+}
+
 void print_sections(const format::Header& header) {
-  std::printf("\n%-26s %10s\n%-26s %10zu\n", "section", "bytes", "header", sizeof(format::Header));
+  std::printf("\n%-26s %10s\n", "section of flash", "bytes");
+  print_row("header", sizeof(format::Header));
   for (std::size_t i = 0; i < format::kSectionCount; ++i) {
     const std::uint32_t end = i + 1 < format::kSectionCount ? header.section_offsets[i + 1] : header.total_bytes;
-    std::printf("%-26s %10u\n", section_name(static_cast<std::uint8_t>(i)).c_str(), end - header.section_offsets[i]);
+    print_row(section_name(static_cast<std::uint8_t>(i)).c_str(), end - header.section_offsets[i]);
   }
-  std::printf("%-26s %10u\n", "total", header.total_bytes);
+  print_row("total", header.total_bytes);
 }
 
 float narrowest_portal(const krait::Scene& scene) {
@@ -41,7 +49,28 @@ void print_work(const std::string& robot, const Work& work) {
               number(work.pieces_near), number(work.heap_operations), number(work.sketched_steps), number(work.discs));
 }
 
-void print_info(const std::string& path, const std::string& robot) {
+void print_block(const std::string& robot, const std::string& memory, const krait::Scene& scene, const Robot& core,
+                 const Pools& pools) {
+  std::printf("%-10sRAM for %s: at least %llu bytes, and %.0f a vertex; ", "block", safe_to_print(robot).c_str(),
+              static_cast<unsigned long long>(least_block(scene, core)), bytes_a_vertex(scene, core));
+  if (pools.vertices == 0) {
+    std::printf("%s is too little\n", memory.c_str());
+  } else {
+    std::printf("%s holds %u vertices and %u expansions\n", memory.c_str(), pools.vertices, pools.expansions);
+  }
+}
+
+void print_pools(const Pools& pools) {
+  if (pools.vertices == 0) return;
+  std::printf("\n%-26s %10s\n", "pool of RAM", "bytes");
+  std::uint64_t total = 0;
+  for (std::size_t i = 0; i < kPoolCount; ++i) {
+    if (pools.bytes[i] > 0) total += print_row(krait::name(static_cast<Pool>(i)), pools.bytes[i]);
+  }
+  print_row("total", total);
+}
+
+void print_info(const std::string& path, const std::string& robot, const std::string& memory) {
   const SceneBytes bytes = SceneBytes::read(path);
   const krait::Scene scene = open_scene(path, bytes);
   const Parameters parameters;
@@ -64,7 +93,11 @@ void print_info(const std::string& path, const std::string& robot) {
               number(h.bucket_size), h.most_bucket_triangles, h.most_bucket_pieces, number(h.clearance_cell));
   std::printf("%-10sversion %u, %u-byte indices\n", "format", h.version, h.index_width);
   print_work(robot, work);
+  const CoreRobot core(parse_robot(robot));
+  const Pools pools = pools_of(parse_memory(memory), scene, core.view());
+  print_block(robot, memory, scene, core.view(), pools);
   print_sections(h);
+  print_pools(pools);
 }
 
 }  // namespace
@@ -72,11 +105,13 @@ void print_info(const std::string& path, const std::string& robot) {
 void add_info(CLI::App& app) {
   const auto path = std::make_shared<std::string>();
   CLI::App* command =
-      app.add_subcommand("info", "report what a scene file holds: regions, pieces, bytes, narrowest portal, work");
+      app.add_subcommand("info", "report what a scene file holds: regions, pieces, flash, RAM, narrowest portal, work");
   command->add_option("SCENE", *path, "a .krait file")->required();
   const auto robot = std::make_shared<std::string>("snake:15");
-  command->add_option("--robot", *robot, "whose work is bounded: as for plan")->capture_default_str();
-  command->callback([path, robot] { print_info(*path, *robot); });
+  command->add_option("--robot", *robot, "whose work and memory are stated: as for plan")->capture_default_str();
+  const auto memory = std::make_shared<std::string>("128K");
+  command->add_option("--memory", *memory, "the block that is shared out: as for plan")->capture_default_str();
+  command->callback([path, robot, memory] { print_info(*path, *robot, *memory); });
 }
 
 }  // namespace krait::host

@@ -316,7 +316,7 @@ void add_plan(CLI::App& app, const char* program) {
                    "the search: adaptive (the paper's), prior ([18], its costs never change), rrt")
       ->check(CLI::IsMember({"adaptive", "prior", "rrt"}))
       ->capture_default_str();
-  command->add_option("--seed", o->seed, "of the random numbers: the same seed gives the same plan")
+  command->add_option("--seed", o->seed, "of the random numbers: the same seed has the same plan")
       ->check(whole_number(UINT64_MAX))
       ->capture_default_str();
   command->add_option("--memory", o->memory, "the planner's one block, as 128K, 64M")->capture_default_str();

@@ -17,7 +17,7 @@ namespace krait::host {
 
 using Watch = std::function<void(const std::vector<float>& from, const std::vector<float>& to)>;
 
-// As the core's planners; what it gives is the planner's own and lives as long.
+// As the core's planners; what it returns is the planner's own and lives as long.
 class Session {
  public:
   virtual ~Session() = default;

@@ -227,7 +227,7 @@ void check_goal(const PlanFile& plan, const Asked& asked, Complaints& complaints
   const bool finite = std::all_of(planned.begin(), planned.end(),
                                   [](const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); });
   if (planned.size() < 3 || !finite) {
-    complaints.add("goal: the plan gives no polygon");
+    complaints.add("goal: the plan states no polygon");
     return;
   }
   if (asked.facing && !(plan.goal_facing && same(*plan.goal_facing, *asked.facing))) {

@@ -67,7 +67,7 @@ TEST_F(CliHelp, ListsTheDefaultsOfEveryRobot) {
 }
 
 TEST_F(CliHelp, TeachesInfoVerifyAndScene) {
-  expect_all(help({"info"}), {"SCENE", ".krait", "--robot"});
+  expect_all(help({"info"}), {"SCENE", ".krait", "--robot", "--memory"});
   expect_all(help({"verify"}), {"INPUT", "PLAN", "--robot", "--start", "--goal", "--unknown"});
   expect_all(help({"robot"}), {"ROBOT", "--svg", "--png", "ROBOT.json"});
   expect_all(help({"robots"}), {"shipped robots"});
@@ -88,6 +88,37 @@ TEST_F(CliHelp, InfoReportsRegionsPiecesBytesAndTheNarrowestPortal) {
   expect_all(krait({"info", "room.krait", "--robot", "car"}).output, {"advance(1) of car: at most 1241 placements"});
   const auto size = std::filesystem::file_size(path("room.krait"));
   EXPECT_THAT(outcome.output, testing::ContainsRegex("total +" + std::to_string(size)));
+}
+
+// Of text like "at least 123 bytes", the number behind the words.
+std::uint64_t number_after(const std::string& text, const std::string& words) {
+  const std::size_t at = text.find(words);
+  EXPECT_NE(at, std::string::npos) << words << " is not in " << text;
+  return at == std::string::npos ? 0 : std::stoull(text.substr(at + words.size()));
+}
+
+TEST_F(CliHelp, InfoReportsTheLeastBlockAndItsPools) {
+  const std::string least = krait({"info", "room.krait", "--robot", "car", "--memory", "100"}).output;
+  expect_all(least, {"RAM for car: at least ", "100 is too little"});
+  const std::uint64_t bytes = number_after(least, "at least ");
+  const auto plan = [&](std::uint64_t memory) {
+    return krait({"plan", "room.krait", "--robot", "car", "--start", "west", "--goal", "east", "--memory",
+                  std::to_string(memory), "-o", "plan.json"});
+  };
+  EXPECT_LE(plan(bytes).code, 1);
+  EXPECT_THAT(plan(bytes - 1).errors, testing::HasSubstr("need at least " + std::to_string(bytes) + " bytes"));
+
+  const std::string info = krait({"info", "room.krait", "--robot", "car", "--memory", "40000"}).output;
+  const std::string pools = info.substr(info.find("pool of RAM"));
+  std::uint64_t sum = 0;
+  for (const char* pool : {"regions", "portals", "groups", "vertices", "states", "expansions", "members", "work"}) {
+    sum += number_after(pools, std::string("\n") + pool + " ");
+  }
+  EXPECT_EQ(number_after(pools, "\ntotal "), sum);
+  EXPECT_LE(sum, 40'000U);
+  const std::uint64_t vertices = number_after(info, "40000 holds ");
+  const double each = static_cast<double>(number_after(info, "bytes, and "));
+  EXPECT_NEAR(static_cast<double>(bytes) + each * static_cast<double>(vertices), 40'000.0, 200.0);
 }
 
 TEST_F(CliHelp, DemoExplainsItself) {

@@ -379,7 +379,7 @@ TEST_P(ForgedPlan, ByNotANumber) {
     }
     expect_refused(forged([&](Case& o) { o.plan.dt = none; }), StartsWith("dt: is "));
     expect_refused(forged([&](Case& o) { o.plan.origin.y = none; }), "origin: is not finite");
-    expect_refused(forged([&](Case& o) { o.plan.goal_polygon[1].x = none; }), "goal: the plan gives no polygon");
+    expect_refused(forged([&](Case& o) { o.plan.goal_polygon[1].x = none; }), "goal: the plan states no polygon");
     expect_refused(forged([&](Case& o) { o.plan.robot.bodies[0][2].y = none; }), StartsWith("robot: body 0 differs"));
     expect_refused(forged([&](Case& o) { o.plan.robot.parameters["max_speed"] = none; }), StartsWith("robot: "));
   }

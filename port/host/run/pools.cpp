@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "host/run/pools.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace krait::host {
+
+std::uint64_t least_block(const krait::Scene& scene, const Robot& robot) {
+  return Planner::bytes_required(scene, robot, {.vertices = 2});
+}
+
+double bytes_a_vertex(const krait::Scene& scene, const Robot& robot) {
+  constexpr std::uint32_t kMany = 10'000;
+  const std::uint64_t many = Planner::bytes_required(scene, robot, {.vertices = 2 + kMany});
+  return static_cast<double>(many - least_block(scene, robot)) / kMany;
+}
+
+Pools pools_of(std::uint64_t bytes, const krait::Scene& scene, const Robot& robot) {
+  if (bytes < least_block(scene, robot)) return {};
+  const Limits limits = Planner::limits_for(bytes, scene, robot);
+  std::vector<std::uint64_t> block((Planner::bytes_required(scene, robot, limits) + 7) / 8);
+  const auto planner = std::make_unique<Planner>();
+  if (!planner->init({block.data(), 8 * block.size(), &scene, robot}, {}, limits).ok()) return {};
+  Pools pools{limits.vertices, limits.kept_expansions(), {}};
+  for (std::size_t i = 0; i < kPoolCount; ++i) pools.bytes[i] = planner->arena().needed(static_cast<Pool>(i));
+  return pools;
+}
+
+}  // namespace krait::host

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a planner would share out a block for a scene and a robot.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "krait/krait.hpp"
+
+namespace krait::host {
+
+struct Pools {
+  std::uint32_t vertices = 0;  // 0: the block is too small
+  std::uint32_t expansions = 0;
+  std::array<std::uint64_t, kPoolCount> bytes{};  // by Pool
+};
+
+// The least block that a planner takes, bytes.
+std::uint64_t least_block(const krait::Scene& scene, const Robot& robot);
+
+// How much more each vertex takes, with the half of an expansion that goes with it, bytes.
+double bytes_a_vertex(const krait::Scene& scene, const Robot& robot);
+
+// Of a block of `bytes`.
+Pools pools_of(std::uint64_t bytes, const krait::Scene& scene, const Robot& robot);
+
+}  // namespace krait::host
