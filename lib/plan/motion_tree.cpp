@@ -68,14 +68,14 @@ Index MotionTree::add(Branch branch, const float* state) {
 }
 
 void MotionTree::replace(Index vertex, Branch branch, const float* state) {
-  KRAIT_ASSERT(vertex != kRoot && vertex < vertex_high_);
+  KRAIT_ASSERT(vertex < vertex_high_);
   const Branch before = this->branch(vertex);
   write(vertex, branch, state);
   release(before);
 }
 
 void MotionTree::remove(Index vertex) {
-  KRAIT_ASSERT(vertex != kRoot && vertex < vertex_high_);
+  KRAIT_ASSERT(vertex < vertex_high_);
   const Branch before = branch(vertex);
   branches_[vertex] = free_vertex_;
   free_vertex_ = vertex;

@@ -28,7 +28,7 @@ class IndexedHeap {
   // The queue's memory as a plain list of `capacity` numbers, while it is empty. Pushing the list's numbers one by one,
   // front to back, overwrites none that is still to come.
   Index listed(Index i) const {
-    KRAIT_ASSERT(empty() && i < capacity_);
+    KRAIT_ASSERT(i >= size_ && i < capacity_);
     return heap_[i];
   }
   void list(Index i, Index number) {
