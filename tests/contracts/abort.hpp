@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// KRAIT_ASSERT for tests, under sanitizers and in fuzzers: a broken contract says which and where, and ends the
+// KRAIT_ASSERT for tests under sanitizers: a broken contract says which and where, and ends the
 // program.
 #pragma once
 
