@@ -12,9 +12,9 @@ endif()")
 
 install(TARGETS krait EXPORT krait-targets INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/krait DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-  FILES_MATCHING PATTERN *.hpp PATTERN version.h)
+  FILES_MATCHING PATTERN *.hpp PATTERN version.h PATTERN robot_check.hpp EXCLUDE)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/NOTICE
-  ${PROJECT_SOURCE_DIR}/include/krait/scene/FORMAT.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+  ${PROJECT_SOURCE_DIR}/include/krait/FORMAT.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 install(EXPORT krait-targets NAMESPACE krait:: DESTINATION ${package_folder})
 write_basic_package_version_file(krait-config-version.cmake

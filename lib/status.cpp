@@ -69,8 +69,8 @@ static_assert(sizeof(kArgumentNames) / sizeof(kArgumentNames[0]) ==
 
 }  // namespace
 
-const char* name(Status status) { return kStatusNames[static_cast<std::size_t>(status)]; }
+const char* to_string(Status status) { return kStatusNames[static_cast<std::size_t>(status)]; }
 
-const char* name(Argument argument) { return kArgumentNames[static_cast<std::size_t>(argument)]; }
+const char* to_string(Argument argument) { return kArgumentNames[static_cast<std::size_t>(argument)]; }
 
 }  // namespace krait

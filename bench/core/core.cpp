@@ -7,11 +7,17 @@
 #include <string>
 #include <vector>
 
+#include "collision/motion_check.hpp"
 #include "core/recording.hpp"
+#include "decomposition/regions.hpp"
 #include "host/run/query.hpp"
 #include "host/run/robots.hpp"
 #include "host/run/run.hpp"
 #include "host/workspace/workspace.hpp"
+#include "krait/robots/defaults.hpp"
+#include "motion/rk4.hpp"
+#include "search/adaptive_search.hpp"
+#include "search/groups.hpp"
 #include "tests/core/in_own_memory.hpp"
 #include "trials/trials.hpp"
 
@@ -142,16 +148,16 @@ void plan(benchmark::State& state, Workload& work) {
   work.count(state);
 }
 
-test::InOwnMemory<MotionCheck> check_of(const Workload& work) {
-  test::InOwnMemory<MotionCheck> check;
+test::InOwnMemory<detail::MotionCheck> check_of(const Workload& work) {
+  test::InOwnMemory<detail::MotionCheck> check;
   const Parameters& p = work.parameters();
-  check.assign(work.robot(), work.scene(), p.clearance, static_cast<int>(p.max_substeps), !p.plain);
+  check.assign(work.robot(), work.scene(), p.clearance, static_cast<int>(p.tuning.max_substeps), !p.tuning.plain);
   return check;
 }
 
 // The floor of the method: a Runge-Kutta step and the proof that it is free, for every vertex.
 void steps_of_vertices(benchmark::State& state, const Workload& work) {
-  test::InOwnMemory<MotionCheck> check = check_of(work);
+  test::InOwnMemory<detail::MotionCheck> check = check_of(work);
   const float dt = work.parameters().dt;
   float next[Snake::kMaxState];
   for (auto _ : state) {
@@ -159,7 +165,7 @@ void steps_of_vertices(benchmark::State& state, const Workload& work) {
       if (expansion.taken > 0) check.begin(expansion.attempts.front().state.data());
       for (std::size_t i = 0; i < expansion.taken; ++i) {
         const Attempt& attempt = expansion.attempts[i];
-        propagate(work.robot(), attempt.state.data(), check.poses(), attempt.control.data(), dt, next);
+        detail::propagate(work.robot(), attempt.state.data(), check.poses(), attempt.control.data(), dt, next);
         benchmark::DoNotOptimize(check.step_free(attempt.state.data(), attempt.control.data(), dt, next));
       }
     });
@@ -189,8 +195,8 @@ void steer_steps(benchmark::State& state, const Workload& work) {
     work.for_each_expansion([&](const Expansion& expansion) {
       Steering steering;
       for (const Attempt& attempt : expansion.attempts) {
-        steer(robot, StateView(attempt.state.data(), robot.state_size()), at, expansion.target, steering,
-              ControlRef(control, robot.control_size()));
+        detail::steer(robot, StateView(attempt.state.data(), robot.state_size()), at, expansion.target, steering,
+                      ControlRef(control, robot.control_size()));
         benchmark::DoNotOptimize(control);
         at += robot.body_count();
       }
@@ -206,7 +212,7 @@ void propagate_steps(benchmark::State& state, const Workload& work) {
     const Pose* at = frames.data();
     work.for_each_expansion([&](const Expansion& expansion) {
       for (const Attempt& attempt : expansion.attempts) {
-        propagate(work.robot(), attempt.state.data(), at, attempt.control.data(), work.parameters().dt, next);
+        detail::propagate(work.robot(), attempt.state.data(), at, attempt.control.data(), work.parameters().dt, next);
         benchmark::DoNotOptimize(next);
         at += work.robot().body_count();
       }
@@ -216,7 +222,7 @@ void propagate_steps(benchmark::State& state, const Workload& work) {
 
 // The collision check, for every step that was tried.
 void check_steps(benchmark::State& state, const Workload& work) {
-  test::InOwnMemory<MotionCheck> check = check_of(work);
+  test::InOwnMemory<detail::MotionCheck> check = check_of(work);
   const float dt = work.parameters().dt;
   for (auto _ : state) {
     work.for_each_expansion([&](const Expansion& expansion) {
@@ -233,7 +239,7 @@ void check_steps(benchmark::State& state, const Workload& work) {
 void shortest_paths(benchmark::State& state, Workload& work) {
   Planner planner;
   work.set_up(planner, work.robot(), 1);
-  Regions regions = planner.regions();
+  detail::Regions regions = detail::opened(planner).regions();
   for (auto _ : state) {
     for (std::uint64_t seed = 1; seed <= work.seeds(); ++seed) regions.update();
   }
@@ -244,10 +250,10 @@ void select_group(benchmark::State& state, Workload& work) {
   Planner planner;
   work.set_up(planner, work.robot(), 1);
   (void)planner.advance(UINT64_MAX);
-  Groups groups = planner.groups();
+  detail::Groups groups = detail::opened(planner).groups();
   for (auto _ : state) {
     for (std::uint64_t seed = 1; seed <= work.seeds(); ++seed)
-      benchmark::DoNotOptimize(groups.select(planner.regions()));
+      benchmark::DoNotOptimize(groups.select(detail::opened(planner).regions()));
   }
 }
 

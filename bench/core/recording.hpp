@@ -5,8 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "krait/robot/snake.hpp"
-#include "krait/search/planner.hpp"
+#include "krait/planner.hpp"
+#include "krait/robots/snake.hpp"
+#include "motion/rk4.hpp"
 
 namespace krait::bench {
 
@@ -55,7 +56,7 @@ inline std::vector<Expansion> record(const RecordingSnake& snake, Planner& plann
     if (expansion.attempts.size() > taken + 1) expansion.attempts.resize(taken);
     for (Attempt& attempt : expansion.attempts) {
       attempt.next.resize(attempt.state.size());
-      propagate(snake, attempt.state.data(), attempt.control.data(), dt, attempt.next.data());
+      detail::propagate(snake, attempt.state.data(), attempt.control.data(), dt, attempt.next.data());
     }
     expansion.taken = taken;
     all.push_back(std::move(expansion));

@@ -48,7 +48,7 @@ void robot_control(const PeerProblem& problem, const float* state, const ompl::c
 
 PeerMotion::PeerMotion(const PeerProblem& problem, Stop stop) : problem_(problem), stop_(stop) {
   check_.assign(problem.robot, problem.scene, problem.parameters.clearance,
-                static_cast<int>(problem.parameters.max_substeps), true);
+                static_cast<int>(problem.parameters.tuning.max_substeps), true);
 }
 
 void PeerMotion::take_step(const PeerState& from, const ompl::control::Control* control, PeerState& to) {
@@ -80,7 +80,7 @@ bool PeerMotion::at_rest_valid(const PeerState& state) {
 
 bool PeerMotion::ended_before_last_step() const {
   if (stop_ == Stop::never) return false;
-  const float near = problem_.parameters.near_radius * robot_length(problem_.robot);
+  const float near = problem_.parameters.tuning.near_radius * robot_length(problem_.robot);
   return (stop_ == Stop::at_target && last_.target_distance <= near) ||
          in_goal(problem_, {last_.from[0], last_.from[1]});
 }

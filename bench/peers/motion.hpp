@@ -8,7 +8,7 @@
 #include <ompl/control/StatePropagator.h>
 #include <ompl/control/spaces/RealVectorControlSpace.h>
 
-#include "krait/collision/motion_check.hpp"
+#include "collision/motion_check.hpp"
 #include "peers/problem.hpp"
 #include "tests/core/in_own_memory.hpp"
 
@@ -43,7 +43,7 @@ class PeerMotion {
 
   const PeerProblem& problem_;
   const Stop stop_;
-  test::InOwnMemory<MotionCheck> check_;
+  test::InOwnMemory<detail::MotionCheck> check_;
   Step last_;
   std::uint64_t proven_ = PeerState::kSampled;  // number of the step that check_ goes on from
 };
@@ -53,8 +53,8 @@ class PeerPropagator : public ompl::control::StatePropagator {
   PeerPropagator(const ompl::control::SpaceInformationPtr& space, PeerMotion& motion)
       : StatePropagator(space), motion_(motion) {}
 
-  void propagate(const ompl::base::State* state, const ompl::control::Control* control, double duration,
-                 ompl::base::State* result) const override;
+  void detail::propagate(const ompl::base::State* state, const ompl::control::Control* control, double duration,
+                         ompl::base::State* result) const override;
   bool canPropagateBackward() const override { return false; }
 
  private:

@@ -139,7 +139,7 @@ host::SearchResult solve(const PeerPlanner& planner, const std::string& scene_pa
   if (!search.start_is_free()) throw host::InputError("start_in_collision: the robot cannot stand at the start");
   const bool solved = search.run(request.time_limit.value_or(std::numeric_limits<double>::infinity()));
   host::SearchResult result{query.form, query.asked, 0};
-  result.plan.status = name(solved ? Status::solved : Status::time_used);
+  result.plan.status = to_string(solved ? Status::solved : Status::time_used);
   if (solved) search.take_plan_out(result.plan);
   result.seconds = since(begin);
   result.plan.statistics = statistics_of(result.plan, result.seconds, search.checks());

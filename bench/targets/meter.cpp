@@ -7,6 +7,7 @@
 #include "firmware/line.hpp"
 #include "firmware/scene_pack.hpp"
 #include "quantile.hpp"
+#include "search/adaptive_search.hpp"
 
 namespace krait::bench {
 namespace {
@@ -120,8 +121,8 @@ void add_pools(firmware::JsonLine& line, const Board& board, const Robot& robot,
     first = false;
     (void)planner.init({board.arena, block, &scene, robot});
     for (std::size_t pool = 0; pool < kPoolCount; ++pool) {
-      const std::uint64_t bytes = planner.arena().needed(static_cast<Pool>(pool));
-      if (bytes > 0) line.add(name(static_cast<Pool>(pool)), bytes);
+      const std::uint64_t bytes = detail::opened(planner).arena().needed(static_cast<Pool>(pool));
+      if (bytes > 0) line.add(to_string(static_cast<Pool>(pool)), bytes);
     }
   });
 }

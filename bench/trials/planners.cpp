@@ -12,21 +12,21 @@ using host::InputError;
 
 // Edge costs never change, and no target strays: what is left of Algorithm 1 without its adaptation.
 Parameters static_costs(Parameters parameters) {
-  parameters.gamma = 0.0F;
-  parameters.stray_share = 0.0F;
+  parameters.tuning.gamma = 0.0F;
+  parameters.tuning.stray_share = 0.0F;
   return parameters;
 }
 
 // Without shortcuts: what they are measured against.
 Parameters plain() {
   Parameters parameters;
-  parameters.plain = true;
+  parameters.tuning.plain = true;
   return parameters;
 }
 
 // Portals that the robot cannot pass stay edges, as in the paper: the search has to find out.
 Parameters unpruned(Parameters parameters) {
-  parameters.prune_portals = false;
+  parameters.tuning.prune_portals = false;
   return parameters;
 }
 
@@ -65,13 +65,13 @@ void set_parameter(const std::string& setting, Parameters& parameters) {
   const auto [rest, error] = std::from_chars(begin, end, value);
   if (error != std::errc() || rest != end) throw InputError("--set " + setting + ": give NAME=NUMBER");
   if (name == "alpha") {
-    parameters.alpha = static_cast<float>(value);
+    parameters.tuning.alpha = static_cast<float>(value);
   } else if (name == "beta") {
-    parameters.beta = static_cast<float>(value);
+    parameters.tuning.beta = static_cast<float>(value);
   } else if (name == "gamma") {
-    parameters.gamma = static_cast<float>(value);
+    parameters.tuning.gamma = static_cast<float>(value);
   } else if (name == "kappa" && value >= 0 && value <= UINT32_MAX) {
-    parameters.kappa = static_cast<std::uint32_t>(value);
+    parameters.tuning.kappa = static_cast<std::uint32_t>(value);
   } else {
     throw InputError("--set " + setting + ": known are alpha, beta, gamma and kappa, within their ranges");
   }

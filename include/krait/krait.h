@@ -101,7 +101,7 @@ uint32_t krait_find_goal(const krait_scene* scene, const char* name); /* or KRAI
 
 /* ---- The robot ---- */
 
-/* Snake, truck and car: krait/robot/chain.hpp has the ranges. */
+/* Snake, truck and car: krait/robots/chain.hpp has the ranges. */
 typedef struct krait_chain_parameters {
   int trailers;
   float body_length, body_width, body_offset;
@@ -112,14 +112,14 @@ typedef struct krait_chain_parameters {
   float max_hitch_angle;
 } krait_chain_parameters;
 
-/* krait/robot/unicycle.hpp has the ranges. */
+/* krait/robots/unicycle.hpp has the ranges. */
 typedef struct krait_unicycle_parameters {
   float body_length, body_width;
   float max_speed, min_speed;
   float max_turn_rate;
 } krait_unicycle_parameters;
 
-/* krait/robot/differential_drive.hpp has the ranges. */
+/* krait/robots/differential_drive.hpp has the ranges. */
 typedef struct krait_diff_drive_parameters {
   float body_length, body_width;
   float wheel_radius, track_width;
@@ -150,10 +150,15 @@ typedef struct krait_frame {
   float sin, cos;
 } krait_frame;
 
-/* How a body can have moved during a step: krait/robot/robot_model.hpp says what each bounds. */
+/* How a body can have moved during a step: krait/robots/model.hpp says what each bounds. */
 typedef struct krait_travel {
   float path, turn, bend, twist;
 } krait_travel;
+
+/* The most that a body does at any time of a step, none of it below 0: m/s, rad/s, m/s^2 and rad/s^2, of its frame. */
+typedef struct krait_body_rates {
+  float speed, turn, acceleration, turn_acceleration;
+} krait_body_rates;
 
 /* Whether this file's flags keep float arithmetic as it is written, which the same plan on every machine needs
    (-ffp-contract=off, no -ffast-math): the member `exact` of your own robot's functions. */
@@ -168,8 +173,8 @@ static inline bool krait_exact(void) {
 }
 
 /* A robot of your own: pure functions of their arguments and of what lies at `self`, which krait_own_robot is given and
-   which must outlive the planner. What each must do is said of the member of its name in krait/robot/robot_model.hpp;
-   on a workstation, check_robot of krait/robot_check/robot_check.hpp says where one breaks it. State components 0 and 1
+   which must outlive the planner. What each must do is said of the member of its name in krait/robots/model.hpp;
+   on a workstation, check_robot of krait/robot_check.hpp says where one breaks it. State components 0 and 1
    are the position in metres. */
 typedef struct krait_functions {
   bool (*exact)(void); /* krait_exact, of the file that the functions stand in */
@@ -182,7 +187,10 @@ typedef struct krait_functions {
   bool (*within_limits)(const void* self, const float* s);
   krait_polygon (*body)(const void* self, int k); /* 3 to 8 corners, which stay where they are */
   void (*place)(const void* self, const float* s, krait_frame* frames);
+
+  /* One of these two: `rates` is asked where `travel` is NULL. */
   bool (*travel)(const void* self, const float* s, const float* u, float dt, const float* next, krait_travel* travel);
+  bool (*rates)(const void* self, const float* s, const float* u, float dt, const float* next, krait_body_rates* rates);
 
   /* Each of these may be NULL. */
   float (*speed)(const void* self, const float* s);
@@ -239,25 +247,29 @@ KRAIT_NODISCARD bool krait_rest(const krait_robot* robot, krait_pose pose, float
 /* ---- Planning ---- */
 
 /* krait/parameters.hpp says what each is for, with its range. */
-typedef struct krait_parameters {
+typedef struct krait_search_tuning {
   uint32_t group_sample;
   float alpha, beta, epsilon;
   float gamma, cost_length;
   uint32_t kappa, update_regions;
   bool raise_goal;
-  float dt;
   uint32_t max_steps, open_steps, path_regions;
   float near_radius, stray_share, gentle_share;
   uint32_t sight_tries, candidates, least_sketch;
   uint32_t doomed_steps, restart_unit;
   float slowest, reverse_share;
-  float clearance;
   bool continuous;
   uint32_t max_substeps;
   bool prune_portals;
   bool plain;
-  float goal_margin;
-  float end_speed; /* m/s; INFINITY: any */
+} krait_search_tuning;
+
+typedef struct krait_parameters {
+  float dt;          /* seconds, 0.001 to 1: a time step */
+  float clearance;   /* metres, 0 to 10: a plan keeps it between bodies and everything, on top of rounding */
+  float goal_margin; /* metres, 0 to 10, at most a tenth of the goal's size: how deep inside the plan must end */
+  float end_speed;   /* m/s, 0 to INFINITY: a plan ends no faster, to 5 mm/s; 0: at rest; INFINITY: at any speed */
+  krait_search_tuning tuning;
 } krait_parameters;
 krait_parameters krait_default_parameters(void);
 
@@ -341,7 +353,7 @@ void krait_stop_for_time(krait_planner* planner);
 /* The last answer, with its details. */
 KRAIT_NODISCARD krait_failure krait_last_failure(const krait_planner* planner);
 
-/* What a start lies against: krait/collision/contact.hpp says what each is. */
+/* What a start lies against: krait/why.hpp says what each is. */
 enum { KRAIT_NO_CONTACT, KRAIT_WITH_OBSTACLE, KRAIT_WITH_BOUNDS, KRAIT_WITH_BODY, KRAIT_WITH_GROUND };
 
 typedef struct krait_contact {

@@ -2,12 +2,12 @@
 // krait: kinodynamic, region-guided, adaptive, in-place tree search. Everything that a firmware needs.
 #pragma once
 
-#include "krait/robot/car.hpp"
-#include "krait/robot/differential_drive.hpp"
-#include "krait/robot/snake.hpp"
-#include "krait/robot/truck.hpp"
-#include "krait/robot/unicycle.hpp"
-#include "krait/scene/scene.hpp"
-#include "krait/search/planner.hpp"
+#include "krait/planner.hpp"
+#include "krait/robots/car.hpp"
+#include "krait/robots/differential_drive.hpp"
+#include "krait/robots/snake.hpp"
+#include "krait/robots/truck.hpp"
+#include "krait/robots/unicycle.hpp"
+#include "krait/scene.hpp"
 #include "krait/status.hpp"
 #include "krait/version.h"

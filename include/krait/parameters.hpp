@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "krait/base/math.hpp"
+#include "krait/math.hpp"
 #include "krait/status.hpp"
 
 namespace krait {
@@ -12,7 +12,8 @@ namespace krait {
 // As large as a group's sample of the states that reached its region can be.
 inline constexpr std::uint32_t kUnboundedSample = 65535;
 
-struct Parameters {
+// How the search goes about it. The defaults are measured (bench/ABLATIONS.md), and few programs change them.
+struct SearchTuning {
   static constexpr std::uint32_t kMostSteps = 1000;  // of an expansion
   static constexpr std::uint32_t kMostDoomedSteps = 3;
   static constexpr std::uint32_t kMostCandidates = 8;
@@ -30,7 +31,6 @@ struct Parameters {
   std::uint32_t update_regions = 250;  // 0 … 1e6: and at least one expansion for so many regions of the scene; 0: none
   bool raise_goal = false;             // whether a failure right before the goal raises the goal's edges as well
   // Algorithm 2.
-  float dt = 0.1F;                  // 0.001 … 1 s: a time step
   std::uint32_t max_steps = 40;     // 1 … 1000: of one expansion
   std::uint32_t open_steps = 1000;  // 0 … 1000: of one in the open, while it nears its target and crosses one portal
   std::uint32_t path_regions = 6;   // 1 … 64: targets come from that many regions after the group's own
@@ -45,7 +45,6 @@ struct Parameters {
   float slowest = 1.0F;        // 0.05 … 1: speed set-points are uniform from this share of the top speed to all of it
   float reverse_share = 0.2F;  // 0 … 1: share of expansions that drive backwards, of a robot that can
   // Collision.
-  float clearance = 1e-3F;          // 0 … 10 m: a plan keeps it between bodies and everything, on top of rounding
   bool continuous = true;           // whether whole steps are proven free, or states only
   std::uint32_t max_substeps = 16;  // 1 … 64, a power of two: how finely a step is cut to prove it
   bool prune_portals = true;        // whether portals too narrow for the robot are removed before the search
@@ -53,9 +52,15 @@ struct Parameters {
   // choice, Box2D for every body and every pair of bodies, without the scene's tables. The same plan; what shortcuts
   // are measured against.
   bool plain = false;
-  // The goal.
+};
+
+// What a program says of its robot's motion and of its plans.
+struct Parameters {
+  float dt = 0.1F;            // 0.001 … 1 s: a time step
+  float clearance = 1e-3F;    // 0 … 10 m: a plan keeps it between bodies and everything, on top of rounding
   float goal_margin = 0.03F;  // 0 … 10 m, at most a tenth of the goal's size: how deep inside the plan must end
   float end_speed = 0.0F;  // m/s, 0 … infinity: a plan ends no faster, to 5 mm/s; 0: at rest; infinity: at any speed
+  SearchTuning tuning;
 
   // Algorithms 1 and 2 with the paper's constants: discrete collision checks, no pruning, Eqn 9 as printed.
   static Parameters paper();

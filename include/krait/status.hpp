@@ -27,7 +27,7 @@ enum class Status : std::uint8_t {
 };
 
 // Lower-case name as in the enum. The pointer is to static storage.
-const char* name(Status status);
+const char* to_string(Status status);
 
 // Which argument is wrong: Failure::element of bad_argument and bad_robot.
 enum class Argument : std::uint8_t {
@@ -73,7 +73,7 @@ enum class Argument : std::uint8_t {
 };
 
 // Lower-case name as in the enum. The pointer is to static storage.
-const char* name(Argument argument);
+const char* to_string(Argument argument);
 
 // What went wrong, where. Fields that do not apply are zero.
 struct Failure {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/base/arena.hpp"
+#include "base/arena.hpp"
 
-namespace krait {
+namespace krait::detail {
 namespace {
 constexpr const char* kPoolNames[kPoolCount] = {"regions",    "portals", "groups",      "vertices", "states",
                                                 "expansions", "members", "improvement", "work"};
 }
 
-const char* name(Pool pool) { return kPoolNames[static_cast<std::size_t>(pool)]; }
+const char* to_string(Pool pool) { return kPoolNames[static_cast<std::size_t>(pool)]; }
 
 void* Arena::take_bytes(Pool pool, std::uint64_t bytes) {
   const std::uint64_t padded = (bytes + kAlignment - 1) / kAlignment * kAlignment;
@@ -17,4 +17,4 @@ void* Arena::take_bytes(Pool pool, std::uint64_t bytes) {
   return block_ != nullptr && needed_ <= bytes_ ? block_ + offset : nullptr;
 }
 
-}  // namespace krait
+}  // namespace krait::detail

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/base/math.hpp"
+#include "krait/math.hpp"
 
-#include "base/lanes/angles.hpp"
-
-namespace krait {
+namespace krait::math {
 namespace {
 
 // atan on [0, tan(pi/8)] after reduction; polynomial in z = x*x (Cephes atanf coefficients).
@@ -20,13 +18,6 @@ float atan_unit(float x) {
 }
 
 }  // namespace
-
-[[gnu::flatten]] void turn_to(const float* angles, int count, Pose* frames) {
-#ifdef KRAIT_LANES
-  if (count >= lanes::kLeastAngles) return lanes::turn_frames(angles, count, frames);
-#endif
-  for (int i = 0; i < count; ++i) frames[i].heading = sin_cos(angles[i]);
-}
 
 float atan2(float y, float x) {
   const float ax = x < 0.0F ? -x : x;
@@ -75,4 +66,4 @@ float wrap_angle(float x) {
   return (x - n * 6.28125F) - n * 1.93530717958648e-3F;
 }
 
-}  // namespace krait
+}  // namespace krait::math

@@ -73,11 +73,11 @@ Front& front_of(krait_planner* planner) { return *std::launder(reinterpret_cast<
 const Front& front_of(const krait_planner* planner) { return *std::launder(reinterpret_cast<const Front*>(planner)); }
 
 constexpr std::uint64_t aligned(std::uint64_t bytes) {
-  constexpr std::uint64_t kStep = krait::Arena::kAlignment;
+  constexpr std::uint64_t kStep = krait::Setup::kAlignment;
   return (bytes + kStep - 1) / kStep * kStep;
 }
 
-static_assert(alignof(Front) <= krait::Arena::kAlignment);
+static_assert(alignof(Front) <= krait::Setup::kAlignment);
 
 // Bytes before the pools.
 std::uint64_t front_bytes(const krait_robot& robot) {
@@ -87,12 +87,12 @@ std::uint64_t front_bytes(const krait_robot& robot) {
 }  // namespace
 
 const char* krait_status_name(krait_status status) {
-  return status <= KRAIT_INTERNAL ? krait::name(static_cast<Status>(status)) : "unknown";
+  return status <= KRAIT_INTERNAL ? krait::to_string(static_cast<Status>(status)) : "unknown";
 }
 
 const char* krait_argument_name(uint32_t element) {
   constexpr auto kLast = static_cast<std::uint32_t>(krait::Argument::robot_sizes);
-  return element <= kLast ? krait::name(static_cast<krait::Argument>(element)) : "unknown";
+  return element <= kLast ? krait::to_string(static_cast<krait::Argument>(element)) : "unknown";
 }
 
 krait_failure krait_open(krait_scene* scene, const void* file, size_t file_bytes) {
@@ -154,7 +154,7 @@ krait_failure krait_init(krait_planner** planner, const krait_setup* setup, cons
     if (least.vertices == 0) least.vertices = 2;
     return {KRAIT_ARENA_TOO_SMALL, 0, 0, krait_bytes_required(setup->scene, &robot, &least), 0.0F};
   }
-  if (setup->block == nullptr || reinterpret_cast<std::uintptr_t>(setup->block) % krait::Arena::kAlignment != 0) {
+  if (setup->block == nullptr || reinterpret_cast<std::uintptr_t>(setup->block) % krait::Setup::kAlignment != 0) {
     return {KRAIT_BAD_ARGUMENT, 0, static_cast<std::uint32_t>(krait::Argument::block), 0, 0.0F};
   }
   auto* const place = static_cast<std::byte*>(setup->block);

@@ -77,7 +77,7 @@ struct Model {
   static bool rest(const krait_robot& from, const krait_pose& pose, float* state) {
     const R robot = make_robot<R>(from);
     if (!robot.sound()) return false;
-    return krait::rest(robot, {pose.x, pose.y}, pose.heading, pose.angles, pose.angle_count, state);
+    return detail::rest(robot, {pose.x, pose.y}, pose.heading, pose.angles, pose.angle_count, state);
   }
 
   static std::uint64_t pools(const Scene& scene, const krait_robot& from, const Limits& limits) {

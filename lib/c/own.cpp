@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "c/model.hpp"
+#include "robot/shape.hpp"
 
 namespace {
 
@@ -19,7 +20,7 @@ class OwnRobot {
   int body_count() const { return f_.body_count; }
   bool sound() const {
     return f_.derivative != nullptr && f_.steer != nullptr && f_.within_limits != nullptr && f_.body != nullptr &&
-           f_.place != nullptr && f_.travel != nullptr;
+           f_.place != nullptr && (f_.travel != nullptr || f_.rates != nullptr);
   }
   bool exact() const { return f_.exact != nullptr && f_.exact(); }
 
@@ -39,7 +40,10 @@ class OwnRobot {
     f_.place(self_, s.data(), reinterpret_cast<krait_frame*>(poses));
   }
   bool travel(krait::StateView s, krait::ControlView u, float dt, krait::StateView next, krait::Travel* travel) const {
-    return f_.travel(self_, s.data(), u.data(), dt, next.data(), reinterpret_cast<krait_travel*>(travel));
+    if (f_.travel != nullptr) {
+      return f_.travel(self_, s.data(), u.data(), dt, next.data(), reinterpret_cast<krait_travel*>(travel));
+    }
+    return travel_by_rates(s.data(), u.data(), dt, next.data(), travel);
   }
 
   float stopping_way(krait::StateView s) const {
@@ -62,7 +66,14 @@ class OwnRobot {
   const void* self() const { return self_; }
 
  private:
-  float length() const { return krait::body_length(body(0)); }
+  bool travel_by_rates(const float* s, const float* u, float dt, const float* next, krait::Travel* travel) const {
+    krait::BodyRates rates[krait::kMaxBodies] = {};
+    const bool limits_hold = f_.rates(self_, s, u, dt, next, reinterpret_cast<krait_body_rates*>(rates));
+    for (int k = 0; k < f_.body_count; ++k) travel[k] = krait::detail::travel_of(rates[k], dt);
+    return limits_hold;
+  }
+
+  float length() const { return krait::detail::body_length(body(0)); }
 
   krait_functions f_;
   const void* self_;
@@ -78,6 +89,7 @@ class OwnRobotWithSpeed : public OwnRobot {
 static_assert(sizeof(krait_point) == sizeof(krait::Vec2) && alignof(krait_point) == alignof(krait::Vec2));
 static_assert(sizeof(krait_frame) == sizeof(krait::Pose) && alignof(krait_frame) == alignof(krait::Pose));
 static_assert(offsetof(krait_frame, sin) == offsetof(krait::Pose, heading));
+static_assert(sizeof(krait_body_rates) == sizeof(krait::BodyRates));
 static_assert(sizeof(krait_travel) == sizeof(krait::Travel) && alignof(krait_travel) == alignof(krait::Travel));
 
 }  // namespace

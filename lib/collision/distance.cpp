@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/collision/distance.hpp"
+#include "collision/distance.hpp"
 
 // Box2D lives in a namespace of our own, so that a program may link another Box2D beside it. Everything that its
 // headers include comes first, outside.
@@ -20,7 +20,7 @@ namespace krait::box2d {
 const b2Vec2 b2Vec2_zero(0.0F, 0.0F);  // the one definition that the distance needs from b2_math.cpp
 }  // namespace krait::box2d
 
-namespace krait {
+namespace krait::detail {
 namespace {
 
 box2d::b2DistanceOutput measure(Polygon a, Polygon b) {
@@ -51,4 +51,4 @@ Gap polygon_gap(Polygon a, Polygon b) {
   return {output.distance, 0.5F * (on_a + on_b)};
 }
 
-}  // namespace krait
+}  // namespace krait::detail

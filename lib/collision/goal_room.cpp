@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/collision/goal_room.hpp"
+#include "collision/goal_room.hpp"
 
-namespace krait {
+namespace krait::detail {
 namespace {
 
 constexpr int kDeepest = 5;  // how often squares are quartered
@@ -45,4 +45,4 @@ GoalRoom goal_room(const Scene& scene, const Obstacles& obstacles, const Goal& g
   return room;
 }
 
-}  // namespace krait
+}  // namespace krait::detail

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/collision/motion_check.hpp"
+#include "collision/motion_check.hpp"
 
-namespace krait {
+#include "robot/shape.hpp"
+
+namespace krait::detail {
 
 void MotionCheck::take(Arena& arena, const Robot& robot) {
   const auto bodies = static_cast<std::uint64_t>(robot.body_count());
@@ -172,7 +174,7 @@ PlacedBody MotionCheck::swept(int k, Vec2 at) const {
 
 bool MotionCheck::keeps_margin(const Placement& placement, int k) const {
   return placement.circle_room[k] > 0.0F ||
-         obstacles_.room(placed(placement, k, placement.poses[k].position), kReach) > 0.0F;
+         obstacles_.room(placed(placement, k, placement.poses[k].position), Obstacles::kReach) > 0.0F;
 }
 
 bool MotionCheck::bound(const Step& step) {
@@ -224,7 +226,7 @@ float MotionCheck::stray(int k) const {
 
 bool MotionCheck::hull_free(const Step& step, int k) {
   const float allowed = stray(k);
-  const float room = obstacles_.room(swept(k, placements_[1 - before_].poses[k].position), allowed + kReach);
+  const float room = obstacles_.room(swept(k, placements_[1 - before_].poses[k].position), allowed + Obstacles::kReach);
   if (room > allowed) return true;
   if (bounded_ || room <= 0.0F) return false;
   bound_bodies(step);
@@ -333,4 +335,4 @@ bool MotionCheck::pair_free(int i, int j) const {
   return apart - obstacles_.margin() > stray(i) + stray(j);
 }
 
-}  // namespace krait
+}  // namespace krait::detail

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/collision/obstacles.hpp"
+#include "collision/obstacles.hpp"
 
-namespace krait {
+#include <algorithm>
+
+namespace krait::detail {
 namespace {
-
-constexpr float kReach = 1e-3F;  // metres: how far beyond the margin pieces are looked for
-
-float least(float a, float b) { return b < a ? b : a; }
-float most(float a, float b) { return b > a ? b : a; }
 
 struct Interval {
   float low;
   float high;
 };
 
-float gap(Interval a, Interval b) { return most(most(a.low - b.high, b.low - a.high), 0.0F); }
+float gap(Interval a, Interval b) { return std::max(std::max(a.low - b.high, b.low - a.high), 0.0F); }
 
 float squared_distance(const Box& a, const Box& b) {
   const float dx = gap({a.min.x, a.max.x}, {b.min.x, b.max.x});
@@ -27,7 +24,7 @@ Interval projection(Polygon polygon, Vec2 direction) {
   Interval reached{kInfinity, -kInfinity};
   for (int i = 0; i < polygon.count; ++i) {
     const float along = dot(direction, polygon[i]);
-    reached = {least(reached.low, along), most(reached.high, along)};
+    reached = {std::min(reached.low, along), std::max(reached.high, along)};
   }
   return reached;
 }
@@ -48,7 +45,7 @@ struct ShiftedPiece {
   ShiftedPiece(Polygon piece, Vec2 at) : count(piece.count) {
     for (int i = 0; i < count; ++i) {
       vertices[i] = piece[i] - at;
-      extent = most(extent, most(absolute(vertices[i].x), absolute(vertices[i].y)));
+      extent = std::max(extent, std::max(math::absolute(vertices[i].x), math::absolute(vertices[i].y)));
     }
   }
   Polygon polygon() const { return {vertices, count}; }
@@ -70,16 +67,16 @@ bool first_meeting(const CellGrid& grid, const Box& box, Cell first, Cell cell) 
 
 Obstacles::Obstacles(const Scene& scene, float clearance, bool shortcuts) : scene_(&scene), shortcuts_(shortcuts) {
   const Box bounds = scene.bounds();
-  const float largest =
-      most(most(absolute(bounds.min.x), absolute(bounds.min.y)), most(absolute(bounds.max.x), absolute(bounds.max.y)));
+  const float largest = std::max(std::max(math::absolute(bounds.min.x), math::absolute(bounds.min.y)),
+                                 std::max(math::absolute(bounds.max.x), math::absolute(bounds.max.y)));
   margin_ = clearance + kRounding + kPositionRounding * largest + scene.header().obstacle_error;
 }
 
 float Obstacles::room_to_bounds(const Box& box) const {
   const Box bounds = scene_->bounds();
-  const float x = least(box.min.x - bounds.min.x, bounds.max.x - box.max.x);
-  const float y = least(box.min.y - bounds.min.y, bounds.max.y - box.max.y);
-  return least(x, y) - margin_;
+  const float x = std::min(box.min.x - bounds.min.x, bounds.max.x - box.max.x);
+  const float y = std::min(box.min.y - bounds.min.y, bounds.max.y - box.max.y);
+  return std::min(x, y) - margin_;
 }
 
 float Obstacles::room_to_piece(const PlacedBody& body, Index piece, float reach) const {
@@ -122,10 +119,10 @@ void Obstacles::pieces_of_buckets(const Box& box, float around, Visit visit) con
   Box box = bounding_box(body.polygon());
   box = {body.at + box.min, body.at + box.max};
   if (!(finite(box.min) && finite(box.max))) return -kInfinity;
-  float room = least(room_to_bounds(box), reach);
+  float room = std::min(room_to_bounds(box), reach);
   if (room <= 0.0F) return room;
   pieces_around(box, reach + margin_, [&](Index piece) {
-    room = least(room, room_to_piece(body, piece, room));
+    room = std::min(room, room_to_piece(body, piece, room));
     return room > 0.0F;
   });
   return room;
@@ -137,14 +134,14 @@ Contact Obstacles::contact_with_bounds(const PlacedBody& body) const {
   Contact contact{Hindrance::bounds, 0, kNone, kInfinity, margin_, {}};
   for (int i = 0; i < body.count; ++i) {
     const Vec2 at = body.at + body.vertices[i];
-    const float room =
-        least(least(at.x - bounds.min.x, bounds.max.x - at.x), least(at.y - bounds.min.y, bounds.max.y - at.y));
+    const float room = std::min(std::min(at.x - bounds.min.x, bounds.max.x - at.x),
+                                std::min(at.y - bounds.min.y, bounds.max.y - at.y));
     if (room >= contact.distance) continue;
     contact.distance = room;
     contact.at = at;
   }
   if (!(contact.distance <= margin_)) return {};
-  contact.distance = most(contact.distance, 0.0F);
+  contact.distance = std::max(contact.distance, 0.0F);
   return contact;
 }
 
@@ -168,14 +165,14 @@ Contact Obstacles::contact(const PlacedBody& body) const {
 
 float Obstacles::distance(Vec2 point, float reach) const {
   const Vec2 origin[1] = {};
-  float nearest = least(room_to_bounds({point, point}) + margin_, reach);
+  float nearest = std::min(room_to_bounds({point, point}) + margin_, reach);
   if (!(nearest > 0.0F)) return 0.0F;
   pieces_around({point, point}, reach, [&](Index piece) {
     const ShiftedPiece shifted(scene_->piece(piece), point);
-    nearest = least(nearest, polygon_distance({origin, 1}, shifted.polygon()));
+    nearest = std::min(nearest, polygon_distance({origin, 1}, shifted.polygon()));
     return nearest > 0.0F;
   });
   return nearest;
 }
 
-}  // namespace krait
+}  // namespace krait::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/collision/sight.hpp"
+#include "collision/sight.hpp"
 
-namespace krait {
+namespace krait::detail {
 namespace {
 
 // Whether a point lies further than `reach` from a convex polygon.
@@ -67,4 +67,4 @@ bool Sight::line_free(Vec2 a, Vec2 b) const {
   return false;
 }
 
-}  // namespace krait
+}  // namespace krait::detail

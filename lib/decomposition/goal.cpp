@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/decomposition/goal.hpp"
+#include "krait/goal.hpp"
+
+#include "scene/grid_point.hpp"
 
 namespace krait {
+
+using detail::GridPoint;
+using detail::to_grid;
+
 namespace {
 
 float distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
   const Vec2 ab = b - a;
   const Vec2 ap = p - a;
-  const float along = clamp(dot(ap, ab) / dot(ab, ab), 0.0F, 1.0F);
+  const float along = math::clamp(dot(ap, ab) / dot(ab, ab), 0.0F, 1.0F);
   return length(ap - along * ab);
 }
 
@@ -38,7 +44,7 @@ float distance_to_border(Polygon polygon, Vec2 p) {
 
 // NaN is in no range.
 bool usable(const Facing& facing) {
-  const bool turns = facing.tolerance > 0.0F && facing.tolerance <= kPi && absolute(facing.heading) <= kMaxAngle;
+  const bool turns = facing.tolerance > 0.0F && facing.tolerance <= kPi && math::absolute(facing.heading) <= kMaxAngle;
   return turns && facing.hitches > 0.0F;
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/decomposition/locate.hpp"
+#include "decomposition/locate.hpp"
 
-namespace krait {
+#include "scene/grid_point.hpp"
+
+namespace krait::detail {
 namespace {
 
 constexpr int kMaxWalk = 16;
@@ -48,4 +50,4 @@ Index scan_bucket(const Scene& scene, Vec2 p, GridPoint grid_point) {
   return scan_bucket(scene, rounded, grid_point);
 }
 
-}  // namespace krait
+}  // namespace krait::detail

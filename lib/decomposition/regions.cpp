@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/decomposition/regions.hpp"
+#include "decomposition/regions.hpp"
 
-#include "krait/base/contract.hpp"
+#include "krait/contract.hpp"
 
-namespace krait {
+namespace krait::detail {
 namespace {
 
 constexpr float kExactRatio = 4194304.0F;  // 2^22: below so many times C, h + C is above h in float
@@ -353,4 +353,4 @@ Index Regions::random_ahead(Index region, std::uint32_t most, Random& random) co
   return region;
 }
 
-}  // namespace krait
+}  // namespace krait::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/improve/corners.hpp"
+#include "improve/corners.hpp"
 
-namespace krait {
+namespace krait::detail {
 namespace {
 
 float between(float low, float high, Random& random) { return low + (high - low) * random.unit(); }
@@ -35,12 +35,12 @@ void round_corner(Vec2 before, Via& via, Vec2 after, const Turns& turns, Random&
   const Vec2 out = after - via.at;
   const float lengths = length(in) * length(out);
   // Of half the corner's angle, at most 69 degrees: the tangent, and one over the cosine less 1.
-  const float cosine = lengths > 0.0F ? clamp(dot(in, out) / lengths, -0.74F, 1.0F) : 1.0F;
+  const float cosine = lengths > 0.0F ? math::clamp(dot(in, out) / lengths, -0.74F, 1.0F) : 1.0F;
   const float tangent = std::sqrt((1.0F - cosine) / (1.0F + cosine));
   const float excess = std::sqrt(2.0F / (1.0F + cosine)) - 1.0F;
   const float look = radius * tangent * between(0.6F, 1.4F, random) + between(0.25F, 0.95F, random) * turns.unit;
   via.turn = Turns::kShare[share];
-  via.look = clamp(look, kNearest * turns.unit, kFarthest * turns.unit);
+  via.look = math::clamp(look, kNearest * turns.unit, kFarthest * turns.unit);
   if (!(lengths > 0.0F)) return;
   const Vec2 outward = (1.0F / length(in)) * in - (1.0F / length(out)) * out;
   const float scale = length(outward);
@@ -81,4 +81,4 @@ void change(Route& route, std::uint32_t i, const Turns& turns, Random& random) {
   }
 }
 
-}  // namespace krait
+}  // namespace krait::detail

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/improve/improver.hpp"
+#include "improve/improver.hpp"
 
-namespace krait {
+#include <algorithm>
+
+namespace krait::detail {
 
 void Improver::take(Arena& arena, std::uint32_t legs, int state_size) {
   for (Way& way : ways_) way.take(arena, legs, state_size);
   best_.take(arena, legs, 0);
-  for (Route& route : routes_) route.take(arena, larger(legs / 4, kLeastVias));
-  line_.take(arena, larger(legs, kLeastPoints));
+  for (Route& route : routes_) route.take(arena, std::max(legs / 4, kLeastVias));
+  line_.take(arena, std::max(legs, kLeastPoints));
 }
 
 void Improver::begin(const WayTools& tools, PlanProof& proof, const Regions& regions, const PlanPath& plan,
@@ -129,7 +131,7 @@ bool Improver::trace_regions() {
 }
 
 void Improver::trace() {
-  for (std::uint32_t left = tools_.parameters->max_steps; left > 0; --left) {
+  for (std::uint32_t left = tools_.parameters->tuning.max_steps; left > 0; --left) {
     if (step_ == 0) tools_.drive->aim(plan_.target(leg_));
     Pose pose;
     step_in_void(pose);
@@ -180,7 +182,7 @@ void Improver::begin_search() {
   reaches_ = false;
   left_ = kInfinity;
   vain_ = 0;
-  const std::uint32_t hold = larger(plan_steps_ / current().capacity() + 1, kHold);
+  const std::uint32_t hold = std::max(plan_steps_ / current().capacity() + 1, kHold);
   const float near = 0.5F * regions_->goal().size(*tools_.scene);
   drives_.assign(tools_, {hold, stride_, kReach * turns_.unit, near});
   changed().copy(route());
@@ -195,7 +197,7 @@ void Improver::begin_drive(std::uint32_t leg) {
 }
 
 void Improver::drive() {
-  const Outcome outcome = drives_.advance(tools_.parameters->max_steps);
+  const Outcome outcome = drives_.advance(tools_.parameters->tuning.max_steps);
   if (outcome == Outcome::drives) return;
   ++vain_;
   if (outcome == Outcome::reached) {
@@ -256,7 +258,7 @@ void Improver::go_on() {
 }
 
 std::uint32_t Improver::via_near_failure() {
-  const float at = clamp(failed_ + (8.0F * random_.unit() - 6.0F) * turns_.unit, 0.0F, route().length());
+  const float at = math::clamp(failed_ + (8.0F * random_.unit() - 6.0F) * turns_.unit, 0.0F, route().length());
   const std::uint32_t next = changed().stretch(at);
   const float before = at - changed()[next - 1].arc;
   const float after = changed()[next].arc - at;
@@ -297,7 +299,7 @@ void Improver::begin_proof() {
 }
 
 bool Improver::prove() {
-  for (std::uint32_t left = tools_.parameters->max_steps; left > 0; --left) {
+  for (std::uint32_t left = tools_.parameters->tuning.max_steps; left > 0; --left) {
     if (leg_ == current().count()) return finish_proof();
     const Leg& leg = current()[leg_];
     if (step_ == 0) proof_->aim(tools_.grid.unpack(leg.target));
@@ -328,4 +330,4 @@ bool Improver::finish_proof() {
   return holds;
 }
 
-}  // namespace krait
+}  // namespace krait::detail

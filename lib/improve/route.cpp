@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/improve/route.hpp"
+#include "improve/route.hpp"
 
-namespace krait {
+namespace krait::detail {
 
 void Route::insert(std::uint32_t i, const Via& via) {
   KRAIT_ASSERT(!full() && i <= count_);
@@ -73,7 +73,7 @@ float Route::project(Vec2 p, float arc, float reach) const {
     const float scaled = whole > 0.0F ? dot(p - from, along) / whole : 0.0F;
     const float low = arc > begin ? arc : begin;
     const float high = vias_[i].arc < end ? vias_[i].arc : end;
-    const float at = clamp(begin + scaled, low, high);
+    const float at = math::clamp(begin + scaled, low, high);
     const Vec2 place = whole > 0.0F ? from + ((at - begin) / whole) * along : from;
     const Vec2 apart = p - place;
     const float squared = dot(apart, apart);
@@ -84,4 +84,4 @@ float Route::project(Vec2 p, float arc, float reach) const {
   return nearest;
 }
 
-}  // namespace krait
+}  // namespace krait::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/improve/taut_line.hpp"
+#include "improve/taut_line.hpp"
 
-namespace krait {
+namespace krait::detail {
 
 void TautLine::take(Arena& arena, std::uint32_t points) {
   for (Vec2*& line : lines_) line = arena.take<Vec2>(Pool::improvement, points);
@@ -102,4 +102,4 @@ void TautLine::refine() {
   count_ = count;
 }
 
-}  // namespace krait
+}  // namespace krait::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/improve/way_drive.hpp"
+#include "improve/way_drive.hpp"
 
-namespace krait {
+namespace krait::detail {
 
 void WayDrive::assign(const WayTools& tools, const Manner& manner) {
   tools_ = &tools;
@@ -103,7 +103,7 @@ bool WayDrive::brake() {
 
 float WayDrive::slow_share(const float* state) const {
   if (!tools_->ending->limits_speed()) return 1.0F;
-  const float way = absolute(tools_->robot.stopping_way(state));
+  const float way = math::absolute(tools_->robot.stopping_way(state));
   const float distance = length(route_->last().at - Vec2{state[0], state[1]});
   return distance < way ? std::sqrt(distance / way) : 1.0F;
 }
@@ -145,4 +145,4 @@ bool WayDrive::later() {
   return static_cast<float>(way_->steps()) > steps + kLater;
 }
 
-}  // namespace krait
+}  // namespace krait::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/motion/drive.hpp"
+#include "motion/drive.hpp"
 
-namespace krait {
+namespace krait::detail {
 
 void Drive::assign(const Robot& robot, float dt) {
   robot_ = robot;
@@ -34,4 +34,4 @@ void Drive::follow(const Pose* poses) {
   if (parts_ == 1) motion_.follow(robot_, states_[here_], poses, dt_, states_[1 - here_]);
 }
 
-}  // namespace krait
+}  // namespace krait::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/motion/plan_drive.hpp"
+#include "motion/plan_drive.hpp"
 
-namespace krait {
+namespace krait::detail {
 
 void PlanDrive::begin(const Robot& robot, float dt, const float* state) {
   robot_ = robot;
@@ -98,11 +98,11 @@ void PlanDrive::move_steadily(int i, float middle, float bend) {
   constexpr float kNear = 1e-6F;
   float& next = states_[1 - here_][i];
   float& rest = rests_[1 - here_][i];
-  const float change = product(middle, dt_);
+  const float change = math::product(middle, dt_);
   const float bent = dt_ / 6.0F * bend;
   const float found = (next - state()[i]) + (rest - rests_[here_][i]);
-  if (!(absolute(bent) <= kNear)) return;
-  if (!(absolute((change + bent) - found) <= kSame * absolute(change) + kNear)) return;
+  if (!(math::absolute(bent) <= kNear)) return;
+  if (!(math::absolute((change + bent) - found) <= kSame * math::absolute(change) + kNear)) return;
   next = state()[i];
   rest = rests_[here_][i];
   add(i, change);
@@ -127,4 +127,4 @@ float PlanDrive::product_error(float a, float b, float rounded) {
   return ((ah * bh - rounded) + ah * bl + al * bh) + al * bl;
 }
 
-}  // namespace krait
+}  // namespace krait::detail

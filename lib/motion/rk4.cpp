@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/motion/rk4.hpp"
+#include "motion/rk4.hpp"
 
-namespace krait {
+namespace krait::detail {
 
 float longest_step(const Robot& robot, float dt, float step_rate) {
   const float rate = robot.fastest_rate(dt);
@@ -67,4 +67,4 @@ void propagate_in_parts(const Robot& robot, const float* state, const Pose* pose
   }
 }
 
-}  // namespace krait
+}  // namespace krait::detail

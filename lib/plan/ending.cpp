@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/plan/ending.hpp"
+#include "plan/ending.hpp"
 
-namespace krait {
+namespace krait::detail {
 
 void Ending::assign(const Robot& robot, const Scene& scene, const Goal& goal, float speed) {
   robot_ = robot;
@@ -26,7 +26,7 @@ bool Ending::faces(const float* state, float inside) const {
   const Facing& facing = goal_.facing();
   Pose poses[kMaxBodies];
   robot_.place(state, poses);
-  const float off = angle_between(poses[0].heading, sin_cos(facing.heading));
+  const float off = angle_between(poses[0].heading, math::sin_cos(facing.heading));
   const bool turned = facing.either_way && off > 0.5F * kPi ? within(kPi - off, facing.tolerance, inside)
                                                             : within(off, facing.tolerance, inside);
   if (!turned || facing.hitches == kInfinity) return turned;
@@ -42,4 +42,4 @@ bool Ending::within(float angle, float tolerance, float inside) {
   return angle <= tolerance - (inside < least ? inside : least);
 }
 
-}  // namespace krait
+}  // namespace krait::detail

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/plan/motion_tree.hpp"
+#include "plan/motion_tree.hpp"
 
-#include "krait/base/contract.hpp"
+#include "krait/contract.hpp"
 
-namespace krait {
+namespace krait::detail {
 
 void MotionTree::take(Arena& arena, std::uint32_t vertices, std::uint32_t expansions, int state_size) {
   vertex_capacity_ = vertices;
@@ -129,4 +129,4 @@ void MotionTree::turn_path_back(Index first) {
   }
 }
 
-}  // namespace krait
+}  // namespace krait::detail

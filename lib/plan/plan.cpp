@@ -1,71 +1,64 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/plan/plan.hpp"
+#include "krait/plan.hpp"
 
-#include <bit>
+#include <new>
+#include <type_traits>
 
-#include "krait/base/contract.hpp"
+#include "krait/contract.hpp"
+#include "plan/plan_meter.hpp"
+#include "plan/plan_walk.hpp"
 
 namespace krait {
+namespace {
 
-void Fnv::add(const float* values, int count) {
-  for (int i = 0; i < count; ++i) {
-    const auto bits = std::bit_cast<std::uint32_t>(values[i]);
-    for (unsigned shift = 0; shift < 32; shift += 8) value_ = (value_ ^ ((bits >> shift) & 0xFFU)) * 0x100000001B3ULL;
+using detail::PlanWalk;
+
+PlanWalk& walk_of(std::byte* bytes) { return *std::launder(reinterpret_cast<PlanWalk*>(bytes)); }
+const PlanWalk& walk_of(const std::byte* bytes) { return *std::launder(reinterpret_cast<const PlanWalk*>(bytes)); }
+
+detail::PlanMeasures measures_of(const Plan& plan) {
+  detail::PlanMeter meter;
+  PlanCursor at = plan.cursor();
+  for (; !at.done(); at.advance()) {
+    meter.add(at.state(), plan.state_size(), at.control(), plan.control_size(), at.next());
   }
+  return meter.end(at.state(), plan.state_size());
 }
 
-void PlanMeter::add(const float* state, int state_size, const float* control, int control_size, const float* next) {
-  hash_.add(state, state_size);
-  hash_.add(control, control_size);
-  ++measures_.steps;
-  measures_.length += krait::length(Vec2{next[0], next[1]} - Vec2{state[0], state[1]});
+}  // namespace
+
+PlanCursor::PlanCursor() {
+  static_assert(sizeof(PlanWalk) <= kWalkBytes && alignof(PlanWalk) <= alignof(std::uint64_t));
+  static_assert(std::is_trivially_copyable_v<PlanWalk>);
+  ::new (walk_) PlanWalk;
 }
 
-PlanMeasures PlanMeter::end(const float* state, int state_size) {
-  hash_.add(state, state_size);
-  measures_.hash = hash_.value();
-  return measures_;
+PlanCursor::PlanCursor(const Robot& robot, const detail::PlanPath& path, const float* start, float dt) {
+  ::new (walk_) PlanWalk(robot, path, start, dt);
 }
 
-Index PlanPath::next(Index leg) const {
-  if (tree_ != nullptr) return tree_->next_of_path(leg);
-  return leg + 1 < way_->count() ? leg + 1 : kNone;
-}
+int PlanCursor::state_size() const { return walk_of(walk_).state_size(); }
 
-PlanCursor::PlanCursor(const Robot& robot, const PlanPath& path, const float* start, float dt)
-    : robot_(robot), path_(path), leg_(path.first()) {
-  drive_.begin(robot, dt, start);
-  enter();
-}
+int PlanCursor::control_size() const { return walk_of(walk_).control_size(); }
 
-void PlanCursor::advance() {
-  KRAIT_ASSERT(!done());
-  drive_.go();
-  if (++step_ == path_.steps(leg_)) {
-    leg_ = path_.next(leg_);
-    enter();
-  } else {
-    step();
-  }
-}
+bool PlanCursor::done() const { return walk_of(walk_).done(); }
 
-void PlanCursor::enter() {
-  step_ = 0;
-  if (leg_ == kNone) return;
-  drive_.aim(path_.target(leg_));
-  step();
-}
+const float* PlanCursor::state() const { return walk_of(walk_).state(); }
 
-void PlanCursor::step() {
-  Pose poses[kMaxBodies];
-  robot_.place(drive_.state(), poses);
-  drive_.step(poses);
-}
+const float* PlanCursor::control() const { return walk_of(walk_).control(); }
 
-Plan::Plan(const Robot& robot, const PlanPath& path, const float* start, float dt)
+const float* PlanCursor::next() const { return walk_of(walk_).next(); }
+
+void PlanCursor::advance() { walk_of(walk_).advance(); }
+
+Plan::Plan(const Robot& robot, const detail::PlanPath& path, const float* start, float dt)
     : robot_(robot), path_(path), start_(start), dt_(dt) {
   for (Index leg = path.first(); leg != kNone; leg = path.next(leg)) steps_ += path.steps(leg);
 }
+
+float Plan::length() const { return empty() ? 0.0F : measures_of(*this).length; }
+
+std::uint64_t Plan::hash() const { return empty() ? 0 : measures_of(*this).hash; }
 
 void Plan::copy(float* states, float* controls) const {
   if (empty()) return;
@@ -75,13 +68,6 @@ void Plan::copy(float* states, float* controls) const {
     for (int i = 0; i < control_size(); ++i) *controls++ = at.control()[i];
   }
   for (int i = 0; i < state_size(); ++i) *states++ = at.state()[i];
-}
-
-PlanMeasures Plan::measures() const {
-  PlanMeter meter;
-  PlanCursor at = cursor();
-  for (; !at.done(); at.advance()) meter.add(at.state(), state_size(), at.control(), control_size(), at.next());
-  return meter.end(at.state(), state_size());
 }
 
 }  // namespace krait

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/plan/plan_proof.hpp"
+#include "plan/plan_proof.hpp"
 
-namespace krait {
+namespace krait::detail {
 
 void PlanProof::begin(const Robot& robot, const Scene& scene, const Parameters& parameters, MotionCheck& check,
                       const float* start) {
@@ -48,10 +48,10 @@ bool PlanProof::carry_errors_on() {
   const float* const next = drive_.next();
   strayed_ = robot_.carry_errors(drive_.state(), check_->poses(), drive_.control(), parameters_->dt, errors_);
   for (int i = 0; i < size; ++i) {
-    if (!(absolute(errors_[i]) <= kMostError * (1.0F + absolute(next[i]) / kLarge))) return false;
+    if (!(math::absolute(errors_[i]) <= kMostError * (1.0F + math::absolute(next[i]) / kLarge))) return false;
   }
   if (strayed_ > allowed_) place();
   return finite(strayed_);
 }
 
-}  // namespace krait
+}  // namespace krait::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/plan/proven_step.hpp"
+#include "plan/proven_step.hpp"
 
-namespace krait {
+namespace krait::detail {
 
 bool ProvenStep::take(Drive& drive) {
   drive.lead(check_->poses());
@@ -20,8 +20,8 @@ bool ProvenStep::holds(const float* state, const float* control, const float* ne
 bool ProvenStep::free(const float* state, const float* control, const float* next) {
   if (!scene_->inside_bounds({next[0], next[1]})) return false;
   const float dt = parameters_->dt;
-  if (parameters_->continuous) return check_->step_free(state, control, dt, next);
+  if (parameters_->tuning.continuous) return check_->step_free(state, control, dt, next);
   return check_->keeps_limits(state, control, dt, next) && check_->free(next);
 }
 
-}  // namespace krait
+}  // namespace krait::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/plan/target_grid.hpp"
+#include "plan/target_grid.hpp"
 
-namespace krait {
+namespace krait::detail {
 namespace {
 
 constexpr float kParts = 65535.0F;
@@ -9,7 +9,7 @@ constexpr float kSpeedParts = 32767.0F;
 
 std::uint16_t parts(float x, float low, float unit) {
   constexpr float kHalf = 0.5F;
-  return static_cast<std::uint16_t>(clamp((x - low) / unit, 0.0F, kParts) + kHalf);
+  return static_cast<std::uint16_t>(math::clamp((x - low) / unit, 0.0F, kParts) + kHalf);
 }
 
 }  // namespace
@@ -17,7 +17,7 @@ std::uint16_t parts(float x, float low, float unit) {
 TargetGrid::TargetGrid(const Box& bounds) : low_(bounds.min), unit_((1.0F / kParts) * (bounds.max - bounds.min)) {}
 
 PackedTarget TargetGrid::pack(const Target& target) const {
-  const float scaled = clamp(target.speed, -1.0F, 1.0F) * kSpeedParts;
+  const float scaled = math::clamp(target.speed, -1.0F, 1.0F) * kSpeedParts;
   return {parts(target.point.x, low_.x, unit_.x), parts(target.point.y, low_.y, unit_.y),
           static_cast<std::int16_t>(scaled + (scaled < 0.0F ? -0.5F : 0.5F)), parts(target.turn, 0.0F, 1.0F / kParts)};
 }
@@ -30,4 +30,4 @@ Target TargetGrid::unpack(const PackedTarget& packed) const {
   return target;
 }
 
-}  // namespace krait
+}  // namespace krait::detail

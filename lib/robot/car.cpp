@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/robot/car.hpp"
+#include "krait/robots/car.hpp"
 
 namespace krait {
 
-template class FunctionsOf<Car>;
+template class detail::FunctionsOf<Car>;
 
 }  // namespace krait

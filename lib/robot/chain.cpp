@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/robot/chain.hpp"
+#include "krait/robots/chain.hpp"
 
 #include "base/lanes/angles.hpp"
-#include "krait/robot/box.hpp"
-#include "krait/robot/tracking.hpp"
+#include "robot/shape.hpp"
+#include "robot/tracking.hpp"
 
 namespace krait {
+
+using detail::correction;
+using detail::Correction;
+using detail::deviation;
+using detail::farthest;
+using detail::tracking_distance;
+
 namespace {
 
 constexpr PidGains kHeadingGains{4.0F, 0.05F, 0.05F};  // radians of steering per radian of heading error
@@ -22,8 +29,8 @@ constexpr float kNormError = 5.0F * kHitchError;  // of as many angles as there 
 
 // Largest |x| on the way from x at `rate` for dt.
 float largest(float x, float rate, float dt) {
-  const float before = absolute(x);
-  const float after = absolute(x + rate * dt);
+  const float before = math::absolute(x);
+  const float after = math::absolute(x + rate * dt);
   return before > after ? before : after;
 }
 
@@ -48,7 +55,7 @@ float exponential(float x) {
 bool positive(float x) { return x > 0.0F && finite(x); }
 
 // Rarely wanted, so not inlined.
-[[gnu::noinline]] SinCos any_sin_cos(float angle) { return sin_cos(angle); }
+[[gnu::noinline]] SinCos any_sin_cos(float angle) { return math::sin_cos(angle); }
 
 // Of trailers by the pull on the first; hitch(k) returns the hitch angle before trailer k. A trailer turns at the
 // pull on it times the angle's sine, and pulls on by as much of it as the cosine leaves.
@@ -86,7 +93,7 @@ void integrate_by_bodies(const float* headings, int trailers, const Pose* poses,
     const auto stage = [&](int i, float rate) __attribute__((always_inline)) {
       const float own = (heading + until(i, dt) * rate) - heading;
       const float change = ahead.turn[i] - own;
-      const SinCos hitch = known + (little ? small_sin_cos(change) : any_sin_cos(change));
+      const SinCos hitch = known + (little ? math::small_sin_cos(change) : any_sin_cos(change));
       ahead.turn[i] = own;
       const float pull = ahead.pull[i];
       ahead.pull[i] = pull * hitch.cos;
@@ -123,7 +130,7 @@ void integrate_by_stages(const float* headings, int trailers, const Pose* poses,
       turned[1 + k] = (headings[k] + until(stage, dt) * rates[stage - 1][k]) - headings[k];
     }
     Hitches hitches;
-    lanes::turn_hitches({trailers, turned, known.sines, known.cosines}, hitches.sines, hitches.cosines);
+    detail::lanes::turn_hitches({trailers, turned, known.sines, known.cosines}, hitches.sines, hitches.cosines);
     trailer_rates(lead.pull[stage], trailers, hitches, rates[stage]);
   }
   for (int k = 0; k < trailers; ++k) turns[k] = increment(rates[0][k], rates[1][k], rates[2][k], rates[3][k], dt);
@@ -133,11 +140,11 @@ void integrate_by_stages(const float* headings, int trailers, const Pose* poses,
 }  // namespace
 
 Chain::Chain(const ChainParameters& parameters, bool slip)
-    : parameters_(parameters), least_hitch_cosine_(sin_cos(parameters.max_hitch_angle).cos), slip_(slip) {
+    : parameters_(parameters), least_hitch_cosine_(math::sin_cos(parameters.max_hitch_angle).cos), slip_(slip) {
   if (parameters.trailers < 0 || parameters.trailers > kMaxTrailers) parameters_.trailers = -1;
   for (int k = 0; k < kMaxBodies; ++k) {
     Vec2 corners[4];
-    box(parameters.body_length, parameters.body_width, k == 0 ? parameters.body_offset : 0.0F, corners);
+    rectangle(parameters.body_length, parameters.body_width, k == 0 ? parameters.body_offset : 0.0F, corners);
     set_body(k, {corners, 4});
   }
 }
@@ -176,15 +183,15 @@ float Chain::steering_limit(StateView s, float heading_error, float speed) const
   const float side = heading_error < 0.0F ? -1.0F : 1.0F;
   const float hitch = side * (s[2] - s[5]);
   const float bound = p.max_hitch_angle < kFoldBound ? p.max_hitch_angle : kFoldBound;
-  const float recovery = kUnfoldRate * (bound - hitch) / (absolute(speed) > 0.1F ? absolute(speed) : 0.1F);
-  const float by_hitch = p.wheelbase * (sin_cos(hitch).sin / p.hitch_length + recovery);
+  const float recovery = kUnfoldRate * (bound - hitch) / (math::absolute(speed) > 0.1F ? math::absolute(speed) : 0.1F);
+  const float by_hitch = p.wheelbase * (math::sin_cos(hitch).sin / p.hitch_length + recovery);
   if (by_hitch < tangent) tangent = by_hitch;
-  const float limit = atan2(tangent, 1.0F);
+  const float limit = math::atan2(tangent, 1.0F);
   return limit < p.max_steering ? limit : p.max_steering;
 }
 
 void Chain::steer(StateView s, const Target& target, Steering& steering, ControlRef u) const {
-  const Pose at{position(s), sin_cos(s[2])};
+  const Pose at{position(s), math::sin_cos(s[2])};
   steer(s, &at, target, steering, u);
 }
 
@@ -196,22 +203,23 @@ void Chain::steer(StateView s, const Target& target, Steering& steering, Control
   const Vec2 along{heading.cos, heading.sin};
   const bool stops = target.speed == 0.0F;
   const bool backward = target.speed < 0.0F || (stops && s[3] < 0.0F);
-  const float error = backward ? -atan2(-cross(along, to), -dot(along, to)) : atan2(cross(along, to), dot(along, to));
+  const float error =
+      backward ? -math::atan2(-cross(along, to), -dot(along, to)) : math::atan2(cross(along, to), dot(along, to));
   const float wanted = steering.heading(kHeadingGains, error, target.dt);
   const float lock = p.max_steering * kInside * target.turn;
   const float side = steering_limit(s, wanted, s[3]);
-  const float psi =
-      wanted < 0.0F ? clamp(wanted, -clamp(side, -lock, lock), lock) : clamp(wanted, -lock, clamp(side, -lock, lock));
+  const float psi = wanted < 0.0F ? math::clamp(wanted, -math::clamp(side, -lock, lock), lock)
+                                  : math::clamp(wanted, -lock, math::clamp(side, -lock, lock));
   const float set_point = target.speed * (backward ? -p.min_speed : p.max_speed);
   const float push = steering.speed(kSpeedGains, set_point - s[3], target.dt);
-  const float gain = clamp(push, -p.max_acceleration, p.max_acceleration);
+  const float gain = math::clamp(push, -p.max_acceleration, p.max_acceleration);
   const float speed = stops ? 0.0F : s[3] + gain * target.dt;
-  approach(s, speed, clamp(psi, -lock, lock), target.dt, u);
+  approach(s, speed, math::clamp(psi, -lock, lock), target.dt, u);
 }
 
 float Chain::turning_radius() const {
   const ChainParameters& p = parameters_;
-  const SinCos lock = sin_cos(p.max_steering);
+  const SinCos lock = math::sin_cos(p.max_steering);
   const float steered = p.wheelbase * lock.cos / lock.sin;
   if (p.trailers == 0) return steered;
   const float followed =
@@ -221,7 +229,7 @@ float Chain::turning_radius() const {
 
 // The rear axle's, with the steering angle held.
 [[gnu::flatten]] float Chain::stopping_way(StateView s) const {
-  return 0.5F * s[3] * absolute(s[3]) / parameters_.max_acceleration * sin_cos(s[4]).cos;
+  return 0.5F * s[3] * math::absolute(s[3]) / parameters_.max_acceleration * math::sin_cos(s[4]).cos;
 }
 
 // The control that brings speed and steering angle as near to the wanted ones as the limits allow in a time step.
@@ -229,9 +237,9 @@ void Chain::approach(StateView s, float speed, float psi, float dt, ControlRef u
   const ChainParameters& p = parameters_;
   const float lock = p.max_steering * kInside;
   const float inset = (1.0F - kInside) * (p.max_speed - p.min_speed);
-  const float next = clamp(speed, p.min_speed + inset, p.max_speed - inset);
-  u[0] = clamp((next - s[3]) / dt, -p.max_acceleration, p.max_acceleration);
-  u[1] = clamp((clamp(psi, -lock, lock) - s[4]) / dt, -p.max_steering_rate, p.max_steering_rate);
+  const float next = math::clamp(speed, p.min_speed + inset, p.max_speed - inset);
+  u[0] = math::clamp((next - s[3]) / dt, -p.max_acceleration, p.max_acceleration);
+  u[1] = math::clamp((math::clamp(psi, -lock, lock) - s[4]) / dt, -p.max_steering_rate, p.max_steering_rate);
 }
 
 // The car follows its reference's line; curvature changes by what turns it over within half a dozen wheelbases, and
@@ -252,10 +260,10 @@ void Chain::track(StateView s, StateView reference, float dt, ControlRef u) cons
 float Chain::carry_errors(StateView s, const Pose* poses, ControlView u, float dt, float* errors) const {
   const float d = parameters_.hitch_length;
   const float speed = (s[3] + 0.5F * u[0] * dt) / d;
-  const float worst = (absolute(s[3]) + absolute(u[0]) * dt) / d;
+  const float worst = (math::absolute(s[3]) + math::absolute(u[0]) * dt) / d;
   float share = 1.0F;  // of the speed, that pulls
   float share_error = 0.0F;
-  float ahead = kRounding * (1.0F + absolute(s[2]));
+  float ahead = kRounding * (1.0F + math::absolute(s[2]));
   float shifted = 0.0F;  // metres, of the hitch
   float off = 0.0F;
   for (int k = 0; k < parameters_.trailers; ++k) {
@@ -264,8 +272,8 @@ float Chain::carry_errors(StateView s, const Pose* poses, ControlView u, float d
     const float before = error;
     const float fading = speed * share * hitch.cos;
     const float growth = exponential(-fading * dt);
-    const float time = absolute(fading * dt) < 1e-3F ? dt : (1.0F - growth) / fading;
-    const float rounded = kRounding * (1.0F + absolute(s[kCarState + k])) * absolute(share) * worst * dt;
+    const float time = math::absolute(fading * dt) < 1e-3F ? dt : (1.0F - growth) / fading;
+    const float rounded = kRounding * (1.0F + math::absolute(s[kCarState + k])) * math::absolute(share) * worst * dt;
     error = before * growth + (fading * ahead + speed * hitch.sin * share_error) * time;
     error = error < 0.0F ? error - rounded : error + rounded;
     const float middle = 0.5F * (before + error);
@@ -273,8 +281,8 @@ float Chain::carry_errors(StateView s, const Pose* poses, ControlView u, float d
     share = share * hitch.cos;
     ahead = middle;
     const Body& body = bodies_[1 + k];
-    shifted = shifted + d * absolute(error);
-    const float corner = shifted + farthest(body.vertices, body.count) * absolute(error);
+    shifted = shifted + d * math::absolute(error);
+    const float corner = shifted + farthest(body.vertices, body.count) * math::absolute(error);
     off = corner > off ? corner : off;
   }
   return off;
@@ -290,14 +298,14 @@ bool Chain::keeps_reserve(StateView s) const { return within(s, parameters_.max_
   if (!(s[4] >= -p.max_steering && s[4] <= p.max_steering)) return false;
   if (!hitches_within(s, most_hitch)) return false;
   constexpr float kMaxHeading = kMaxAngle - kPi * static_cast<float>(1 + kMaxTrailers);
-  return finite(position(s)) && absolute(s[2]) <= kMaxHeading;
+  return finite(position(s)) && math::absolute(s[2]) <= kMaxHeading;
 }
 
 bool Chain::hitches_within(StateView s, float most) const {
   const int size = state_size();
   float ahead = s[2];
   for (int i = kCarState; i < size; ++i) {
-    if (!(absolute(ahead - s[i]) <= most)) return false;
+    if (!(math::absolute(ahead - s[i]) <= most)) return false;
     ahead = s[i];
   }
   return true;
@@ -319,7 +327,7 @@ float Chain::fastest_rate(float dt) const {
 void Chain::place(StateView s, Pose* poses) const {
   const int bodies = bodies_of(s);
   const float d = parameters_.hitch_length;
-  poses[0] = {position(s), sin_cos(s[2])};
+  poses[0] = {position(s), math::sin_cos(s[2])};
   turn_to(s.data() + 5, bodies - 1, poses + 1);
   Vec2 hitch = poses[0].position;
   for (int i = 1; i < bodies; ++i) {
@@ -336,14 +344,14 @@ Chain::CarRates Chain::car_rates(float speed, SinCos steering) const {
 }
 
 void Chain::derivative(StateView s, ControlView u, StateRef ds) const {
-  const CarRates car = car_rates(s[3], sin_cos(s[4]));
-  const SinCos heading = sin_cos(s[2]);
+  const CarRates car = car_rates(s[3], math::sin_cos(s[4]));
+  const SinCos heading = math::sin_cos(s[2]);
   ds[0] = car.speed * heading.cos;
   ds[1] = car.speed * heading.sin;
   ds[2] = car.turn;
   ds[3] = u[0];
   ds[4] = u[1];
-  const auto hitch = [s](int k) { return sin_cos((k == 0 ? s[2] : s[4 + k]) - s[5 + k]); };
+  const auto hitch = [s](int k) { return math::sin_cos((k == 0 ? s[2] : s[4 + k]) - s[5 + k]); };
   trailer_rates(car.pull, bodies_of(s) - 1, hitch, ds.data() + kCarState);
 }
 
@@ -355,7 +363,7 @@ bool Chain::changes_little(const float* s, const float* u, float dt) const {
   const float steering = largest(s[4], u[1], dt);
   const float turn = way * (steering < 1.0F ? steering : 1.0F) / parameters_.wheelbase;
   const float reach = way / parameters_.hitch_length;
-  return 1.42F * reach <= kSmallAngle && turn + reach <= kSmallAngle && dt * absolute(u[1]) <= kSmallAngle;
+  return 1.42F * reach <= kSmallAngle && turn + reach <= kSmallAngle && dt * math::absolute(u[1]) <= kSmallAngle;
 }
 
 // From known frames: turning a known sine and cosine by the little that the angle changes costs less than finding new
@@ -363,9 +371,9 @@ bool Chain::changes_little(const float* s, const float* u, float dt) const {
 [[gnu::flatten]] void Chain::integrate_lead(StateView s, const Pose* poses, ControlView u, float dt, Lead& lead,
                                             float* d) const {
   const SinCos heading = poses[0].heading;
-  const SinCos steering = sin_cos(s[4]);
+  const SinCos steering = math::sin_cos(s[4]);
   const bool little = changes_little(s.data(), u.data(), dt);
-  const auto turn = [little](float angle) { return little ? small_sin_cos(angle) : any_sin_cos(angle); };
+  const auto turn = [little](float angle) { return little ? math::small_sin_cos(angle) : any_sin_cos(angle); };
   const auto after = [&](float time) {
     return car_rates(s[3] + time * u[0], steering + turn((s[4] + time * u[1]) - s[4]));
   };
@@ -394,7 +402,7 @@ bool Chain::changes_little(const float* s, const float* u, float dt) const {
   const float* const headings = s.data() + kCarState;
   float* const turns = d + kCarState;
 #ifdef KRAIT_LANES
-  if (lead.little && trailers >= lanes::kLeastAngles) {
+  if (lead.little && trailers >= detail::lanes::kLeastAngles) {
     return integrate_by_stages(headings, trailers, poses, dt, lead, turns);
   }
 #endif
@@ -408,11 +416,11 @@ bool Chain::travel(StateView s, ControlView u, float dt, StateView next, Travel*
   const float way = dt * largest(s[3], u[0], dt);
   const float steering = largest(s[4], u[1], dt);
   const float slip = slip_ ? 0.5F * steering * steering : 0.0F;
-  const float speeding = dt * dt * absolute(u[0]);       // |dv| dt
-  const float veering = steering * dt * absolute(u[1]);  // |d cos psi|
-  const float pulled = speeding + way * veering;         // of s
+  const float speeding = dt * dt * math::absolute(u[0]);       // |dv| dt
+  const float veering = steering * dt * math::absolute(u[1]);  // |d cos psi|
+  const float pulled = speeding + way * veering;               // of s
   const float turn = way * steering / p.wheelbase;
-  const float turning = (speeding * steering + way * dt * absolute(u[1])) / p.wheelbase;
+  const float turning = (speeding * steering + way * dt * math::absolute(u[1])) / p.wheelbase;
   travel[0] = {way, turn, 0.125F * (pulled + way * turn), 0.125F * (turning + turn * turn)};
   const float dragged = way + way * slip;
   const float slipping = speeding * slip + way * slip * turn;
@@ -422,7 +430,7 @@ bool Chain::travel(StateView s, ControlView u, float dt, StateView next, Travel*
   for (int i = 1; i < body_count(); ++i) {
     const int ahead = i == 1 ? 2 : 3 + i;
     const float turn_ahead = travel[i - 1].turn;
-    const float ends = absolute(s[ahead] - s[4 + i]) + absolute(next[ahead] - next[4 + i]) + turn_ahead;
+    const float ends = math::absolute(s[ahead] - s[4 + i]) + math::absolute(next[ahead] - next[4 + i]) + turn_ahead;
     float hitch = 0.5F * (ends + reach);
     if (hitch < 1.0F) hitch = ends / (2.0F - reach);
     kept = kept && hitch <= p.max_hitch_angle;
@@ -452,7 +460,7 @@ bool Chain::travel(StateView s, ControlView u, float dt, StateView next, Travel*
   float after = next[2];
   const int size = state_size();
   for (int i = 5; i < size; ++i) {
-    const float ends = absolute(before - s[i]) + absolute(after - next[i]);
+    const float ends = math::absolute(before - s[i]) + math::absolute(after - next[i]);
     before = s[i];
     after = next[i];
     const float sum = before + after;
@@ -469,9 +477,9 @@ bool Chain::travel(StateView s, ControlView u, float dt, StateView next, Travel*
   const float norm = (std::sqrt(squares) + car_turn) / (2.0F - 2.0F * reach) + kNormError;
 
   const float slip = slip_ ? 0.5F * steering * steering : 0.0F;
-  const float speeding = dt * dt * absolute(u[0]);
-  const float pulled = speeding + way * steering * dt * absolute(u[1]);
-  const float turning = (speeding * steering + way * dt * absolute(u[1])) / p.wheelbase;
+  const float speeding = dt * dt * math::absolute(u[0]);
+  const float pulled = speeding + way * steering * dt * math::absolute(u[1]);
+  const float turning = (speeding * steering + way * dt * math::absolute(u[1])) / p.wheelbase;
   const float swaying = pulled + way * norm * (2.0F * reach * norm + car_turn);
   const float twisting = (swaying * sine + 2.0F * way * turn) / p.hitch_length;
   const float bending = swaying + way * turn + slip * (speeding + way * turn);

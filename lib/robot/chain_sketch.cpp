@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/robot/chain.hpp"
+#include "krait/robots/chain.hpp"
 
 namespace krait {
 namespace {
 
 constexpr float kLittlePull = 0.9F * kSmallAngle;  // sines of directions that are turned together are below 1.1
 
-SinCos small_turn(float angle) { return small_sin_cos(clamp(angle, -kSmallAngle, kSmallAngle)); }
+SinCos small_turn(float angle) { return math::small_sin_cos(math::clamp(angle, -kSmallAngle, kSmallAngle)); }
 
 }  // namespace
 
@@ -15,7 +15,7 @@ SinCos small_turn(float angle) { return small_sin_cos(clamp(angle, -kSmallAngle,
 [[gnu::flatten]] bool Chain::sketch(StateRef s, Pose* poses, ControlView u, float dt) const {
   const ChainParameters& p = parameters_;
   const float speed = s[3] + 0.5F * dt * u[0];
-  const SinCos steering = sin_cos(s[4] + 0.5F * dt * u[1]);
+  const SinCos steering = math::sin_cos(s[4] + 0.5F * dt * u[1]);
   const float axle_way = dt * speed * steering.cos;
   const float half_turn = 0.5F * dt * speed * steering.sin / p.wheelbase;
   const SinCos half = small_turn(half_turn);
@@ -30,7 +30,7 @@ SinCos small_turn(float angle) { return small_sin_cos(clamp(angle, -kSmallAngle,
   const float hitch_length = p.hitch_length;
   const float least_cosine = least_hitch_cosine_;
   float pull = (slip_ ? dt * speed : axle_way) / hitch_length;
-  const bool little = absolute(pull) < kLittlePull;
+  const bool little = math::absolute(pull) < kLittlePull;
   Pose front = poses[0];
   for (int k = 1; k <= p.trailers; ++k) {
     const SinCos before = poses[k].heading;
@@ -41,7 +41,7 @@ SinCos small_turn(float angle) { return small_sin_cos(clamp(angle, -kSmallAngle,
     if (k == 1) s[kCarState] = s[kCarState] + turn;
     pull = pull * hitch.cos;
     ahead = own;
-    const SinCos heading = before + (little ? small_sin_cos(turn) : small_turn(turn));
+    const SinCos heading = before + (little ? math::small_sin_cos(turn) : small_turn(turn));
     const Pose trailer{front.position - hitch_length * Vec2{heading.cos, heading.sin}, heading};
     if (!((front.heading - heading).cos >= least_cosine)) return false;
     poses[k] = trailer;

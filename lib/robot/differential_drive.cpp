@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/robot/differential_drive.hpp"
+#include "krait/robots/differential_drive.hpp"
 
-#include "krait/robot/tracking.hpp"
+#include "robot/tracking.hpp"
 
 namespace krait {
+
+using detail::correction;
+using detail::Correction;
+using detail::deviation;
+using detail::kHeadingShare;
+
 namespace {
 
 constexpr PidGains kHeadingGains{3.0F, 0.05F, 0.1F};  // rad/s per radian of heading error
@@ -28,12 +34,12 @@ void DifferentialDrive::steer(StateView s, const Target& target, Steering& steer
     return;
   }
   const float error = heading_error(s, target);
-  const float along = sin_cos(error).cos;
+  const float along = math::sin_cos(error).cos;
   const float most = p.max_wheel_speed * kInside;
-  const float half_turn =
-      clamp(steering.heading(kHeadingGains, error, target.dt) * 0.5F * p.track_width / p.wheel_radius, -most, most);
-  const float room = most - absolute(half_turn);
-  const float forward = clamp(target.speed * most * (along > 0.0F ? along : 0.0F), -room, room);
+  const float half_turn = math::clamp(
+      steering.heading(kHeadingGains, error, target.dt) * 0.5F * p.track_width / p.wheel_radius, -most, most);
+  const float room = most - math::absolute(half_turn);
+  const float forward = math::clamp(target.speed * most * (along > 0.0F ? along : 0.0F), -room, room);
   const float wanted[2] = {forward - half_turn, forward + half_turn};
   approach(s, wanted, target.dt, u);
 }
@@ -43,8 +49,8 @@ void DifferentialDrive::approach(StateView s, const float* wanted, float dt, Con
   const DifferentialDriveParameters& p = parameters_;
   const float most = p.max_wheel_speed * kInside;
   for (int wheel = 0; wheel < 2; ++wheel) {
-    u[wheel] = clamp((clamp(wanted[wheel], -most, most) - s[3 + wheel]) / dt, -p.max_wheel_acceleration,
-                     p.max_wheel_acceleration);
+    u[wheel] = math::clamp((math::clamp(wanted[wheel], -most, most) - s[3 + wheel]) / dt, -p.max_wheel_acceleration,
+                           p.max_wheel_acceleration);
   }
 }
 
@@ -60,13 +66,15 @@ void DifferentialDrive::track(StateView s, StateView reference, float dt, Contro
 
 bool DifferentialDrive::within_limits(StateView s) const {
   const float most = parameters_.max_wheel_speed;
-  return finite(position(s)) && absolute(s[2]) <= kMaxAngle && absolute(s[3]) <= most && absolute(s[4]) <= most;
+  return finite(position(s)) && math::absolute(s[2]) <= kMaxAngle && math::absolute(s[3]) <= most &&
+         math::absolute(s[4]) <= most;
 }
 
 // Each wheel stops by itself.
 float DifferentialDrive::stopping_way(StateView s) const {
   const DifferentialDriveParameters& p = parameters_;
-  const float turned = s[3] * absolute(s[3]) + s[4] * absolute(s[4]);  // times twice the acceleration, of both wheels
+  const float turned =
+      s[3] * math::absolute(s[3]) + s[4] * math::absolute(s[4]);  // times twice the acceleration, of both wheels
   return 0.25F * p.wheel_radius * turned / p.max_wheel_acceleration;
 }
 
@@ -85,20 +93,20 @@ float DifferentialDrive::fastest_rate(float dt) const {
 bool DifferentialDrive::travel(StateView s, ControlView u, float dt, StateView, Travel* travel) const {
   float sum = 0.0F;
   for (int wheel = 0; wheel < 2; ++wheel) {
-    const float before = absolute(s[3 + wheel]);
-    const float after = absolute(s[3 + wheel] + u[wheel] * dt);
+    const float before = math::absolute(s[3 + wheel]);
+    const float after = math::absolute(s[3 + wheel] + u[wheel] * dt);
     sum += before > after ? before : after;
   }
   const float rims = dt * parameters_.wheel_radius * sum;
   const float path = 0.5F * rims;
   const float turn = rims / parameters_.track_width;
   const float speeding = dt * dt * parameters_.wheel_radius;
-  const float forward = speeding * 0.5F * absolute(u[0] + u[1]);
-  const float sideways = speeding * absolute(u[1] - u[0]) / parameters_.track_width;
+  const float forward = speeding * 0.5F * math::absolute(u[0] + u[1]);
+  const float sideways = speeding * math::absolute(u[1] - u[0]) / parameters_.track_width;
   travel[0] = {path, turn, 0.125F * (forward + path * turn), 0.125F * (sideways + turn * turn)};
   return true;
 }
 
-template class FunctionsOf<DifferentialDrive>;
+template class detail::FunctionsOf<DifferentialDrive>;
 
 }  // namespace krait

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/robot/shape.hpp"
+#include "robot/shape.hpp"
 
-namespace krait {
+namespace krait::detail {
 namespace {
 
 constexpr float kMaxExtent = 100.0F;  // metres
@@ -66,4 +66,4 @@ float body_length(Polygon body) {
 
 float robot_length(const Robot& robot) { return body_length(robot.body(0)); }
 
-}  // namespace krait
+}  // namespace krait::detail

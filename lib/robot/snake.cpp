@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/robot/snake.hpp"
+#include "krait/robots/snake.hpp"
 
 namespace krait {
 
-template class FunctionsOf<Snake>;
+template class detail::FunctionsOf<Snake>;
 
 }  // namespace krait

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/robot/truck.hpp"
+#include "krait/robots/truck.hpp"
 
 namespace krait {
 
-template class FunctionsOf<Truck>;
+template class detail::FunctionsOf<Truck>;
 
 }  // namespace krait

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/robot/unicycle.hpp"
+#include "krait/robots/unicycle.hpp"
 
-#include "krait/robot/tracking.hpp"
+#include "robot/tracking.hpp"
 
 namespace krait {
+
+using detail::correction;
+using detail::Correction;
+using detail::deviation;
+using detail::kHeadingShare;
+
 namespace {
 
 constexpr PidGains kHeadingGains{4.0F, 0.05F, 0.05F};  // rad/s per radian of heading error
@@ -26,27 +32,27 @@ void Unicycle::steer(StateView s, const Target& target, Steering& steering, Cont
     return;
   }
   const float error = heading_error(s, target);
-  const float along = sin_cos(error).cos;
+  const float along = math::sin_cos(error).cos;
   u[0] = target.speed * (target.speed < 0.0F ? -p.min_speed : p.max_speed) * (along > 0.0F ? along : 0.0F);
-  u[1] = clamp(steering.heading(kHeadingGains, error, target.dt), -p.max_turn_rate, p.max_turn_rate);
+  u[1] = math::clamp(steering.heading(kHeadingGains, error, target.dt), -p.max_turn_rate, p.max_turn_rate);
 }
 
 void Unicycle::track(StateView s, StateView reference, float dt, ControlRef u) const {
   const UnicycleParameters& p = parameters_;
   const Correction change = correction(deviation(s, reference), u[0], p.body_length, dt);
-  u[0] = clamp(u[0] + change.speed, p.min_speed, p.max_speed);
-  u[1] = clamp(u[1] + kHeadingShare * change.heading / dt, -p.max_turn_rate, p.max_turn_rate);
+  u[0] = math::clamp(u[0] + change.speed, p.min_speed, p.max_speed);
+  u[1] = math::clamp(u[1] + kHeadingShare * change.heading / dt, -p.max_turn_rate, p.max_turn_rate);
 }
 
-bool Unicycle::within_limits(StateView s) const { return finite(position(s)) && absolute(s[2]) <= kMaxAngle; }
+bool Unicycle::within_limits(StateView s) const { return finite(position(s)) && math::absolute(s[2]) <= kMaxAngle; }
 
 bool Unicycle::travel(StateView, ControlView u, float dt, StateView, Travel* travel) const {
-  const float path = dt * absolute(u[0]);
-  const float turn = dt * absolute(u[1]);
+  const float path = dt * math::absolute(u[0]);
+  const float turn = dt * math::absolute(u[1]);
   travel[0] = {path, turn, 0.125F * path * turn, 0.125F * turn * turn};
   return true;
 }
 
-template class FunctionsOf<Unicycle>;
+template class detail::FunctionsOf<Unicycle>;
 
 }  // namespace krait

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/cells.hpp"
 
-namespace krait {
+namespace krait::detail {
 namespace {
 
 template <class Integer>
@@ -69,4 +69,4 @@ CellSpan CellSquares::columns_of(const GridPolygon& polygon, std::int32_t row) c
   return extent.low == INT32_MAX ? CellSpan{} : columns_between(extent.low, extent.high);
 }
 
-}  // namespace krait
+}  // namespace krait::detail

@@ -2,9 +2,10 @@
 // Which cells of a bucket or clearance grid a box or a convex polygon meets, in exact integers.
 #pragma once
 
-#include "krait/scene/scene.hpp"
+#include "krait/scene.hpp"
+#include "scene/grid_point.hpp"
 
-namespace krait {
+namespace krait::detail {
 
 // Columns or rows from first to last; none when last < first.
 struct CellSpan {
@@ -89,4 +90,4 @@ class CellSquares {
   std::int32_t rows_;
 };
 
-}  // namespace krait
+}  // namespace krait::detail

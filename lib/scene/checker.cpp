@@ -5,7 +5,9 @@
 #include <iterator>
 #include <utility>
 
-namespace krait {
+#include "scene/grid_point.hpp"
+
+namespace krait::detail {
 namespace {
 
 using format::Header;
@@ -448,4 +450,4 @@ bool SceneChecker::gaps(const Scene& s) {
   return true;
 }
 
-}  // namespace krait
+}  // namespace krait::detail

@@ -2,10 +2,10 @@
 // Checks the bytes of a scene file before anything else reads them.
 #pragma once
 
-#include "krait/scene/scene.hpp"
+#include "krait/scene.hpp"
 #include "scene/cells.hpp"
 
-namespace krait {
+namespace krait::detail {
 
 class SceneChecker {
  public:
@@ -71,4 +71,4 @@ class SceneChecker {
   Failure failure_;
 };
 
-}  // namespace krait
+}  // namespace krait::detail

@@ -3,8 +3,9 @@
 // free a planner would drive through.
 #include "scene/cells.hpp"
 #include "scene/checker.hpp"
+#include "scene/grid_point.hpp"
 
-namespace krait {
+namespace krait::detail {
 namespace {
 
 using format::Header;
@@ -325,4 +326,4 @@ bool SceneChecker::row_clear_of(const Scene& s, const CellSquares& cells, const 
   return true;
 }
 
-}  // namespace krait
+}  // namespace krait::detail

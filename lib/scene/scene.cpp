@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/scene/scene.hpp"
+#include "krait/scene.hpp"
 
 #include <bit>
 #include <type_traits>
@@ -14,7 +14,7 @@ static_assert(sizeof(Vec2) == 8 && sizeof(Box) == 16);
 using format::Section;
 
 Failure Scene::open(const void* bytes, std::size_t size, Scene& scene) {
-  SceneChecker checker(static_cast<const std::byte*>(bytes), size);
+  detail::SceneChecker checker(static_cast<const std::byte*>(bytes), size);
   Scene candidate;
   if (checker.header(candidate.header_)) {
     candidate.view(static_cast<const std::byte*>(bytes));

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/search/disc_route.hpp"
+#include "search/disc_route.hpp"
 
-#include "krait/collision/obstacles.hpp"
-#include "krait/decomposition/locate.hpp"
-#include "krait/robot/shape.hpp"
+#include "collision/obstacles.hpp"
+#include "decomposition/locate.hpp"
+#include "robot/shape.hpp"
 
-namespace krait {
+namespace krait::detail {
 
 float least_portal_width(const Robot& robot, float clearance) {
   const float inner = inner_radius(robot.body(0), {});
@@ -49,4 +49,4 @@ Bottleneck DiscRoute::narrowest(const Disc& disc) {
   return bottleneck;
 }
 
-}  // namespace krait
+}  // namespace krait::detail

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/search/dubins.hpp"
+#include "search/dubins.hpp"
 
-#include "krait/base/contract.hpp"
+#include "krait/contract.hpp"
 
-namespace krait {
+namespace krait::detail {
 namespace {
 
 constexpr float kNoTurn = 1e-3F;  // radians: a circle less than so much is no turn at all, but for rounding
@@ -13,14 +13,14 @@ Vec2 left_of(Vec2 a) { return {-a.y, a.x}; }
 
 // Radians, 0 … 2 pi, by which `from` must turn left (1) or right (-1) to become `to`.
 float turn_between(Vec2 from, Vec2 to, int turn) {
-  const float angle = static_cast<float>(turn) * atan2(cross(from, to), dot(from, to));
+  const float angle = static_cast<float>(turn) * math::atan2(cross(from, to), dot(from, to));
   const float positive = angle < 0.0F ? angle + 2.0F * kPi : angle;
   return positive > 2.0F * kPi - kNoTurn ? 0.0F : positive;
 }
 
 // `from` and so much of what lies left of `along`.
 Vec2 moved_left(Vec2 from, float by, Vec2 along) {
-  return {from.x - product(by, along.y), from.y + product(by, along.x)};
+  return {from.x - math::product(by, along.y), from.y + math::product(by, along.x)};
 }
 
 Vec2 circle_center(const Pose& pose, float radius, int turn) {
@@ -85,7 +85,7 @@ Pose CurvedLine::at(float arc) const {
 Pose CurvedLine::along(const Pose& from, int turn, float way) const {
   if (turn == 0) return {from.position + way * direction(from.heading), from.heading};
   const auto side = static_cast<float>(turn);
-  const SinCos heading = from.heading + sin_cos(side * way / radius_);
+  const SinCos heading = from.heading + math::sin_cos(side * way / radius_);
   return {from.position + side * radius_ * (left_of(direction(from.heading)) - left_of(direction(heading))), heading};
 }
 
@@ -107,4 +107,4 @@ bool dubins(int word, const Pose& from, const Pose& to, float radius, CurvedLine
   }
 }
 
-}  // namespace krait
+}  // namespace krait::detail

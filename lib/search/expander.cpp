@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/search/expander.hpp"
+#include "search/expander.hpp"
 
-#include "krait/decomposition/locate.hpp"
-#include "krait/plan/proven_step.hpp"
-#include "krait/robot/shape.hpp"
+#include "decomposition/locate.hpp"
+#include "plan/proven_step.hpp"
+#include "robot/shape.hpp"
 
-namespace krait {
+namespace krait::detail {
 namespace {
 
 // What lines to a pose must be like for the robot.
@@ -52,14 +52,14 @@ Expanded Expander::expand(Index vertex, Index region, const Target& toward, cons
 
 Expanded Expander::go_on(const Watch& watch) {
   bool goes = true;
-  for (std::uint32_t left = tools_.parameters->max_steps; goes && left > 0; --left) {
+  for (std::uint32_t left = tools_.parameters->tuning.max_steps; goes && left > 0; --left) {
     expanded_.outcome = take_turn(watch);
     goes = expanded_.outcome == Outcome::target_not_reached && (aside() || continues());
   }
   if (goes) expanded_.outcome = Outcome::goes_on;
   if (goes || expanded_.outcome == Outcome::goal_reached) return expanded_;
   if (expanded_.outcome != Outcome::collision) {
-    for (std::uint32_t back = tools_.parameters->doomed_steps; back-- > 0;) {
+    for (std::uint32_t back = tools_.parameters->tuning.doomed_steps; back-- > 0;) {
       if (!keep_recent(back)) expanded_.outcome = Outcome::tree_full;
     }
   }
@@ -80,8 +80,8 @@ Outcome Expander::take_turn(const Watch& watch) {
 
 bool Expander::continues() {
   const std::uint32_t steps = expanded_.last.step;
-  if (steps < tools_.parameters->max_steps) return true;
-  if (steps >= tools_.parameters->open_steps || expanded_.crossed > kOpen) return false;
+  if (steps < tools_.parameters->tuning.max_steps) return true;
+  if (steps >= tools_.parameters->tuning.open_steps || expanded_.crossed > kOpen) return false;
   const float before = apart_;
   apart_ = length(drive_.target().point - position());
   return apart_ < before;
@@ -152,8 +152,8 @@ bool Expander::begin_shot_leg() {
 
 Outcome Expander::settle() {
   recent_.remember(expanded_.last.step, expanded_.region, drive_.state());
-  if (!keep_recent(tools_.parameters->doomed_steps)) return Outcome::tree_full;
-  const float reached = tools_.parameters->near_radius * tools_.robot_length;
+  if (!keep_recent(tools_.parameters->tuning.doomed_steps)) return Outcome::tree_full;
+  const float reached = tools_.parameters->tuning.near_radius * tools_.robot_length;
   const bool near = length(drive_.target().point - position()) <= reached;
   return near ? Outcome::target_reached : Outcome::target_not_reached;
 }
@@ -207,4 +207,4 @@ Index Expander::region_of(Vec2 at, Index last) const {
   return triangle == kNone ? last : tools_.regions->region(triangle);
 }
 
-}  // namespace krait
+}  // namespace krait::detail

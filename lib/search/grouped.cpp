@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/search/grouped.hpp"
+#include "search/grouped.hpp"
 
-namespace krait {
+namespace krait::detail {
 
 void GroupedSearch::count(Arena& counting, const Scene& scene, const Robot& robot, const Limits& limits) {
   Search::count(counting, scene, robot, limits);
@@ -69,4 +69,4 @@ void GroupedSearch::drop_group(Index region) {
   }
 }
 
-}  // namespace krait
+}  // namespace krait::detail

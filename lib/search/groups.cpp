@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/search/groups.hpp"
+#include "search/groups.hpp"
 
-#include "krait/base/contract.hpp"
+#include "krait/contract.hpp"
 
-namespace krait {
+namespace krait::detail {
 
 void Groups::take(Arena& arena, const Scene& scene, std::uint32_t vertices) {
   region_count_ = scene.triangle_count();
@@ -18,7 +18,7 @@ void Groups::take(Arena& arena, const Scene& scene, std::uint32_t vertices) {
 
 void Groups::clear(const GroupWeights& weights, std::uint32_t sample) {
   weights_ = weights;
-  log_beta_ = log(weights.beta);
+  log_beta_ = math::log(weights.beta);
   sample_ = sample;
   for (Index r = 0; r < region_count_; ++r) {
     log_weights_[r] = -kInfinity;
@@ -64,7 +64,7 @@ float Groups::log_weight(const Regions& regions, Index region) const {
   if (h == kInfinity) return -kInfinity;
   const float most = regions.largest_cost();
   const float progress = most > 0.0F ? weights_.epsilon + (1.0F - h / most) : weights_.epsilon + 1.0F;
-  return weights_.alpha * log(progress) + log_beta_ * static_cast<float>(selections_[region]);
+  return weights_.alpha * math::log(progress) + log_beta_ * static_cast<float>(selections_[region]);
 }
 
 void Groups::set_weight(const Regions& regions, Index region) { change_weight(region, log_weight(regions, region)); }
@@ -137,4 +137,4 @@ Index Groups::random_vertex(Index region, Random& random) const {
   return vertex;
 }
 
-}  // namespace krait
+}  // namespace krait::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/search/last_metres.hpp"
+#include "search/last_metres.hpp"
 
-namespace krait {
+namespace krait::detail {
 namespace {
 
 constexpr float kLeastRadius = 0.4F;                 // in lengths of body 0: of a robot that turns on the spot
@@ -36,7 +36,7 @@ void LastMetres::assign(const Scene& scene, const Goal& goal, const Nimbleness& 
   robot_ = robot;
   const float least = kLeastRadius * robot.length;
   const float radius = robot.turning_radius > least ? robot.turning_radius : least;
-  for (int i = 0; i < kRadii; ++i) radii_[i] = krait::kRadii[i] * radius;
+  for (int i = 0; i < kRadii; ++i) radii_[i] = detail::kRadii[i] * radius;
   lead_count_ = 0;
   if (goal.facing().hitches == kInfinity) {
     for (const float lead : kShortLeads) leads_[lead_count_++] = lead * robot.length;
@@ -93,7 +93,7 @@ void LastMetres::consider(const Pose& from, Shot shot) {
 }
 
 bool LastMetres::draw(const Pose& from, const Shot& shot, CurvedLine& line) const {
-  const SinCos heading = sin_cos(goal_.facing().heading);
+  const SinCos heading = math::sin_cos(goal_.facing().heading);
   Pose to{goal_.center(), shot.opposite ? opposite(heading) : heading};
   Pose begin = from;
   if (shot.backward) {
@@ -132,19 +132,19 @@ bool LastMetres::next(const Pose& from) {
 bool LastMetres::aim(const Pose& at, float speed, float stopping_way, Target& target) {
   for (int i = 0; i < 2; ++i) {
     const Pose on = line_.at(arc_);
-    arc_ = arc_ + clamp(dot(at.position - on.position, direction(on)), 0.0F, kOff * robot_.length);
+    arc_ = arc_ + math::clamp(dot(at.position - on.position, direction(on)), 0.0F, kOff * robot_.length);
   }
   if (length(at.position - line_.at(arc_).position) > kOff * robot_.length) return false;
   const float left = line_.length() - arc_;
   const bool stops = left <= kNearEnough * goal_.radius();
   if (stops && ++stops_ > kMostStops) return false;
-  const float way = absolute(stopping_way);
+  const float way = math::absolute(stopping_way);
   float wanted = left / (kSettle * robot_.dt);
   if (way > 0.0F) {
     const float braking = speed * std::sqrt(kBraking * left / way);
     if (braking < wanted) wanted = braking;
   }
-  const float share = clamp(wanted / robot_.top_speed, kSlowest, 1.0F);
+  const float share = math::clamp(wanted / robot_.top_speed, kSlowest, 1.0F);
   target.speed = stops ? 0.0F : (backward_ ? -share : share);
   target.turn = 1.0F;
   float look = kLook * robot_.length + kLookSteps * robot_.dt * speed;
@@ -156,4 +156,4 @@ bool LastMetres::aim(const Pose& at, float speed, float stopping_way, Target& ta
   return true;
 }
 
-}  // namespace krait
+}  // namespace krait::detail

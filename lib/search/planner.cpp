@@ -1,163 +1,68 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/search/planner.hpp"
+#include "krait/planner.hpp"
+
+#include <new>
+#include <type_traits>
+
+#include "search/adaptive_search.hpp"
 
 namespace krait {
 
+using detail::AdaptiveSearch;
+using detail::opened;
+
+AdaptiveSearch& detail::opened(Planner& planner) {
+  return *std::launder(reinterpret_cast<AdaptiveSearch*>(planner.search_));
+}
+
+const AdaptiveSearch& detail::opened(const Planner& planner) {
+  return *std::launder(reinterpret_cast<const AdaptiveSearch*>(planner.search_));
+}
+
+Planner::Planner() {
+  static_assert(sizeof(AdaptiveSearch) <= kSearchBytes && alignof(AdaptiveSearch) <= alignof(std::uint64_t));
+  static_assert(std::is_trivially_destructible_v<AdaptiveSearch>);
+  ::new (search_) AdaptiveSearch;
+}
+
 std::uint64_t Planner::bytes_required(const Scene& scene, const Robot& robot, const Limits& limits) {
-  Arena counting;
-  count(counting, scene, robot, limits);
-  Sketcher sketcher;
-  sketcher.take(counting, robot);
-  return counting.needed();
+  return AdaptiveSearch::bytes_required(scene, robot, limits);
 }
 
 Limits Planner::limits_for(std::uint64_t bytes, const Scene& scene, const Robot& robot, std::uint32_t way_legs) {
-  return limits_within(bytes, {.way_legs = way_legs},
-                       [&](const Limits& limits) { return bytes_required(scene, robot, limits); });
+  return AdaptiveSearch::limits_for(bytes, scene, robot, way_legs);
 }
 
 Failure Planner::init(const Setup& setup, const Parameters& parameters, const Limits& limits) {
-  if (!check_setup(setup, parameters, limits).ok()) return failure();
-  const auto required = [&](const Limits& any) { return bytes_required(*setup.scene, setup.robot, any); };
-  const Failure failure = take_block(setup, required);
-  if (!failure.ok()) return failure;
-  take_groups();
-  sketcher_.take(arena_, setup.robot);
-  return failure;
+  return opened(*this).init(setup, parameters, limits);
 }
 
-Status Planner::start(const Query& query) {
-  if (!usable()) return status();
-  forget();
-  return begin(query, Keeper(*this));
-}
+Status Planner::start(const Query& query) { return opened(*this).start(query); }
+
+Status Planner::advance(std::uint64_t iterations) { return opened(*this).advance(iterations, Watch()); }
 
 Status Planner::advance(std::uint64_t iterations, const Watch& watch) {
-  for (; iterations > 0 && status() == Status::searching; --iterations) {
-    if (driving()) {
-      drive_plan();
-    } else if (count_expansion()) {
-      iterate(watch);
-    }
-  }
-  return status();
+  return opened(*this).advance(iterations, watch);
 }
 
-void Planner::forget() {
-  groups_.clear({parameters_.alpha, parameters_.beta, parameters_.epsilon}, parameters_.group_sample);
-  raised_ = false;
-  goes_on_ = false;
-  sketcher_.assign(robot_, *scene_, sketched_step(), parameters_.near_radius * robot_length_);
-  sight_ = Sight(*scene_, kSightRoom * sketcher_.radius(), kSightStep * robot_length_);
-}
+Status Planner::improve(std::uint64_t iterations) { return opened(*this).improve(iterations); }
 
-float Planner::sketched_step() const {
-  const float step = kSketchTime * parameters_.dt;
-  const float longest = longest_step(robot_, parameters_.dt, kSketchRate);
-  return step < longest ? step : longest;
-}
+void Planner::stop_for_time() { opened(*this).stop_for_time(); }
 
-void Planner::iterate(const Watch& watch) {
-  if (new_try_due()) {
-    forget();
-    new_try();
-    return;
-  }
-  if (goes_on_) {
-    heed(go_on(watch));
-  } else {
-    begin_expansion(watch);
-  }
-  if (status() != Status::searching) return;
-  if (statistics_.iterations % update_interval() == 0) update_costs();
-}
+Status Planner::status() const { return opened(*this).status(); }
 
-void Planner::begin_expansion(const Watch& watch) {
-  if (!room_for_expansion()) return;
-  if (parameters_.plain) groups_.weigh(regions_);
-  group_ = groups_.select(regions_);
-  const Way way = choose_way(group_);
-  if (way.promising) {
-    heed(expand(way.vertex, group_, way.target, watch));
-  } else {
-    raise_costs(group_);
-  }
-}
+const Failure& Planner::failure() const { return opened(*this).failure(); }
 
-std::uint32_t Planner::update_interval() const {
-  const std::uint32_t kappa = parameters_.kappa;
-  if (parameters_.update_regions == 0) return kappa;
-  const std::uint32_t least = scene_->triangle_count() / parameters_.update_regions;
-  return least > kappa ? least : kappa;
-}
+Plan Planner::plan() const { return opened(*this).plan(); }
 
-void Planner::heed(const Expanded& expanded) {
-  goes_on_ = expanded.outcome == Outcome::goes_on;
-  const bool long_way = expanded.last.step > parameters_.max_steps;
-  if (long_way && expanded.outcome == Outcome::target_reached) groups_.unselect(regions_, group_);
-  if (expanded.outcome == Outcome::collision) raise_costs(expanded.region);
-}
+Statistics Planner::statistics() const { return opened(*this).statistics(); }
 
-Planner::Way Planner::choose_way(Index group) {
-  const std::uint32_t count = parameters_.candidates;
-  if (count == 0) return any_way(group);
-  for (std::uint32_t i = 0; i < count; ++i) {
-    Way way = any_way(group);
-    if (i == 0 && way.cost == kInfinity) way.cost = -1.0F;
-    std::uint32_t at = i;
-    for (; at > 0 && ways_[at - 1].cost > way.cost; --at) ways_[at] = ways_[at - 1];
-    ways_[at] = way;
-  }
-  std::uint32_t best = 0;
-  std::uint32_t longest = 0;
-  for (std::uint32_t i = 0; i < count && longest < Sketcher::kSteps; ++i) {
-    const std::uint32_t steps = sketcher_.free_steps(tree_.state(ways_[i].vertex), ways_[i].target);
-    if (steps <= longest) continue;
-    longest = steps;
-    best = i;
-  }
-  ways_[best].promising = longest >= parameters_.least_sketch;
-  return ways_[best];
-}
+Contact Planner::contact() { return opened(*this).contact(); }
 
-Planner::Way Planner::any_way(Index group) {
-  Way way;
-  way.vertex = groups_.random_vertex(group, random_);
-  const float stray = parameters_.stray_share;
-  const bool strays = stray > 0.0F && random_.unit() < stray;
-  way.cost = kInfinity;
-  const Vec2 point = strays ? random_point_in_bounds() : point_ahead(group, position(way.vertex), way.cost);
-  way.target = any_way_to(point, groups_.selections(group));
-  if (way.cost == 0.0F) slow_for(way.target, way.vertex);
-  return way;
-}
+Bottleneck Planner::bottleneck() { return opened(*this).bottleneck(); }
 
-Vec2 Planner::point_ahead(Index group, Vec2 from, float& cost) {
-  for (std::uint32_t tries = 1;; ++tries) {
-    const Index region = regions_.random_ahead(group, parameters_.path_regions, random_);
-    const Vec2 point = regions_.random_point(region, random_);
-    cost = regions_.cost(region);
-    if (tries >= parameters_.sight_tries || sight_.line_free(from, point)) return point;
-  }
-}
+Effort Planner::effort() const { return opened(*this).effort(); }
 
-void Planner::raise_costs(Index last_region) {
-  const Index next = regions_.next(last_region);
-  if (next == kNone || (regions_.is_goal(next) && !parameters_.raise_goal)) return;
-  regions_.raise_edges(next, {parameters_.gamma, parameters_.cost_length * robot_length_});
-  raised_ = true;
-}
-
-void Planner::update_costs() {
-  if (!raised_) return;
-  raised_ = false;
-  if (parameters_.plain) {
-    regions_.update();
-    ++statistics_.dijkstra_runs;
-  } else {
-    statistics_.regions_repaired += regions_.repair();
-  }
-  groups_.weigh(regions_);
-}
+float Planner::cost_to_go() const { return opened(*this).cost_to_go(); }
 
 }  // namespace krait

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/search/search.hpp"
+#include "search/search.hpp"
 
-#include "krait/base/arithmetic.hpp"
-#include "krait/decomposition/locate.hpp"
-#include "krait/robot/shape.hpp"
+#include "decomposition/locate.hpp"
+#include "krait/geometry.hpp"
+#include "robot/shape.hpp"
 
-namespace krait {
+namespace krait::detail {
 
 // The block.
 
@@ -33,7 +33,7 @@ Failure Search::check_setup(const Setup& setup, const Parameters& parameters, co
   scene_ = setup.scene;
   parameters_ = parameters;
   limits_ = limits;
-  if (!exact_arithmetic() || !robot_.exact()) return failure_ = {Status::bad_arithmetic};
+  if (!math::exact_arithmetic() || !robot_.exact()) return failure_ = {Status::bad_arithmetic};
   if (scene_ == nullptr || scene_->bytes() == 0) return failure_ = bad_argument(Argument::scene);
   const Argument bad_robot = first_bad_of_robot(robot_);
   if (bad_robot != Argument::none) return failure_ = {Status::bad_robot, 0, static_cast<std::uint32_t>(bad_robot)};
@@ -45,7 +45,7 @@ Failure Search::check_setup(const Setup& setup, const Parameters& parameters, co
     failure_.most = longest_time_step(robot_, parameters.dt);
     return failure_;
   }
-  robot_length_ = krait::robot_length(robot_);
+  robot_length_ = detail::robot_length(robot_);
   return failure_ = {};
 }
 
@@ -82,9 +82,10 @@ Status Search::begin(const Query& query, const Keeper& keeper) {
   statistics_ = {};
   improving_ = false;
   driven_ = kNone;
-  restarts_.begin(parameters_.restart_unit);
+  restarts_.begin(parameters_.tuning.restart_unit);
   random_ = Random(query.seed);
-  check_.assign(robot_, *scene_, tree_clearance(), static_cast<int>(parameters_.max_substeps), !parameters_.plain);
+  check_.assign(robot_, *scene_, tree_clearance(), static_cast<int>(parameters_.tuning.max_substeps),
+                !parameters_.tuning.plain);
   keep_for_tree();
   expander_.reset();
   ending_.assign(robot_, *scene_, query.goal, parameters_.end_speed);
@@ -95,7 +96,7 @@ Status Search::begin(const Query& query, const Keeper& keeper) {
   goal_depth_ = parameters_.goal_margin < tenth ? parameters_.goal_margin : tenth;
   end_depth_ = {kDepthKept * goal_depth_, tenth};
   equip_expander(keeper);
-  const bool fits = !parameters_.prune_portals || disc_route().fits();
+  const bool fits = !parameters_.tuning.prune_portals || disc_route().fits();
   if (!find_paths()) return finish(Status::goal_in_obstacle);
   return plant(fits);
 }
@@ -139,7 +140,7 @@ void Search::equip_expander(const Keeper& keeper) {
 
 bool Search::find_paths() {
   ++statistics_.dijkstra_runs;
-  const float width = parameters_.prune_portals ? least_portal_width(robot_, parameters_.clearance) : 0.0F;
+  const float width = parameters_.tuning.prune_portals ? least_portal_width(robot_, parameters_.clearance) : 0.0F;
   return regions_.reset(ending_.goal(), width, kLeastCost * robot_length_);
 }
 
@@ -200,12 +201,12 @@ Target Search::any_way_to(Vec2 point, std::uint32_t tries) {
   constexpr float kGentlest = 0.15F;  // of the sharpest turn
   Target target;
   target.point = point;
-  const bool backward = robot_.reversible() && random_.unit() < parameters_.reverse_share;
-  const float slowest = parameters_.slowest;
+  const bool backward = robot_.reversible() && random_.unit() < parameters_.tuning.reverse_share;
+  const float slowest = parameters_.tuning.slowest;
   const float share = slowest + (1.0F - slowest) * random_.unit();
   target.speed = backward ? -share : share;
   const auto patience = static_cast<float>(tries) / static_cast<float>(tries + kPatience);
-  if (random_.unit() < parameters_.gentle_share * patience) {
+  if (random_.unit() < parameters_.tuning.gentle_share * patience) {
     target.turn = kGentlest + (1.0F - kGentlest) * random_.unit();
   }
   return target;
@@ -213,7 +214,7 @@ Target Search::any_way_to(Vec2 point, std::uint32_t tries) {
 
 void Search::slow_for(Target& target, Index from) const {
   if (!ending_.limits_speed()) return;
-  const float way = absolute(robot_.stopping_way(tree_.state(from)));
+  const float way = math::absolute(robot_.stopping_way(tree_.state(from)));
   const float distance = length(target.point - position(from));
   if (distance < way) target.speed = target.speed * std::sqrt(distance / way);
 }
@@ -241,7 +242,7 @@ void Search::drive_plan() {
     proof_.aim(tree_.target(driven_));
     steps_left_ = tree_.steps(driven_);
   }
-  for (std::uint32_t left = parameters_.max_steps; left > 0 && steps_left_ > 0; --left, --steps_left_) {
+  for (std::uint32_t left = parameters_.tuning.max_steps; left > 0 && steps_left_ > 0; --left, --steps_left_) {
     if (!proof_.step()) return refuse_plan();
   }
   if (steps_left_ == 0) driven_ = tree_.next_of_path(driven_);
@@ -340,4 +341,4 @@ Bottleneck Search::bottleneck() {
   return disc_route().narrowest(ended == Status::no_route);
 }
 
-}  // namespace krait
+}  // namespace krait::detail

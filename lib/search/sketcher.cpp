@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "krait/search/sketcher.hpp"
+#include "search/sketcher.hpp"
 
-namespace krait {
+namespace krait::detail {
 
 void Sketcher::take(Arena& arena, const Robot& robot) {
   const auto bodies = static_cast<std::uint64_t>(robot.body_count());
@@ -64,4 +64,4 @@ void Sketcher::begin(const float* state) {
   return true;
 }
 
-}  // namespace krait
+}  // namespace krait::detail

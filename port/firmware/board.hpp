@@ -17,7 +17,7 @@ struct Board {
   const void* scene;
   std::size_t scene_room;
 
-  // Memory for the planner's block, aligned to Arena::kAlignment.
+  // Memory for the planner's block, aligned to Setup::kAlignment.
   void* arena;
   std::size_t arena_room;
 

@@ -22,7 +22,7 @@ const char* hint(Argument argument) {
 
 // Why a request is refused.
 void put_reason(Line& line, const Board& board, const Failure& failure) {
-  line.put(name(failure.status));
+  line.put(to_string(failure.status));
   switch (failure.status) {
     case Status::arena_too_small:
       line.put(": the planner's block must have ").put(failure.bytes_needed);
@@ -35,7 +35,7 @@ void put_reason(Line& line, const Board& board, const Failure& failure) {
       break;
     case Status::bad_argument:
     case Status::bad_robot:
-      line.put(": ").put(name(static_cast<Argument>(failure.element)));
+      line.put(": ").put(to_string(static_cast<Argument>(failure.element)));
       line.put(hint(static_cast<Argument>(failure.element)));
       break;
     default:
@@ -53,7 +53,7 @@ void add_failure(JsonLine& line, const Failure& failure) {
       break;
     case Status::bad_argument:
     case Status::bad_robot:
-      line.add("argument", name(static_cast<Argument>(failure.element)));
+      line.add("argument", to_string(static_cast<Argument>(failure.element)));
       break;
     default:
       break;
@@ -129,7 +129,7 @@ int write(const Board& board, const Request& request, const Report& report) {
   }
   static JsonLine line;  // likewise
   line.add("machine", board.name)
-      .add("status", name(report.failure.status))
+      .add("status", to_string(report.failure.status))
       .add("scene", report.scene)
       .add("robot", request.robot)
       .add("seed", request.seed);

@@ -6,7 +6,7 @@
 
 #include "firmware/board.hpp"
 #include "firmware/request.hpp"
-#include "krait/search/statistics.hpp"
+#include "krait/planner.hpp"
 #include "krait/status.hpp"
 
 namespace krait::firmware {

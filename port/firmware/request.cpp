@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "firmware/decimal.hpp"
-#include "krait/robot/chain.hpp"
+#include "krait/robots/chain.hpp"
 
 namespace krait::firmware {
 namespace {

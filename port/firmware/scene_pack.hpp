@@ -7,7 +7,7 @@
 #include <cstring>
 
 #include "firmware/board.hpp"
-#include "krait/scene/scene.hpp"
+#include "krait/scene.hpp"
 
 namespace krait::firmware {
 

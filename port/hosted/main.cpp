@@ -17,7 +17,7 @@ constexpr std::size_t kSceneRoom = std::size_t{16} << 20U;
 constexpr std::size_t kArenaRoom = std::size_t{64} << 20U;
 
 alignas(8) std::byte scene_memory[kSceneRoom];
-alignas(krait::Arena::kAlignment) std::byte arena_memory[kArenaRoom];
+alignas(krait::Setup::kAlignment) std::byte arena_memory[kArenaRoom];
 
 std::uint64_t clock_nanoseconds(void*) {
   const auto now = std::chrono::steady_clock::now().time_since_epoch();

@@ -21,7 +21,7 @@ class OwnUnicycle : public Unicycle {
   const Failure failure = planner.init({nullptr, 0, &scene, robot});
   const bool not_opened =
       failure.status == Status::bad_argument && failure.element == static_cast<std::uint32_t>(Argument::scene);
-  return not_opened ? "exact" : name(failure.status);
+  return not_opened ? "exact" : to_string(failure.status);
 }
 
 }  // namespace krait::test

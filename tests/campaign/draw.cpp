@@ -157,10 +157,10 @@ Robot draw_robot(Draw& draw, const Measures& m, double side) {
 Parameters draw_parameters(Draw& draw, const Measures& m, double passage) {
   Parameters p;
   p.dt = as_float(m.dt, 0.001F, 1);
-  if (draw.chance(0.3)) p.max_steps = static_cast<std::uint32_t>(draw.log_uniform(5, 300));
+  if (draw.chance(0.3)) p.tuning.max_steps = static_cast<std::uint32_t>(draw.log_uniform(5, 300));
   if (draw.chance(0.1)) p.clearance = 0;
   if (draw.chance(0.1)) p.clearance = static_cast<float>(draw.log_uniform(1e-4, 0.05 * passage));
-  if (draw.chance(0.2)) p.max_substeps = 1U << draw.whole(0, 6);
+  if (draw.chance(0.2)) p.tuning.max_substeps = 1U << draw.whole(0, 6);
   if (draw.chance(0.05)) p.goal_margin = 0;
   return p;
 }
@@ -325,7 +325,7 @@ std::string describe(const Query& query) {
         p.self_collision_gap, number(p.max_hitch_angle));
   }
   add("%s clearance %.3g substeps %u margin %.2g, from %.6g %.6g %.6g", r.own_bodies.empty() ? "" : " own bodies",
-      number(query.parameters.clearance), query.parameters.max_substeps, number(query.parameters.goal_margin),
+      number(query.parameters.clearance), query.parameters.tuning.max_substeps, number(query.parameters.goal_margin),
       number(query.start[0]), number(query.start[1]), number(query.start[2]));
   return line;
 }

@@ -6,7 +6,7 @@
 
 #include "host/compiler/compiler.hpp"
 #include "host/scenes/scenes.hpp"
-#include "krait/robot/car.hpp"
+#include "krait/robots/car.hpp"
 #include "planning.hpp"
 
 namespace krait::campaign {

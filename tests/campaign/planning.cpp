@@ -10,8 +10,8 @@ constexpr std::uint64_t kSlice = 8;  // expansions between looks at the work
 
 std::string text_of(const Failure& failure) {
   const bool argument = failure.status == Status::bad_argument || failure.status == Status::bad_robot;
-  return name(failure.status) +
-         (argument ? std::string(": ") + name(static_cast<Argument>(failure.element)) : std::string());
+  return to_string(failure.status) +
+         (argument ? std::string(": ") + to_string(static_cast<Argument>(failure.element)) : std::string());
 }
 
 // The block is as a program leaves it that plans again and again.

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "judge.hpp"
-#include "krait/decomposition/goal.hpp"
+#include "krait/goal.hpp"
 #include "krait/parameters.hpp"
 
 namespace krait::campaign {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <vector>
 
-#include "krait/robot/chain.hpp"
-#include "krait/robot/differential_drive.hpp"
-#include "krait/robot/unicycle.hpp"
+#include "krait/robots/chain.hpp"
+#include "krait/robots/differential_drive.hpp"
+#include "krait/robots/unicycle.hpp"
 
 namespace krait::campaign {
 

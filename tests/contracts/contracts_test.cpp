@@ -2,7 +2,9 @@
 // What callers must see to is checked where a build asks for it, as the builds with sanitizers do.
 #include <gtest/gtest.h>
 
+#include "base/arena.hpp"
 #include "krait/krait.hpp"
+#include "plan/motion_tree.hpp"
 #include "planner_fixture.hpp"
 
 namespace krait::test {
@@ -41,9 +43,9 @@ TEST_F(Contracts, OfACursorAtItsEnd) {
 }
 
 TEST_F(Contracts, OfAFullTree) {
-  alignas(Arena::kAlignment) std::byte block[256];
-  Arena arena(block, sizeof block);
-  MotionTree tree;
+  alignas(detail::Arena::kAlignment) std::byte block[256];
+  detail::Arena arena(block, sizeof block);
+  detail::MotionTree tree;
   tree.take(arena, 2, 2, 2);
   ASSERT_TRUE(arena.fits());
   tree.reset({{0, 0}, {1, 1}}, 0);
@@ -59,8 +61,8 @@ TEST_F(Contracts, OfAFullTree) {
 }
 
 TEST_F(Contracts, OfAnArenaThatIsMisaligned) {
-  alignas(Arena::kAlignment) std::byte block[64];
-  EXPECT_DEATH((void)Arena(block + 4, 32), "broken contract: .*kAlignment == 0");
+  alignas(detail::Arena::kAlignment) std::byte block[64];
+  EXPECT_DEATH((void)detail::Arena(block + 4, 32), "broken contract: .*kAlignment == 0");
 }
 
 }  // namespace

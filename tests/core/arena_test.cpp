@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The block cut into pools: what it counts is what it takes.
-#include "krait/base/arena.hpp"
+#include "base/arena.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,17 +17,17 @@ struct Twelve {
 };
 
 // Takes a mixed load; returns the addresses.
-std::vector<const void*> take_all(Arena& arena) {
-  return {arena.take<std::uint8_t>(Pool::regions, 3), arena.take<std::uint64_t>(Pool::states, 2),
-          arena.take<Twelve>(Pool::states, 5), arena.take<std::uint16_t>(Pool::members, 1),
-          arena.take<float>(Pool::expansions, 0)};
+std::vector<const void*> take_all(detail::Arena& arena) {
+  return {arena.take<std::uint8_t>(detail::Pool::regions, 3), arena.take<std::uint64_t>(detail::Pool::states, 2),
+          arena.take<Twelve>(detail::Pool::states, 5), arena.take<std::uint16_t>(detail::Pool::members, 1),
+          arena.take<float>(detail::Pool::expansions, 0)};
 }
 
 TEST(Arena, CountsWhatItLaterTakes) {
-  Arena counting;
+  detail::Arena counting;
   for (const void* pointer : take_all(counting)) EXPECT_EQ(pointer, nullptr);
   std::vector<std::uint64_t> block(counting.needed() / 8);
-  Arena arena(block.data(), block.size() * 8);
+  detail::Arena arena(block.data(), block.size() * 8);
   take_all(arena);
   EXPECT_EQ(arena.needed(), counting.needed());
   EXPECT_TRUE(arena.fits());
@@ -35,26 +35,26 @@ TEST(Arena, CountsWhatItLaterTakes) {
 }
 
 TEST(Arena, NeedsEachTakeRoundedUpToTheAlignment) {
-  Arena arena;
+  detail::Arena arena;
   take_all(arena);
   EXPECT_EQ(arena.needed(), 8U + 16U + 64U + 8U + 0U);
 }
 
 TEST(Arena, PoolsAddUpToTheWhole) {
-  Arena arena;
+  detail::Arena arena;
   take_all(arena);
-  EXPECT_EQ(arena.needed(Pool::regions), 8U);
-  EXPECT_EQ(arena.needed(Pool::states), 80U);
-  EXPECT_EQ(arena.needed(Pool::members), 8U);
-  EXPECT_EQ(arena.needed(Pool::portals), 0U);
+  EXPECT_EQ(arena.needed(detail::Pool::regions), 8U);
+  EXPECT_EQ(arena.needed(detail::Pool::states), 80U);
+  EXPECT_EQ(arena.needed(detail::Pool::members), 8U);
+  EXPECT_EQ(arena.needed(detail::Pool::portals), 0U);
   std::uint64_t sum = 0;
-  for (std::size_t pool = 0; pool < kPoolCount; ++pool) sum += arena.needed(static_cast<Pool>(pool));
+  for (std::size_t pool = 0; pool < detail::kPoolCount; ++pool) sum += arena.needed(static_cast<detail::Pool>(pool));
   EXPECT_EQ(sum, arena.needed());
 }
 
 TEST(Arena, EveryTakeIsAlignedInsideTheBlockAndApartFromTheOthers) {
   std::vector<std::uint64_t> block(12);
-  Arena arena(block.data(), 96);
+  detail::Arena arena(block.data(), 96);
   const auto taken = take_all(arena);
   const auto start = reinterpret_cast<std::uintptr_t>(block.data());
   const std::array<std::uintptr_t, 5> expected = {0, 8, 24, 88, 96};
@@ -65,7 +65,7 @@ TEST(Arena, EveryTakeIsAlignedInsideTheBlockAndApartFromTheOthers) {
 
 TEST(Arena, OneByteLessGivesNullForWhatNoLongerFits) {
   std::vector<std::uint64_t> block(12);
-  Arena arena(block.data(), 95);
+  detail::Arena arena(block.data(), 95);
   const auto taken = take_all(arena);
   EXPECT_NE(taken[2], nullptr);
   EXPECT_EQ(taken[3], nullptr);
@@ -74,23 +74,23 @@ TEST(Arena, OneByteLessGivesNullForWhatNoLongerFits) {
 }
 
 TEST(Arena, SizesBeyond32BitsAreCounted) {
-  Arena arena;
-  arena.take<std::uint64_t>(Pool::states, std::uint64_t{1} << 40U);
+  detail::Arena arena;
+  arena.take<std::uint64_t>(detail::Pool::states, std::uint64_t{1} << 40U);
   EXPECT_EQ(arena.needed(), std::uint64_t{1} << 43U);
 }
 
 TEST(Arena, PaddingDoesNotDependOnTheAddress) {
   std::vector<std::uint64_t> block(64);
   for (std::size_t shift = 0; shift < 8; ++shift) {
-    Arena arena(block.data() + shift, 256);
+    detail::Arena arena(block.data() + shift, 256);
     take_all(arena);
     EXPECT_EQ(arena.needed(), 96U);
   }
 }
 
 TEST(Arena, PoolsHaveNames) {
-  EXPECT_STREQ(name(Pool::regions), "regions");
-  EXPECT_STREQ(name(Pool::members), "members");
+  EXPECT_STREQ(to_string(detail::Pool::regions), "regions");
+  EXPECT_STREQ(to_string(detail::Pool::members), "members");
 }
 
 }  // namespace

@@ -456,7 +456,7 @@ TEST(CInterface, SaysWhyThereIsNoPlan) {
 
 TEST(CInterface, NamesAreTheCpps) {
   for (std::uint32_t i = 0; i <= KRAIT_INTERNAL; ++i) {
-    EXPECT_STREQ(krait_status_name(static_cast<krait_status>(i)), name(static_cast<Status>(i)));
+    EXPECT_STREQ(krait_status_name(static_cast<krait_status>(i)), to_string(static_cast<Status>(i)));
   }
   EXPECT_STREQ(krait_status_name(KRAIT_START_IN_COLLISION), "start_in_collision");
   EXPECT_STREQ(krait_status_name(KRAIT_ARENA_TOO_SMALL), "arena_too_small");
@@ -467,34 +467,35 @@ TEST(CInterface, NamesAreTheCpps) {
 #define EXPECT_SAME_PLACE(C, Cpp, field) EXPECT_EQ(offsetof(C, field), offsetof(Cpp, field)) << #field
 
 TEST(CInterface, EveryParameterIsInItsPlace) {
-  EXPECT_SAME_PLACE(krait_parameters, Parameters, group_sample);
-  EXPECT_SAME_PLACE(krait_parameters, Parameters, alpha);
-  EXPECT_SAME_PLACE(krait_parameters, Parameters, beta);
-  EXPECT_SAME_PLACE(krait_parameters, Parameters, epsilon);
-  EXPECT_SAME_PLACE(krait_parameters, Parameters, gamma);
-  EXPECT_SAME_PLACE(krait_parameters, Parameters, cost_length);
-  EXPECT_SAME_PLACE(krait_parameters, Parameters, kappa);
-  EXPECT_SAME_PLACE(krait_parameters, Parameters, update_regions);
-  EXPECT_SAME_PLACE(krait_parameters, Parameters, raise_goal);
+  EXPECT_SAME_PLACE(krait_parameters, Parameters, tuning);
+  EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, group_sample);
+  EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, alpha);
+  EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, beta);
+  EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, epsilon);
+  EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, gamma);
+  EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, cost_length);
+  EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, kappa);
+  EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, update_regions);
+  EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, raise_goal);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, dt);
-  EXPECT_SAME_PLACE(krait_parameters, Parameters, max_steps);
-  EXPECT_SAME_PLACE(krait_parameters, Parameters, open_steps);
-  EXPECT_SAME_PLACE(krait_parameters, Parameters, path_regions);
-  EXPECT_SAME_PLACE(krait_parameters, Parameters, near_radius);
-  EXPECT_SAME_PLACE(krait_parameters, Parameters, stray_share);
-  EXPECT_SAME_PLACE(krait_parameters, Parameters, gentle_share);
-  EXPECT_SAME_PLACE(krait_parameters, Parameters, sight_tries);
-  EXPECT_SAME_PLACE(krait_parameters, Parameters, candidates);
-  EXPECT_SAME_PLACE(krait_parameters, Parameters, least_sketch);
-  EXPECT_SAME_PLACE(krait_parameters, Parameters, doomed_steps);
-  EXPECT_SAME_PLACE(krait_parameters, Parameters, restart_unit);
-  EXPECT_SAME_PLACE(krait_parameters, Parameters, slowest);
-  EXPECT_SAME_PLACE(krait_parameters, Parameters, reverse_share);
+  EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, max_steps);
+  EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, open_steps);
+  EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, path_regions);
+  EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, near_radius);
+  EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, stray_share);
+  EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, gentle_share);
+  EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, sight_tries);
+  EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, candidates);
+  EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, least_sketch);
+  EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, doomed_steps);
+  EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, restart_unit);
+  EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, slowest);
+  EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, reverse_share);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, clearance);
-  EXPECT_SAME_PLACE(krait_parameters, Parameters, continuous);
-  EXPECT_SAME_PLACE(krait_parameters, Parameters, max_substeps);
-  EXPECT_SAME_PLACE(krait_parameters, Parameters, prune_portals);
-  EXPECT_SAME_PLACE(krait_parameters, Parameters, plain);
+  EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, continuous);
+  EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, max_substeps);
+  EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, prune_portals);
+  EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, plain);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, goal_margin);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, end_speed);
   EXPECT_SAME_PLACE(krait_limits, Limits, vertices);

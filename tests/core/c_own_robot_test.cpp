@@ -67,6 +67,34 @@ class Whole : public Bare {
   int self_collision_gap() const { return 1; }
 };
 
+// One that states its rates: bounds for any state and control of a Bare without trailers.
+constexpr BodyRates kRates{3.0F, 10.0F, 31.0F, 110.0F};
+class Rated {
+ public:
+  static constexpr int kMaxState = Bare::kMaxState, kMaxControl = 2, kMaxBodies = 1;
+
+  explicit Rated(int trailers) : bare_(trailers) {}
+
+  int state_size() const { return bare_.state_size(); }
+  int control_size() const { return 2; }
+  int body_count() const { return 1; }
+  void derivative(StateView s, ControlView u, StateRef ds) const { bare_.derivative(s, u, ds); }
+  void steer(StateView s, const Target& target, Steering& steering, ControlRef u) const {
+    bare_.steer(s, target, steering, u);
+  }
+  bool within_limits(StateView s) const { return bare_.within_limits(s); }
+  Polygon body(int k) const { return bare_.body(k); }
+  void place(StateView s, Pose* poses) const { bare_.place(s, poses); }
+  bool rates(StateView s, ControlView u, float dt, StateView next, BodyRates* rates) const {
+    Travel travel[1];
+    rates[0] = kRates;
+    return bare_.travel(s, u, dt, next, travel);
+  }
+
+ private:
+  Bare bare_;
+};
+
 const Whole& of(const void* self) { return *static_cast<const Whole*>(self); }
 StateView view(const void* self, const float* s) { return {s, of(self).state_size()}; }
 
@@ -184,6 +212,17 @@ TEST(OwnRobotInC, HasThePlansOfTheSameRobotInCpp) {
   expect_same_plans<Bare>(bare(2), 2);
   expect_same_plans<Whole>(whole(0), 0);
   expect_same_plans<Whole>(whole(2), 2);
+}
+
+TEST(OwnRobotInC, MayStateItsRatesInsteadOfItsTravel) {
+  krait_functions f = bare(0);
+  f.travel = nullptr;
+  f.rates = [](const void* self, const float* s, const float* u, float dt, const float* next, krait_body_rates* rates) {
+    Travel travel[1];
+    rates[0] = {kRates.speed, kRates.turn, kRates.acceleration, kRates.turn_acceleration};
+    return of(self).travel(view(self, s), ControlView(u, 2), dt, view(self, next), travel);
+  };
+  expect_same_plans<Rated>(f, 0);
 }
 
 // Each function that it may have is asked, for plans differ without it.

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string>
 
-#include "krait/robot/truck.hpp"
-#include "krait/robot_check/robot_check.hpp"
+#include "krait/robot_check.hpp"
+#include "krait/robots/truck.hpp"
 
 namespace krait::test {
 
@@ -46,7 +46,6 @@ enum class Wrong {
   steer_nan_at_the_target,
   steer_too_fast,
   steer_counts_its_calls,
-  steer_differs_by_frames,
   rate_too_small,
   rate_nan
 };
@@ -66,7 +65,7 @@ class Cart {
   int self_collision_gap() const { return 1; }
 
   void derivative(StateView s, ControlView u, StateRef ds) const {
-    const SinCos heading = sin_cos(s[2]);
+    const SinCos heading = math::sin_cos(s[2]);
     ds[0] = s[3] * (is(Wrong::derivative_mixes_sine_and_cosine) ? heading.sin : heading.cos);
     ds[1] = s[3] * heading.sin;
     ds[2] = u[1];
@@ -74,24 +73,20 @@ class Cart {
     if (is(Wrong::derivative_nan) && s[3] > 1.0F) ds[1] = kInfinity - kInfinity;
     if (is(Wrong::derivative_counts_its_calls)) ds[2] += 0.001F * static_cast<float>(++calls_ % 3);
     if (is(Wrong::derivative_depends_on_the_place)) ds[2] += 0.1F * s[0];
-    if (is(Wrong::derivative_leaps_to_and_fro)) ds[2] += sin_cos(3000.0F * s[2]).sin > 0.0F ? 5.0F : -5.0F;
+    if (is(Wrong::derivative_leaps_to_and_fro)) ds[2] += math::sin_cos(3000.0F * s[2]).sin > 0.0F ? 5.0F : -5.0F;
   }
 
   void steer(StateView s, const Target& target, Steering&, ControlRef u) const {
-    const SinCos heading = sin_cos(s[2]);
+    const SinCos heading = math::sin_cos(s[2]);
     const Vec2 to = target.point - position(s);
     const Vec2 along{heading.cos, heading.sin};
-    const float turn = 2.0F * atan2(cross(along, to), dot(along, to)) * target.turn;
+    const float turn = 2.0F * math::atan2(cross(along, to), dot(along, to)) * target.turn;
     const float most = is(Wrong::steer_beyond_its_limits) ? 2.0F * kTurnRate : kTurnRate;
-    u[1] = clamp(turn, -most, most);
+    u[1] = math::clamp(turn, -most, most);
     const float speed = target.speed * kSpeed * (is(Wrong::steer_too_fast) ? 1.1F : 0.999F);
-    u[0] = clamp((speed - s[3]) / target.dt, -kAcceleration, kAcceleration);
+    u[0] = math::clamp((speed - s[3]) / target.dt, -kAcceleration, kAcceleration);
     if (is(Wrong::steer_nan_at_the_target)) u[1] = 0.1F * to.x / length(to);
     if (is(Wrong::steer_counts_its_calls)) u[1] = 0.001F * static_cast<float>(++calls_ % 3);
-  }
-  void steer(StateView s, const Pose*, const Target& target, Steering& steering, ControlRef u) const {
-    steer(s, target, steering, u);
-    if (is(Wrong::steer_differs_by_frames)) u[0] = 0.5F * u[0];
   }
 
   bool within_limits(StateView s) const {
@@ -99,7 +94,7 @@ class Cart {
     if (is(Wrong::limits_count_their_calls) && ++calls_ % 3 == 0) return false;
     if (is(Wrong::limits_depend_on_the_place) && s[0] > 2.0F) return false;
     if (breaks_limits() && s[3] > 0.7F && s[3] < 0.72F) return false;
-    return s[3] >= 0.0F && s[3] <= kSpeed && finite(position(s)) && absolute(s[2]) < 1000.0F;
+    return s[3] >= 0.0F && s[3] <= kSpeed && finite(position(s)) && math::absolute(s[2]) < 1000.0F;
   }
 
   Polygon body(int) const {
@@ -111,7 +106,7 @@ class Cart {
   }
 
   void place(StateView s, Pose* poses) const {
-    const SinCos heading = is(Wrong::place_keeps_to_the_north) ? SinCos{1.0F, 0.0F} : sin_cos(s[2]);
+    const SinCos heading = is(Wrong::place_keeps_to_the_north) ? SinCos{1.0F, 0.0F} : math::sin_cos(s[2]);
     const Vec2 behind = position(s) - Vec2{heading.cos, heading.sin};
     poses[0] = {position(s), heading};
     if (!is(Wrong::place_leaves_a_frame_unwritten)) poses[1] = {behind, heading};
@@ -123,8 +118,8 @@ class Cart {
 
   bool travel(StateView s, ControlView u, float dt, StateView, Travel* travel) const {
     const float way = dt * fastest(s, u, dt);
-    const float turn = dt * absolute(u[1]);
-    const float bend = 0.125F * (dt * dt * absolute(u[0]) + way * turn);
+    const float turn = dt * math::absolute(u[1]);
+    const float bend = 0.125F * (dt * dt * math::absolute(u[0]) + way * turn);
     travel[0] = {way, turn, bend, 0.125F * turn * turn};
     if (!is(Wrong::travel_leaves_a_body_unwritten)) {
       travel[1] = {way + turn, turn, bend + 0.125F * turn * turn, 0.125F * turn * turn};
@@ -135,7 +130,7 @@ class Cart {
     if (is(Wrong::travel_turn_too_small)) travel[0].turn *= 0.9F;
     if (is(Wrong::travel_bend_too_small)) travel[1].bend = bend;
     if (is(Wrong::travel_twist_too_small)) travel[0].twist = 0.0F;
-    if (is(Wrong::travel_depends_on_the_heading)) travel[0].path *= 1.0F + absolute(sin_cos(s[2]).sin);
+    if (is(Wrong::travel_depends_on_the_heading)) travel[0].path *= 1.0F + math::absolute(math::sin_cos(s[2]).sin);
     return !is(Wrong::quick_vouches_for_limits_that_break);
   }
 
@@ -159,8 +154,8 @@ class Cart {
     return is(Wrong::travel_vouches_for_limits_that_break) || is(Wrong::quick_vouches_for_limits_that_break);
   }
   static float fastest(StateView s, ControlView u, float dt) {
-    const float after = absolute(s[3] + dt * u[0]);
-    return after > absolute(s[3]) ? after : absolute(s[3]);
+    const float after = math::absolute(s[3] + dt * u[0]);
+    return after > math::absolute(s[3]) ? after : math::absolute(s[3]);
   }
 
   Wrong wrong_;

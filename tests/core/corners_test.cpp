@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // How corners are rounded and routes are changed.
-#include "krait/improve/corners.hpp"
+#include "improve/corners.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,10 +10,10 @@
 namespace krait::test {
 namespace {
 
-const Turns kTurns = {{0.5F, 0.9F, 1.4F, 2.1F, 3.0F, 4.2F}, 0.8F};
+const detail::Turns kTurns = {{0.5F, 0.9F, 1.4F, 2.1F, 3.0F, 4.2F}, 0.8F};
 
 TEST(Corners, NormalNumbersHaveTheirMeanAndDeviation) {
-  Random random(1);
+  detail::Random random(1);
   double sum = 0, squares = 0;
   constexpr int kCount = 20'000;
   for (int i = 0; i < kCount; ++i) {
@@ -26,14 +26,15 @@ TEST(Corners, NormalNumbersHaveTheirMeanAndDeviation) {
 }
 
 TEST(Corners, AreRoundedOutwardByOneOfTheTurns) {
-  Random random(1);
+  detail::Random random(1);
   int outward = 0, inward = 0;
   for (int i = 0; i < 500; ++i) {
-    Via via{{4, 0}, 0, 0, 0};
-    round_corner({0, 0}, via, {4, 5}, kTurns, random);  // to the left: outward is right and down
+    detail::Via via{{4, 0}, 0, 0, 0};
+    detail::round_corner({0, 0}, via, {4, 5}, kTurns, random);  // to the left: outward is right and down
     EXPECT_GE(via.look, 0.8F * kTurns.unit);
     EXPECT_LE(via.look, 4.5F * kTurns.unit);
-    EXPECT_NE(std::find(std::begin(Turns::kShare), std::end(Turns::kShare), via.turn), std::end(Turns::kShare));
+    EXPECT_NE(std::find(std::begin(detail::Turns::kShare), std::end(detail::Turns::kShare), via.turn),
+              std::end(detail::Turns::kShare));
     EXPECT_NEAR(via.at.x - 4, -via.at.y, 1e-5F);  // on the bisector
     EXPECT_LE(length(via.at - Vec2{4, 0}), 1.1F * 1.8F * kTurns.unit);
     (via.at.x > 4 ? outward : inward) += 1;
@@ -43,10 +44,10 @@ TEST(Corners, AreRoundedOutwardByOneOfTheTurns) {
 }
 
 TEST(Corners, StraightLinesAndViasAtOnePlaceStayWhereTheyAre) {
-  Random random(1);
+  detail::Random random(1);
   for (const Vec2 after : {Vec2{8, 0}, Vec2{4, 0}}) {
-    Via via{{4, 0}, 0, 0, 0};
-    round_corner({0, 0}, via, after, kTurns, random);
+    detail::Via via{{4, 0}, 0, 0, 0};
+    detail::round_corner({0, 0}, via, after, kTurns, random);
     EXPECT_EQ(via.at.x, 4.0F);
     EXPECT_EQ(via.at.y, 0.0F);
     EXPECT_GT(via.look, 0.0F);
@@ -56,13 +57,13 @@ TEST(Corners, StraightLinesAndViasAtOnePlaceStayWhereTheyAre) {
 
 TEST(Corners, ChangesKeepTheFirstViaAndTheRest) {
   std::vector<std::uint64_t> block(400);
-  Arena arena(block.data(), block.size() * 8);
-  Route route, changed;
+  detail::Arena arena(block.data(), block.size() * 8);
+  detail::Route route, changed;
   route.take(arena, 8);
   changed.take(arena, 8);
   for (const Vec2 at : {Vec2{0, 0}, Vec2{4, 0}, Vec2{4, 4}, Vec2{8, 4}, Vec2{8, 8}}) route.add({at, 1, 1, 0});
   route.measure();
-  Random random(1);
+  detail::Random random(1);
   int longer = 0, shorter = 0, moved = 0, driven_otherwise = 0;
   for (int i = 0; i < 2000; ++i) {
     const auto via = static_cast<std::uint32_t>(1 + i % 4);

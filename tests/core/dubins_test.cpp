@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Dubins' words against the formulas of Shkel and Lumelsky (Classification of the Dubins set, 2001) in double.
-#include "krait/search/dubins.hpp"
+#include "search/dubins.hpp"
 
 #include <gtest/gtest.h>
 
@@ -69,7 +69,7 @@ std::optional<double> reference_length(int word, const Place& from, const Place&
 }
 
 Pose pose(const Place& place) {
-  return {{static_cast<float>(place.x), static_cast<float>(place.y)}, sin_cos(static_cast<float>(place.heading))};
+  return {{static_cast<float>(place.x), static_cast<float>(place.y)}, math::sin_cos(static_cast<float>(place.heading))};
 }
 
 double apart(const Pose& a, const Pose& b) { return static_cast<double>(length(a.position - b.position)); }
@@ -85,13 +85,13 @@ class Dubins : public ::testing::Test {
 };
 
 TEST_F(Dubins, LengthsAreThoseOfTheFormulas) {
-  int compared[kDubinsWords] = {};
+  int compared[detail::kDubinsWords] = {};
   for (int i = 0; i < 20'000; ++i) {
     const Place from = place(), to = place();
     const float radius = uniform_float(random_, 0.3F, 3);
-    for (int word = 0; word < kDubinsWords; ++word) {
-      CurvedLine line;
-      const bool found = dubins(word, pose(from), pose(to), radius, line);
+    for (int word = 0; word < detail::kDubinsWords; ++word) {
+      detail::CurvedLine line;
+      const bool found = detail::dubins(word, pose(from), pose(to), radius, line);
       const auto expected = reference_length(word, from, to, static_cast<double>(radius));
       if (!expected || !found) continue;
       // Where a turn is none but for rounding, one of them may make a whole circle of it.
@@ -109,9 +109,9 @@ TEST_F(Dubins, OneFindsAWordWhereTheOtherDoes) {
   int found_some = 0;
   for (int i = 0; i < 20'000; ++i) {
     const Place from = place(), to = place();
-    for (int word = 0; word < kDubinsWords; ++word) {
-      CurvedLine line;
-      const bool found = dubins(word, pose(from), pose(to), 1, line);
+    for (int word = 0; word < detail::kDubinsWords; ++word) {
+      detail::CurvedLine line;
+      const bool found = detail::dubins(word, pose(from), pose(to), 1, line);
       found_some += found ? 1 : 0;
       differ += found != reference_length(word, from, to, 1).has_value() ? 1 : 0;
     }
@@ -124,9 +124,9 @@ TEST_F(Dubins, LinesEndAtThePoseAndBendAsMuchAsTheRadiusAllows) {
   for (int i = 0; i < 2'000; ++i) {
     const Pose from = pose(place()), to = pose(place());
     const float radius = uniform_float(random_, 0.3F, 3);
-    for (int word = 0; word < kDubinsWords; ++word) {
-      CurvedLine line;
-      if (!dubins(word, from, to, radius, line)) continue;
+    for (int word = 0; word < detail::kDubinsWords; ++word) {
+      detail::CurvedLine line;
+      if (!detail::dubins(word, from, to, radius, line)) continue;
       ASSERT_LT(apart(line.at(0), from), 1e-4);
       ASSERT_LT(apart(line.at(line.length()), to), 5e-3) << "word " << word;
       ASSERT_LT(angle_between(line.at(line.length()).heading, to.heading), 5e-3F) << "word " << word;
@@ -146,9 +146,9 @@ TEST_F(Dubins, TheShortestWordIsNoShorterThanTheLineBetweenThePoses) {
   for (int i = 0; i < 2'000; ++i) {
     const Pose from = pose(place()), to = pose(place());
     float least = kInfinity;
-    for (int word = 0; word < kDubinsWords; ++word) {
-      CurvedLine line;
-      if (dubins(word, from, to, 1, line) && line.length() < least) least = line.length();
+    for (int word = 0; word < detail::kDubinsWords; ++word) {
+      detail::CurvedLine line;
+      if (detail::dubins(word, from, to, 1, line) && line.length() < least) least = line.length();
     }
     ASSERT_LT(least, kInfinity) << "two poses are always joined";
     ASSERT_GE(static_cast<double>(least), apart(from, to) - 1e-4);
@@ -156,7 +156,7 @@ TEST_F(Dubins, TheShortestWordIsNoShorterThanTheLineBetweenThePoses) {
 }
 
 TEST(CurvedLine, GoesOnStraightBeyondItsEnds) {
-  CurvedLine line({{1, 2}, sin_cos(0)}, 1);
+  detail::CurvedLine line({{1, 2}, math::sin_cos(0)}, 1);
   line.add(1, 0.5F * kPi);
   EXPECT_NEAR(line.at(-1).position.x, 0, 1e-6);
   EXPECT_NEAR(line.end().position.x, 2, 1e-6);

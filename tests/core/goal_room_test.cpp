@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The room in a goal against a dense grid of its points, in double precision.
-#include "krait/collision/goal_room.hpp"
+#include "collision/goal_room.hpp"
 
 #include <gtest/gtest.h>
 
@@ -41,8 +41,8 @@ double roomiest(const Walls& walls, Point center, double radius) {
   return most;
 }
 
-GoalRoom room_of(const OpenScene& open, const Goal& goal, float reach, double enough) {
-  return goal_room(open.scene, Obstacles(open.scene, 0.0F), goal, reach, static_cast<float>(enough));
+detail::GoalRoom room_of(const OpenScene& open, const Goal& goal, float reach, double enough) {
+  return goal_room(open.scene, detail::Obstacles(open.scene, 0.0F), goal, reach, static_cast<float>(enough));
 }
 
 TEST(GoalRoom, IsEnoughWhereAPointHasItAndNotWhereNoneHas) {
@@ -60,7 +60,7 @@ TEST(GoalRoom, IsEnoughWhereAPointHasItAndNotWhereNoneHas) {
       const Goal goal = Goal::disc(center, radius);
       const double step = 1.5 * static_cast<double>(radius + reach) / 20;  // between the grid's points
       EXPECT_TRUE(room_of(open, goal, reach, most - 1e-3).enough) << seed;
-      const GoalRoom beyond = room_of(open, goal, reach, most + 0.06 + step);
+      const detail::GoalRoom beyond = room_of(open, goal, reach, most + 0.06 + step);
       EXPECT_FALSE(beyond.enough) << seed;
       EXPECT_NEAR(static_cast<double>(beyond.found), most, 0.06 + step) << seed;
       if (beyond.found > 0.0F) {

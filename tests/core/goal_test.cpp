@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // When a position is in the goal, and how deep.
-#include "krait/decomposition/goal.hpp"
+#include "krait/goal.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "scene/grid_point.hpp"
 #include "scene_builder.hpp"
 
 namespace krait::test {
@@ -120,7 +121,7 @@ TEST(Goal, SizeOfASliverIsThatOfItsArea) {
     const float part = uniform_float(random, 0, 1);
     const Vec2 c{snap(static_cast<double>(a.x + part * (b.x - a.x))),
                  snap(static_cast<double>(a.y + part * (b.y - a.y)))};
-    const std::int64_t twice_area = orientation(to_grid(a), to_grid(b), to_grid(c));
+    const std::int64_t twice_area = detail::orientation(detail::to_grid(a), detail::to_grid(b), detail::to_grid(c));
     if (twice_area <= 0) continue;
     const Opened opened(with_polygon({a, b, c}));
     const double area = 0.5 * static_cast<double>(twice_area) / (4096.0 * 4096.0);

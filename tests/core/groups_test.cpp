@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Groups, their samples and the choice of one, against brute force.
-#include "krait/search/groups.hpp"
+#include "search/groups.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,22 +15,22 @@
 namespace krait::test {
 namespace {
 
-constexpr GroupWeights kWeights{8.0F, 0.85F, 0.01F};
+constexpr detail::GroupWeights kWeights{8.0F, 0.85F, 0.01F};
 
 constexpr std::uint32_t kSample = 8;
 
 // Regions of a room and groups of at most `vertices` vertices, in memory that ends where theirs does.
 struct Partition {
   explicit Partition(std::uint32_t vertices, const Room& room = random_room(1)) : open(room) {
-    Arena counting;
+    detail::Arena counting;
     take(counting, vertices);
     block.resize(counting.needed() / 8);
-    Arena arena(block.data(), block.size() * 8);
+    detail::Arena arena(block.data(), block.size() * 8);
     take(arena, vertices);
     EXPECT_TRUE(regions.reset(Goal::named(0), 0.0F, 0.05F));
     groups.clear(kWeights, kSample);
   }
-  void take(Arena& arena, std::uint32_t vertices) {
+  void take(detail::Arena& arena, std::uint32_t vertices) {
     regions.take(arena, open.scene);
     groups.take(arena, open.scene, vertices);
   }
@@ -50,12 +50,13 @@ struct Partition {
 
   OpenScene open;
   std::vector<std::uint64_t> block;
-  Regions regions;
-  Groups groups;
+  detail::Regions regions;
+  detail::Groups groups;
 };
 
 // Eqn 7 by its definition, as a logarithm.
-double log_weight(const Regions& regions, Index region, std::uint32_t selections, const GroupWeights& w) {
+double log_weight(const detail::Regions& regions, Index region, std::uint32_t selections,
+                  const detail::GroupWeights& w) {
   const double h = static_cast<double>(regions.cost(region)), most = static_cast<double>(regions.largest_cost());
   if (!std::isfinite(h)) return -std::numeric_limits<double>::infinity();
   return static_cast<double>(w.alpha) * std::log(static_cast<double>(w.epsilon) + 1 - h / most) +
@@ -65,7 +66,7 @@ double log_weight(const Regions& regions, Index region, std::uint32_t selections
 // Groups told in the simplest way: by region, the members in the order in which they came.
 class Reference {
  public:
-  Reference(const Regions& regions, const Groups& groups) : regions_(regions), groups_(groups) {}
+  Reference(const detail::Regions& regions, const detail::Groups& groups) : regions_(regions), groups_(groups) {}
 
   // The first region whose weight none exceeds.
   Index best() const {
@@ -84,7 +85,7 @@ class Reference {
   Index lightest(Index besides) const {
     Index result = kNone;
     for (const auto& [region, vertices] : members) {
-      if (region == besides || vertices.empty() || vertices.back() == kRoot) continue;
+      if (region == besides || vertices.empty() || vertices.back() == detail::kRoot) continue;
       const float weight = groups_.log_weight(regions_, region);
       if (result == kNone || weight <= groups_.log_weight(regions_, result)) result = region;
     }
@@ -94,15 +95,15 @@ class Reference {
   std::map<Index, std::vector<Index>> members;
 
  private:
-  const Regions& regions_;
-  const Groups& groups_;
+  const detail::Regions& regions_;
+  const detail::Groups& groups_;
 };
 
 TEST(Groups, SelectsTheLargestWeightOfEqn7) {
   for (unsigned seed = 1; seed <= 10; ++seed) {
     Partition p(20'000, random_room(seed));
     std::mt19937 random(seed);
-    const GroupWeights weights{uniform_float(random, 1, 16), uniform_float(random, 0.5, 0.95), 0.01F};
+    const detail::GroupWeights weights{uniform_float(random, 1, 16), uniform_float(random, 0.5, 0.95), 0.01F};
     p.groups.clear(weights, kUnboundedSample);
     std::map<Index, std::uint32_t> selections;  // of every group
     Index vertex = 0;
@@ -146,8 +147,8 @@ TEST(Groups, ChoicesAreThoseOfAScanAfterAnySequence) {
     std::vector<Index> unused;
     for (Index v = kVertices; v > 1; --v) unused.push_back(v - 1);
     const Index start = p.region_with_a_cost();
-    p.groups.insert(p.regions, start, kRoot);
-    reference.members[start] = {kRoot};
+    p.groups.insert(p.regions, start, detail::kRoot);
+    reference.members[start] = {detail::kRoot};
     for (int i = 0; i < 6000; ++i) {
       const Index region = p.random_region(random);
       auto& members = reference.members[region];
@@ -161,7 +162,7 @@ TEST(Groups, ChoicesAreThoseOfAScanAfterAnySequence) {
           unused.pop_back();
           break;
         case 3: {
-          const bool none = members.empty() || members.back() == kRoot;
+          const bool none = members.empty() || members.back() == detail::kRoot;
           ASSERT_EQ(p.groups.remove(region), none ? kNone : members.back());
           if (none) break;
           unused.push_back(members.back());
@@ -231,7 +232,7 @@ TEST(Groups, WhereAllLiesInTheGoalAllWeighTheSameAndTakeTurns) {
   Partition p(100);
   ASSERT_TRUE(p.regions.reset(Goal::disc({6, 6}, 1000), 0.0F, 0.05F));
   ASSERT_EQ(p.regions.largest_cost(), 0.0F);
-  const GroupWeights weights{8.0F, 0.9F, 0.01F};
+  const detail::GroupWeights weights{8.0F, 0.9F, 0.01F};
   p.groups.clear(weights, kSample);
   for (Index r = 0; r < 10; ++r) p.groups.insert(p.regions, r, r);
   for (std::uint32_t turn = 0; turn < 3; ++turn) {
@@ -290,7 +291,7 @@ TEST(Groups, ASelectionThatIsTakenBackLeavesTheWeightAsItWas) {
 TEST(Groups, TheRootIsNeverRemoved) {
   Partition p(10);
   const Index a = p.region_with_a_cost();
-  p.groups.insert(p.regions, a, kRoot);
+  p.groups.insert(p.regions, a, detail::kRoot);
   EXPECT_EQ(p.groups.lightest(kNone), kNone);
   EXPECT_EQ(p.groups.remove(a), kNone);
   p.groups.insert(p.regions, a, 5);
@@ -299,7 +300,7 @@ TEST(Groups, TheRootIsNeverRemoved) {
   EXPECT_EQ(p.groups.remove(a), 5U);
   EXPECT_EQ(p.groups.remove(a), kNone);
   EXPECT_EQ(p.groups.remove(a + 1), kNone);  // it has no members
-  EXPECT_EQ(p.members(a), std::vector<Index>{kRoot});
+  EXPECT_EQ(p.members(a), std::vector<Index>{detail::kRoot});
 }
 
 double chi_square(const std::vector<int>& counts, double expected) {
@@ -316,7 +317,7 @@ TEST(Groups, RandomVertexIsUniformInItsGroup) {
       p.groups.insert(p.regions, 1, 2 * v + 1);  // interleaved with another group's
     }
     ASSERT_EQ(p.groups.size(0), size);
-    Random random(size);
+    detail::Random random(size);
     std::vector<int> counts(size);
     const int draws = 2000 * static_cast<int>(size);
     for (int i = 0; i < draws; ++i) {
@@ -335,11 +336,11 @@ class Sample {
  public:
   Sample(Partition& partition, Index region) : p_(partition), region_(region) {}
 
-  void reach(int state, Random& random, Index root = kNone) {
-    const Groups::Place place = p_.groups.place(region_, random);
+  void reach(int state, detail::Random& random, Index root = kNone) {
+    const detail::Groups::Place place = p_.groups.place(region_, random);
     if (!place.kept) return;
     if (place.replaced != kNone) {
-      EXPECT_NE(place.replaced, kRoot);
+      EXPECT_NE(place.replaced, detail::kRoot);
       held_[place.replaced] = state;
       return;
     }
@@ -359,7 +360,7 @@ class Sample {
 TEST(Groups, EachStateThatReachedARegionIsAsLikelyInItsSample) {
   for (const auto& [sample, states] : {std::pair{1U, 5}, {4U, 20}, {8U, 9}, {8U, 60}}) {
     Partition p(20);
-    Random random(sample + 100);
+    detail::Random random(sample + 100);
     std::vector<int> counts(static_cast<std::size_t>(states));
     constexpr int kTrials = 20'000;
     for (int trial = 0; trial < kTrials; ++trial) {
@@ -380,14 +381,14 @@ TEST(Groups, EachStateThatReachedARegionIsAsLikelyInItsSample) {
 
 TEST(Groups, TheRootIsNeverReplaced) {
   Partition p(20);
-  Random random(1);
+  detail::Random random(1);
   for (const std::uint32_t sample : {1U, 2U, 8U}) {
     p.groups.clear(kWeights, sample);
     Sample drawn(p, 0);
-    drawn.reach(-1, random, kRoot);
+    drawn.reach(-1, random, detail::kRoot);
     for (int i = 0; i < 5000; ++i) drawn.reach(i, random);
-    EXPECT_EQ(drawn.held().at(kRoot), -1);
-    EXPECT_EQ(p.members(0).back(), kRoot);
+    EXPECT_EQ(drawn.held().at(detail::kRoot), -1);
+    EXPECT_EQ(p.members(0).back(), detail::kRoot);
     EXPECT_EQ(p.groups.size(0), sample);
   }
 }
@@ -395,15 +396,15 @@ TEST(Groups, TheRootIsNeverReplaced) {
 TEST(Groups, AnUnboundedSampleKeepsAllUpTo65535) {
   Partition p(70'000);
   p.groups.clear(kWeights, kUnboundedSample);
-  Random random(1);
+  detail::Random random(1);
   for (Index v = 0; v < 65'535; ++v) {
-    const Groups::Place place = p.groups.place(0, random);
+    const detail::Groups::Place place = p.groups.place(0, random);
     ASSERT_TRUE(place.kept);
     ASSERT_EQ(place.replaced, kNone);
     p.groups.insert(p.regions, 0, v);
   }
   for (int i = 0; i < 100; ++i) {
-    const Groups::Place place = p.groups.place(0, random);
+    const detail::Groups::Place place = p.groups.place(0, random);
     ASSERT_TRUE(!place.kept || place.replaced != kNone);
   }
   EXPECT_EQ(p.groups.size(0), 65'535U);
@@ -445,7 +446,7 @@ TEST(Groups, EveryVertexCanBeDrawnFromAFullPool) {
 TEST(Groups, ClearForgetsEverything) {
   Partition p(10);
   const Index a = p.region_with_a_cost();
-  Random random(1);
+  detail::Random random(1);
   p.groups.place(a, random);
   p.groups.insert(p.regions, a, 1);
   p.groups.select(p.regions);

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <new>
 
+#include "decomposition/locate.hpp"
 #include "planner_fixture.hpp"
 #include "robot_oracle.hpp"
 
@@ -85,7 +86,7 @@ TEST_F(HeapTrap, OpenAndLocateDoNotUseTheHeap) {
   {
     const Trap trap;
     Scene scene;
-    if (Scene::open(bytes.data(), bytes.size(), scene).ok()) found = locate(scene, {11, 11});
+    if (Scene::open(bytes.data(), bytes.size(), scene).ok()) found = detail::locate(scene, {11, 11});
     if (scene.find_goal("goal0") != 0) found = kNone;
   }
   EXPECT_EQ(calls, 0);
@@ -98,7 +99,7 @@ void expect_no_heap(const R& robot, const std::vector<float>& start) {
   bench.limits.way_legs = 64;
   std::vector<std::uint64_t> block(Planner::bytes_required(bench.open.scene, robot, bench.limits) / 8);
   std::vector<float> states(100'000), controls(100'000);
-  bench.parameters.kappa = 1;
+  bench.parameters.tuning.kappa = 1;
   Status status = Status::searching;
   {
     const Trap trap;

@@ -4,6 +4,7 @@
 
 #include "planner_fixture.hpp"
 #include "robot_oracle.hpp"
+#include "search/adaptive_search.hpp"
 
 namespace krait::test {
 namespace {
@@ -194,7 +195,7 @@ TEST(ImproveMemory, IsPartOfTheBytesRequired) {
   EXPECT_EQ(failure.status, Status::arena_too_small);
   EXPECT_EQ(failure.bytes_needed, with);
   EXPECT_TRUE(bench.init(with).ok());
-  EXPECT_EQ(bench.planner.arena().needed(Pool::improvement), with - without);
+  EXPECT_EQ(detail::opened(bench.planner).arena().needed(detail::Pool::improvement), with - without);
 }
 
 TEST(ImproveMemory, LimitsForLeaveRoomForIt) {

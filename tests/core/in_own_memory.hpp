@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "krait/base/arena.hpp"
-#include "krait/robot/robot.hpp"
+#include "base/arena.hpp"
+#include "krait/robot.hpp"
 
 namespace krait::test {
 
@@ -21,10 +21,10 @@ class InOwnMemory : public Tool {
 
   template <class... Arguments>
   void assign(const Robot& robot, Arguments&&... arguments) {
-    Arena counting;
+    detail::Arena counting;
     Tool::take(counting, robot);
     block_.assign(counting.needed() / sizeof(std::uint64_t), 0);
-    Arena arena(block_.data(), counting.needed());
+    detail::Arena arena(block_.data(), counting.needed());
     Tool::take(arena, robot);
     Tool::assign(robot, std::forward<Arguments>(arguments)...);
   }

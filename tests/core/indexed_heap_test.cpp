@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Dijkstra's queue against an ordered set in random sequences of its operations.
-#include "krait/decomposition/indexed_heap.hpp"
+#include "decomposition/indexed_heap.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,16 +18,16 @@ namespace {
 
 struct Fixture {
   explicit Fixture(Index capacity) : keys(capacity) {
-    Arena counting;
-    heap.take(counting, Pool::regions, keys.data(), capacity);
+    detail::Arena counting;
+    heap.take(counting, detail::Pool::regions, keys.data(), capacity);
     block.resize(counting.needed() / 8);
-    Arena arena(block.data(), block.size() * 8);
-    heap.take(arena, Pool::regions, keys.data(), capacity);
+    detail::Arena arena(block.data(), block.size() * 8);
+    heap.take(arena, detail::Pool::regions, keys.data(), capacity);
     heap.reset();
   }
   std::vector<std::uint64_t> block;
   std::vector<float> keys;
-  IndexedHeap heap;
+  detail::IndexedHeap heap;
 };
 
 TEST(IndexedHeap, AgreesWithAnOrderedSet) {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "krait/motion/rk4.hpp"
+#include "motion/rk4.hpp"
 #include "planner_fixture.hpp"
 #include "robot_oracle.hpp"
 
@@ -70,10 +70,10 @@ class IntegrationOf : public ::testing::Test {
     for (int i = 0; i < draws; ++i) {
       const R robot = random_robot<R>(random);
       const float dt = log_uniform(random, 0.001, 1);
-      if (!can_integrate(robot, dt)) continue;
+      if (!detail::can_integrate(robot, dt)) continue;
       const std::vector<float> s = random_state(robot, random, 0.01);
       const std::vector<float> u = random_control(robot, s, dt, random);
-      const int parts = parts_of(dt, longest_step(robot, dt, step_rate), kMostPlanParts);
+      const int parts = detail::parts_of(dt, detail::longest_step(robot, dt, step_rate), detail::kMostPlanParts);
       const Numbers exact = truth(robot, s, u, dt, 8 * parts);
       if (within_limits(robot, exact)) {
         errors.add(exact, truth(robot, s, u, dt, parts), largest_speed(robot) * wide(dt));
@@ -98,13 +98,13 @@ TYPED_TEST_SUITE(IntegrationOf, Models, ModelNames);
 
 TYPED_TEST(IntegrationOf, KeepsItsBoundsOverAllParameters) {
   const int draws = std::is_base_of_v<Chain, TypeParam> ? 2000 : 10'000;
-  const Errors tree = this->worst(kStepRate, draws);
+  const Errors tree = this->worst(detail::kStepRate, draws);
   EXPECT_LT(tree.angle, 2e-3);
   EXPECT_LT(tree.position, 5e-4);
-  const Errors plan = this->worst(kPlanStepRate, draws);
+  const Errors plan = this->worst(detail::kPlanStepRate, draws);
   EXPECT_LT(plan.angle, 1e-4);
   EXPECT_LT(plan.position, 5e-5);
-  const Errors fine = this->worst(kFinePlanStepRate, draws / 4);
+  const Errors fine = this->worst(detail::kFinePlanStepRate, draws / 4);
   EXPECT_LT(fine.angle, 1e-6);
   EXPECT_LT(fine.position, 5e-7);
   std::printf("tree %.2g rad, %.2g of the way; plan %.2g rad, %.2g of the way; fine %.2g rad, %.2g of the way\n",
@@ -114,7 +114,9 @@ TYPED_TEST(IntegrationOf, KeepsItsBoundsOverAllParameters) {
 // The default robots are accurate in one Runge-Kutta step of the default time step.
 TEST(IntegrationSteps, AreOneForTheDefaultRobots) {
   const float dt = Parameters().dt;
-  const auto parts = [&](const auto& robot) { return parts_of(dt, longest_tree_step(robot, dt), kMostParts); };
+  const auto parts = [&](const auto& robot) {
+    return detail::parts_of(dt, detail::longest_tree_step(robot, dt), detail::kMostParts);
+  };
   ChainParameters p;
   p.trailers = 15;
   EXPECT_EQ(parts(Snake(p)), 1);
@@ -128,10 +130,10 @@ TEST(IntegrationSteps, AreOneForTheDefaultRobots) {
 }
 
 TEST(IntegrationSteps, PartsAreAtMostTheLongestStep) {
-  EXPECT_EQ(parts_of(0.1F, kInfinity, 64), 1);
-  EXPECT_EQ(parts_of(0.1F, 0.1F, 64), 1);
-  EXPECT_EQ(parts_of(0.1F, 0.06F, 64), 2);
-  EXPECT_EQ(parts_of(1.0F, 0.01F, 64), 64);
+  EXPECT_EQ(detail::parts_of(0.1F, kInfinity, 64), 1);
+  EXPECT_EQ(detail::parts_of(0.1F, 0.1F, 64), 1);
+  EXPECT_EQ(detail::parts_of(0.1F, 0.06F, 64), 2);
+  EXPECT_EQ(detail::parts_of(1.0F, 0.01F, 64), 64);
 }
 
 // What would need more than kMostParts is refused, with the longest time step that would do.

@@ -27,15 +27,15 @@ struct Way {
   const char* name;
   int least;  // angles
   void (*turn_frames)(const float*, int, Pose*);
-  void (*turn_hitches)(const lanes::NearHitches&, float*, float*);
+  void (*turn_hitches)(const detail::lanes::NearHitches&, float*, float*);
 };
 
 std::vector<Way> ways() {
-  std::vector<Way> found{{"four lanes", 4, lanes::turn_frames_by<4>, lanes::turn_hitches_by<4>},
-                         {"the library's choice", 4, lanes::turn_frames, lanes::turn_hitches}};
+  std::vector<Way> found{{"four lanes", 4, detail::lanes::turn_frames_by<4>, detail::lanes::turn_hitches_by<4>},
+                         {"the library's choice", 4, detail::lanes::turn_frames, detail::lanes::turn_hitches}};
 #ifdef KRAIT_AVX2
   if (__builtin_cpu_supports("avx2")) {
-    found.push_back({"eight lanes", 8, lanes::avx2::turn_frames, lanes::avx2::turn_hitches});
+    found.push_back({"eight lanes", 8, detail::lanes::avx2::turn_frames, detail::lanes::avx2::turn_hitches});
   }
 #endif
   return found;
@@ -61,7 +61,7 @@ void expect_frames_as_scalar(const Way& way, const std::vector<float>& angles) {
   std::vector<Pose> frames(angles.size() + 1, untouched);
   way.turn_frames(angles.data(), static_cast<int>(angles.size()), frames.data());
   for (std::size_t i = 0; i < angles.size(); ++i) {
-    ASSERT_TRUE(same(frames[i].heading, sin_cos(angles[i]))) << way.name << ": " << angles[i];
+    ASSERT_TRUE(same(frames[i].heading, math::sin_cos(angles[i]))) << way.name << ": " << angles[i];
     ASSERT_EQ(frames[i].position.x, 5.0F) << way.name;
   }
   ASSERT_EQ(frames.back().heading.sin, 7.0F) << way.name << " wrote beyond the last";
@@ -103,7 +103,7 @@ TEST(Lanes, HitchesTurnAsByTheScalarCode) {
         std::vector<SinCos> hitches;
         std::vector<float> known_sines, known_cosines;
         for (const float hitch : draw(random, trailers, 1.5)) {
-          hitches.push_back(sin_cos(hitch));
+          hitches.push_back(math::sin_cos(hitch));
           known_sines.push_back(hitches.back().sin);
           known_cosines.push_back(hitches.back().cos);
         }
@@ -111,7 +111,7 @@ TEST(Lanes, HitchesTurnAsByTheScalarCode) {
         way.turn_hitches({trailers, turned.data(), known_sines.data(), known_cosines.data()}, sines.data(),
                          cosines.data());
         for (std::size_t i = 0; i < count; ++i) {
-          const SinCos expected = hitches[i] + small_sin_cos(turned[i] - turned[i + 1]);
+          const SinCos expected = hitches[i] + math::small_sin_cos(turned[i] - turned[i + 1]);
           ASSERT_TRUE(same({sines[i], cosines[i]}, expected)) << way.name << ": trailer " << i << " of " << count;
         }
         ASSERT_EQ(sines[count], 7.0F) << way.name << " wrote beyond the last";
@@ -125,7 +125,7 @@ template <int n>
 void expect_blocks_cover() {
   for (int count = n; count < 40; ++count) {
     std::vector<int> covered(static_cast<std::size_t>(count), 0);
-    for_each_block<n>(count, [&](int first) {
+    detail::for_each_block<n>(count, [&](int first) {
       ASSERT_GE(first, 0);
       ASSERT_LE(first + n, count);
       for (int i = first; i < first + n; ++i) ++covered[static_cast<std::size_t>(i)];

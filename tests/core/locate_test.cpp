@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // LOCATEREGION against brute force over all triangles in exact arithmetic.
-#include "krait/decomposition/locate.hpp"
+#include "decomposition/locate.hpp"
 
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ std::vector<Index> triangles_at(const Scene& scene, Vec2 p) {
 
 void expect_located(const Scene& scene, Vec2 p, Index hint) {
   const auto containing = triangles_at(scene, p);
-  const Index found = locate(scene, p, hint);
+  const Index found = detail::locate(scene, p, hint);
   if (containing.empty()) {
     ASSERT_EQ(found, kNone) << p.x << " " << p.y;
   } else {
@@ -112,8 +112,8 @@ TEST(Locate, OutsideAndNotFinite) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   for (const Vec2 p : {Vec2{-0.001F, 5}, Vec2{12.001F, 5}, Vec2{5, -1e30F}, Vec2{5, 1e30F}, Vec2{kInfinity, 5},
                        Vec2{5, -kInfinity}, Vec2{nan, 5}, Vec2{5, nan}}) {
-    EXPECT_EQ(locate(open.scene, p), kNone);
-    EXPECT_EQ(locate(open.scene, p, 0), kNone);
+    EXPECT_EQ(detail::locate(open.scene, p), kNone);
+    EXPECT_EQ(detail::locate(open.scene, p, 0), kNone);
   }
 }
 
@@ -121,9 +121,9 @@ TEST(Locate, InsideAnObstacle) {
   Room room;
   room.boxes = {{4, 4, 6, 6}};
   const OpenScene open(room);
-  EXPECT_EQ(locate(open.scene, {5, 5}), kNone);
-  EXPECT_EQ(locate(open.scene, {5, 5}, 0), kNone);
-  EXPECT_NE(locate(open.scene, {4, 5}), kNone);  // on its border
+  EXPECT_EQ(detail::locate(open.scene, {5, 5}), kNone);
+  EXPECT_EQ(detail::locate(open.scene, {5, 5}, 0), kNone);
+  EXPECT_NE(detail::locate(open.scene, {4, 5}), kNone);  // on its border
 }
 
 }  // namespace

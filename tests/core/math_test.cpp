@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // The core's own functions against libm in double precision, within the errors that their comments promise.
-#include "krait/base/math.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,6 +7,8 @@
 #include <limits>
 #include <random>
 #include <vector>
+
+#include "krait/geometry.hpp"
 
 namespace krait {
 namespace {
@@ -29,7 +29,7 @@ void sweep(float low, float high, int count, Check check) {
 TEST(Math, SineAndCosineWithin8e8) {
   double worst = 0;
   const auto check = [&](float x) {
-    const SinCos got = sin_cos(x);
+    const SinCos got = math::sin_cos(x);
     worst = std::max(worst, std::abs(wide(got.sin) - std::sin(wide(x))));
     worst = std::max(worst, std::abs(wide(got.cos) - std::cos(wide(x))));
   };
@@ -44,24 +44,24 @@ TEST(Math, SineAndCosineWithin8e8) {
 }
 
 TEST(Math, SineAndCosineOfZeroAreExact) {
-  EXPECT_EQ(sin_cos(0.0F).sin, 0.0F);
-  EXPECT_EQ(sin_cos(0.0F).cos, 1.0F);
+  EXPECT_EQ(math::sin_cos(0.0F).sin, 0.0F);
+  EXPECT_EQ(math::sin_cos(0.0F).cos, 1.0F);
 }
 
 TEST(Math, SineAndCosineNeverExceedOneByMoreThanAnUlp) {
   sweep(-kMaxAngle, kMaxAngle, 500'000, [](float x) {
-    ASSERT_LE(std::abs(sin_cos(x).sin), 1.0F + 1.2e-7F) << x;
-    ASSERT_LE(std::abs(sin_cos(x).cos), 1.0F + 1.2e-7F) << x;
+    ASSERT_LE(std::abs(math::sin_cos(x).sin), 1.0F + 1.2e-7F) << x;
+    ASSERT_LE(std::abs(math::sin_cos(x).cos), 1.0F + 1.2e-7F) << x;
   });
 }
 
 TEST(Math, SineAndCosineRefuseWhatIsOutOfRange) {
   for (const float x : {kNan, kInfinity, -kInfinity, std::nextafter(kMaxAngle, 1e9F), -1e30F, 3e38F}) {
-    EXPECT_TRUE(std::isnan(sin_cos(x).sin)) << x;
-    EXPECT_TRUE(std::isnan(sin_cos(x).cos)) << x;
+    EXPECT_TRUE(std::isnan(math::sin_cos(x).sin)) << x;
+    EXPECT_TRUE(std::isnan(math::sin_cos(x).cos)) << x;
   }
-  EXPECT_FALSE(std::isnan(sin_cos(kMaxAngle).sin));
-  EXPECT_FALSE(std::isnan(sin_cos(-kMaxAngle).cos));
+  EXPECT_FALSE(std::isnan(math::sin_cos(kMaxAngle).sin));
+  EXPECT_FALSE(std::isnan(math::sin_cos(-kMaxAngle).cos));
 }
 
 std::uint32_t bits(float x) { return std::bit_cast<std::uint32_t>(x); }
@@ -73,7 +73,7 @@ void expect_as_scalar(const std::vector<float>& angles) {
   std::vector<Pose> frames(count + 1, untouched);
   turn_to(angles.data(), static_cast<int>(count), frames.data());
   for (std::size_t i = 0; i < count; ++i) {
-    const SinCos got = frames[i].heading, expected = sin_cos(angles[i]);
+    const SinCos got = frames[i].heading, expected = math::sin_cos(angles[i]);
     ASSERT_EQ(frames[i].position.x, 5.0F);
     ASSERT_EQ(frames[i].position.y, 6.0F);
     if (expected.sin != expected.sin) {
@@ -130,8 +130,8 @@ TEST(MathArrays, LanesOutOfRangeAreNanAndOthersAreNot) {
 
 TEST(Math, SmallSineAndCosineWithin1p1e7) {
   sweep(-kSmallAngle, kSmallAngle, 500'000, [](float x) {
-    ASSERT_LT(std::abs(wide(small_sin_cos(x).sin) - std::sin(wide(x))), 1.1e-7) << x;
-    ASSERT_LT(std::abs(wide(small_sin_cos(x).cos) - std::cos(wide(x))), 1.1e-7) << x;
+    ASSERT_LT(std::abs(wide(math::small_sin_cos(x).sin) - std::sin(wide(x))), 1.1e-7) << x;
+    ASSERT_LT(std::abs(wide(math::small_sin_cos(x).cos) - std::cos(wide(x))), 1.1e-7) << x;
   });
 }
 
@@ -141,20 +141,20 @@ TEST(Math, Atan2Within4e7OnEveryScale) {
     sweep(-3.1415926F, 3.1415926F, 200'000, [&](float angle) {
       const float y = scale * static_cast<float>(std::sin(wide(angle)));
       const float x = scale * static_cast<float>(std::cos(wide(angle)));
-      worst = std::max(worst, std::abs(wide(atan2(y, x)) - std::atan2(wide(y), wide(x))));
+      worst = std::max(worst, std::abs(wide(math::atan2(y, x)) - std::atan2(wide(y), wide(x))));
     });
   }
   EXPECT_LT(worst, 4e-7);
 }
 
 TEST(Math, Atan2OnTheAxes) {
-  EXPECT_EQ(atan2(0.0F, 0.0F), 0.0F);
-  EXPECT_EQ(atan2(0.0F, 1.0F), 0.0F);
-  EXPECT_EQ(atan2(1.0F, 0.0F), kPi / 2.0F);
-  EXPECT_EQ(atan2(-1.0F, 0.0F), -kPi / 2.0F);
-  EXPECT_EQ(atan2(0.0F, -1.0F), kPi);
-  EXPECT_TRUE(std::isnan(atan2(kNan, 1.0F)));
-  EXPECT_TRUE(std::isnan(atan2(1.0F, kNan)));
+  EXPECT_EQ(math::atan2(0.0F, 0.0F), 0.0F);
+  EXPECT_EQ(math::atan2(0.0F, 1.0F), 0.0F);
+  EXPECT_EQ(math::atan2(1.0F, 0.0F), kPi / 2.0F);
+  EXPECT_EQ(math::atan2(-1.0F, 0.0F), -kPi / 2.0F);
+  EXPECT_EQ(math::atan2(0.0F, -1.0F), kPi);
+  EXPECT_TRUE(std::isnan(math::atan2(kNan, 1.0F)));
+  EXPECT_TRUE(std::isnan(math::atan2(1.0F, kNan)));
 }
 
 TEST(Math, Atan2StaysInItsRange) {
@@ -162,7 +162,7 @@ TEST(Math, Atan2StaysInItsRange) {
   for (int i = 0; i < 200'000; ++i) {
     const float y = static_cast<float>(random()) - 2147483648.0F;
     const float x = static_cast<float>(random()) - 2147483648.0F;
-    ASSERT_LE(std::abs(atan2(y, x)), kPi);
+    ASSERT_LE(std::abs(math::atan2(y, x)), kPi);
   }
 }
 
@@ -171,7 +171,7 @@ TEST(Math, LogarithmWithin2UlpsNearOneAnd3e7RelativeElsewhere) {
   for (std::uint32_t bits = 0x00800000U; bits < 0x7F800000U; bits += 1237) {  // every normal exponent
     const float x = std::bit_cast<float>(bits);
     const double exact = std::log(wide(x));
-    if (std::abs(exact) > 0.5) worst = std::max(worst, std::abs(wide(log(x)) - exact) / std::abs(exact));
+    if (std::abs(exact) > 0.5) worst = std::max(worst, std::abs(wide(math::log(x)) - exact) / std::abs(exact));
   }
   EXPECT_LT(worst, 3e-7);
   worst = 0;
@@ -181,25 +181,25 @@ TEST(Math, LogarithmWithin2UlpsNearOneAnd3e7RelativeElsewhere) {
     const double exact = std::log(wide(x));
     const auto rounded = static_cast<float>(exact);
     const double ulp = wide(std::nextafter(std::abs(rounded), kInfinity)) - wide(std::abs(rounded));
-    if (x != 1.0F) worst = std::max(worst, std::abs(wide(log(x)) - exact) / ulp);
+    if (x != 1.0F) worst = std::max(worst, std::abs(wide(math::log(x)) - exact) / ulp);
   }
   EXPECT_LT(worst, 2.0);
 }
 
 TEST(Math, LogarithmAtTheEdges) {
-  EXPECT_EQ(log(1.0F), 0.0F);
-  EXPECT_EQ(log(0.0F), -kInfinity);
-  EXPECT_EQ(log(-0.0F), -kInfinity);
-  EXPECT_EQ(log(-1.0F), -kInfinity);
-  EXPECT_EQ(log(-kInfinity), -kInfinity);
-  EXPECT_EQ(log(kInfinity), kInfinity);
-  EXPECT_TRUE(std::isnan(log(kNan)));
+  EXPECT_EQ(math::log(1.0F), 0.0F);
+  EXPECT_EQ(math::log(0.0F), -kInfinity);
+  EXPECT_EQ(math::log(-0.0F), -kInfinity);
+  EXPECT_EQ(math::log(-1.0F), -kInfinity);
+  EXPECT_EQ(math::log(-kInfinity), -kInfinity);
+  EXPECT_EQ(math::log(kInfinity), kInfinity);
+  EXPECT_TRUE(std::isnan(math::log(kNan)));
 }
 
 TEST(Math, LogarithmRisesWithItsArgument) {
   float last = -kInfinity;
   for (std::uint32_t bits = 0x00800000U; bits < 0x7F800000U; bits += 40961) {
-    const float value = log(std::bit_cast<float>(bits));
+    const float value = math::log(std::bit_cast<float>(bits));
     ASSERT_GE(value, last);
     last = value;
   }
@@ -209,7 +209,7 @@ TEST(Math, WrappedAngleHasTheSameDirectionAndLiesInRange) {
   double worst = 0;
   float largest = 0;
   const auto check = [&](float x) {
-    const float w = wrap_angle(x);
+    const float w = math::wrap_angle(x);
     largest = std::max(largest, std::abs(w));
     worst = std::max(worst, std::abs(std::remainder(wide(w) - wide(x), 2 * kTrueAngle)));
   };
@@ -224,11 +224,11 @@ TEST(Math, WrappedAngleHasTheSameDirectionAndLiesInRange) {
 }
 
 TEST(Math, WrappedSmallAnglesAreUnchanged) {
-  sweep(-3.14F, 3.14F, 10'000, [](float x) { ASSERT_EQ(wrap_angle(x), x); });
+  sweep(-3.14F, 3.14F, 10'000, [](float x) { ASSERT_EQ(math::wrap_angle(x), x); });
 }
 
 TEST(Math, WrappedAngleRefusesWhatIsOutOfRange) {
-  for (const float x : {kNan, kInfinity, -kInfinity, 1e30F}) EXPECT_TRUE(std::isnan(wrap_angle(x))) << x;
+  for (const float x : {kNan, kInfinity, -kInfinity, 1e30F}) EXPECT_TRUE(std::isnan(math::wrap_angle(x))) << x;
 }
 
 TEST(Math, FiniteIsFalseForNanAndInfinity) {
@@ -240,10 +240,10 @@ TEST(Math, FiniteIsFalseForNanAndInfinity) {
 }
 
 TEST(Math, ClampTurnsNanIntoTheLowerEnd) {
-  EXPECT_EQ(clamp(kNan, -1.0F, 1.0F), -1.0F);
-  EXPECT_EQ(clamp(2.0F, -1.0F, 1.0F), 1.0F);
-  EXPECT_EQ(clamp(-2.0F, -1.0F, 1.0F), -1.0F);
-  EXPECT_EQ(clamp(0.25F, -1.0F, 1.0F), 0.25F);
+  EXPECT_EQ(math::clamp(kNan, -1.0F, 1.0F), -1.0F);
+  EXPECT_EQ(math::clamp(2.0F, -1.0F, 1.0F), 1.0F);
+  EXPECT_EQ(math::clamp(-2.0F, -1.0F, 1.0F), -1.0F);
+  EXPECT_EQ(math::clamp(0.25F, -1.0F, 1.0F), 0.25F);
 }
 
 }  // namespace

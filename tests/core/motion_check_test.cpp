@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // What step_free accepts is free in between as well: shown by simulating accepted steps densely in double precision.
-#include "krait/collision/motion_check.hpp"
+#include "collision/motion_check.hpp"
 
 #include <gtest/gtest.h>
 
 #include "convex.hpp"
 #include "in_own_memory.hpp"
+#include "krait/robots/defaults.hpp"
 #include "robot_oracle.hpp"
 #include "step_oracle.hpp"
 #include "user_robot.hpp"
@@ -60,7 +61,7 @@ template <class R>
 Tally expect_sound(const R& robot, const Scene& scene, float clearance, float dt, int walks, unsigned seed,
                    bool shortcuts = true) {
   std::mt19937 random(seed);
-  InOwnMemory<MotionCheck> check;
+  InOwnMemory<detail::MotionCheck> check;
   check.assign(robot, scene, clearance, 16, shortcuts);
   Tally tally;
   while (walks > 0) {
@@ -120,7 +121,7 @@ TYPED_TEST(MotionCheckSound, AStepWhoseLeadIsRefusedIsRefused) {
     for (unsigned seed = 1; seed <= 8; ++seed) {
       const OpenScene open(crowded(seed));
       std::mt19937 random(seed);
-      InOwnMemory<MotionCheck> whole, asked;
+      InOwnMemory<detail::MotionCheck> whole, asked;
       whole.assign(robot, open.scene, 1e-3F, 16, true);
       asked.assign(robot, open.scene, 1e-3F, 16, true);
       for (int walk = 0; walk < 200; ++walk) {
@@ -132,7 +133,7 @@ TYPED_TEST(MotionCheckSound, AStepWhoseLeadIsRefusedIsRefused) {
           auto next = step(robot, s, u, 0.1F);
           free = whole.step_free(s.data(), u.data(), 0.1F, next.data());
           auto lead = next;
-          std::fill(lead.begin() + leading_size(robot), lead.end(), std::numeric_limits<float>::quiet_NaN());
+          std::fill(lead.begin() + detail::leading_size(robot), lead.end(), std::numeric_limits<float>::quiet_NaN());
           const bool lead_free = asked.lead_free(s.data(), lead.data());
           ASSERT_TRUE(lead_free || !free);
           refused_by_lead += lead_free ? 0 : 1;
@@ -227,7 +228,7 @@ TEST(MotionCheck, StepsWithRoomEverywhereAreAccepted) {
   for (unsigned seed = 1; seed <= 10; ++seed) {
     const OpenScene open(crowded(seed));
     std::mt19937 random(seed);
-    InOwnMemory<MotionCheck> check;
+    InOwnMemory<detail::MotionCheck> check;
     check.assign(snake, open.scene, 1e-3F, 16, seed % 2 == 0);
     for (int i = 0; i < 400; ++i) {
       const auto s = somewhere(snake, open.scene, random);
@@ -253,7 +254,7 @@ struct Walled : ::testing::TestWithParam<bool> {
   }
   OpenScene open{room()};
   Slider slider{0.1F, 100.0F};
-  InOwnMemory<MotionCheck> check;
+  InOwnMemory<detail::MotionCheck> check;
 
   void SetUp() override { check.assign(slider, open.scene, 0.0F, 16, GetParam()); }
 
@@ -315,7 +316,7 @@ TEST_P(Walled, FastStepThatEndsJustBeforeTheWallIsAccepted) {
 // A turning body leaves the hull of its places: what one part cannot prove, many can, and never the other way round.
 TEST_P(Walled, SubstepsProveWhatTheWholeStepCannot) {
   const Unicycle unicycle({});
-  InOwnMemory<MotionCheck> whole, parts;
+  InOwnMemory<detail::MotionCheck> whole, parts;
   whole.assign(unicycle, open.scene, 0.0F, 1, GetParam());
   parts.assign(unicycle, open.scene, 0.0F, 16, GetParam());
   int by_whole = 0, by_parts = 0;
@@ -395,7 +396,7 @@ TEST(MotionCheckSlit, IsPassedExactlyWhereTheBodyFits) {
       room.boxes = {{5, 0, 5.5, 5 - half}, {5, 5 + half, 5.5, 10}};
       const OpenScene open(room);
       const Slider slider(0.1F, 100.0F);
-      InOwnMemory<MotionCheck> check;
+      InOwnMemory<detail::MotionCheck> check;
       check.assign(slider, open.scene, 0.0F, 16, shortcuts);
       const float s[] = {4, 5}, u[] = {25, 0}, next[] = {6.5F, 5};
       check.begin(s);
@@ -429,7 +430,7 @@ TEST(MotionCheckSelf, BodiesThatPassThroughEachOtherAreSeen) {
   static_assert(RobotModel<Shuttle>);
   const OpenScene open{Room{}};
   const Shuttle shuttle;
-  InOwnMemory<MotionCheck> check;
+  InOwnMemory<detail::MotionCheck> check;
   std::mt19937 random(1);
   int crossing = 0, apart = 0;
   for (int i = 0; i < 2000; ++i) {
@@ -469,7 +470,7 @@ TEST(MotionCheck, FastSmallRobotPassesThroughNoSliver) {
     }
     const OpenScene open(room);
     const auto pieces = rings_of_pieces(open.scene);
-    InOwnMemory<MotionCheck> check;
+    InOwnMemory<detail::MotionCheck> check;
     check.assign(slider, open.scene, 0.0F, 16, seed > 2);
     float s[] = {0.1F, 0.1F};
     for (int i = 0; i < 1500; ++i) {
@@ -505,7 +506,7 @@ TEST(MotionCheck, FastSmallRobotPassesThroughNoSliver) {
 TEST(MotionCheckEdges, StateWithoutAPoseIsNotFree) {
   const OpenScene open{Room{}};
   const Unicycle robot({});
-  InOwnMemory<MotionCheck> check;
+  InOwnMemory<detail::MotionCheck> check;
   check.assign(robot, open.scene, 0.0F, 16, true);
   for (const float heading : {std::numeric_limits<float>::quiet_NaN(), 1e30F, 9000.0F}) {
     const float s[] = {5, 5, heading};

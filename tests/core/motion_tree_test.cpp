@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The motion tree against one made of shared pointers, and what its memory holds at any time.
-#include "krait/plan/motion_tree.hpp"
+#include "plan/motion_tree.hpp"
 
 #include <gtest/gtest.h>
 
@@ -35,16 +35,16 @@ struct Kept {
 class Fixture {
  public:
   Fixture(std::uint32_t vertices, std::uint32_t expansions) {
-    Arena counting;
+    detail::Arena counting;
     tree.take(counting, vertices, expansions, kStateSize);
     block.assign(counting.needed() / 8, 0x7E7E7E7E7E7E7E7EULL);
-    Arena arena(block.data(), block.size() * 8);
+    detail::Arena arena(block.data(), block.size() * 8);
     tree.take(arena, vertices, expansions, kStateSize);
     tree.reset(kBounds, 0);
   }
 
   std::vector<std::uint64_t> block;
-  MotionTree tree;
+  detail::MotionTree tree;
 };
 
 std::vector<float> some_state(std::mt19937& random) {
@@ -59,7 +59,7 @@ class Grown {
     keep({}, 0);
   }
 
-  MotionTree& tree() { return fixture_.tree; }
+  detail::MotionTree& tree() { return fixture_.tree; }
   const std::map<Index, Kept>& kept() const { return kept_; }
 
   // An expansion from some vertex that keeps some of its states, in free slots or in others' place.
@@ -150,8 +150,8 @@ class Grown {
   std::mt19937& random() { return random_; }
 
  private:
-  static Branch branch(const Kept& kept) {
-    return kept.node == nullptr ? Branch{} : Branch{kept.node->slot, kept.step};
+  static detail::Branch branch(const Kept& kept) {
+    return kept.node == nullptr ? detail::Branch{} : detail::Branch{kept.node->slot, kept.step};
   }
 
   std::map<Index, Kept>::iterator any() { return std::next(kept_.begin(), below(random_, kept_.size())); }
@@ -183,7 +183,7 @@ class Grown {
   }
 
   void expect_told(const Node& node) {
-    const Branch origin = tree().origin(node.slot);
+    const detail::Branch origin = tree().origin(node.slot);
     ASSERT_EQ(origin.expansion, node.before == nullptr ? kNone : node.before->slot);
     ASSERT_EQ(origin.step, node.before == nullptr ? 0 : node.at_step);
     ASSERT_EQ(tree().steps(node.slot), node.steps);
@@ -354,10 +354,10 @@ TEST(MotionTree, TheLongestExpansionIsCountedToTheStep) {
   Fixture f(3, 2);
   const float state[kStateSize] = {};
   const Index expansion = f.tree.begin_expansion({}, {{0, 20}, 1.0F});
-  const Index vertex = f.tree.add({expansion, MotionTree::kMostSteps}, state);
-  f.tree.end_expansion(expansion, MotionTree::kMostSteps);
-  EXPECT_EQ(f.tree.steps(expansion), MotionTree::kMostSteps);
-  EXPECT_EQ(f.tree.branch(vertex).step, MotionTree::kMostSteps);
+  const Index vertex = f.tree.add({expansion, detail::MotionTree::kMostSteps}, state);
+  f.tree.end_expansion(expansion, detail::MotionTree::kMostSteps);
+  EXPECT_EQ(f.tree.steps(expansion), detail::MotionTree::kMostSteps);
+  EXPECT_EQ(f.tree.branch(vertex).step, detail::MotionTree::kMostSteps);
   EXPECT_EQ(f.tree.branch(vertex).expansion, expansion);
   f.tree.remove(vertex);
   EXPECT_EQ(f.tree.expansions(), 0U);

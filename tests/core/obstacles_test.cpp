@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The room around a body against brute force over all pieces in double precision.
-#include "krait/collision/obstacles.hpp"
+#include "collision/obstacles.hpp"
 
 #include <gtest/gtest.h>
 
 #include "convex.hpp"
-#include "krait/robot/box.hpp"
+#include "krait/geometry.hpp"
+#include "robot/shape.hpp"
 
 namespace krait::test {
 namespace {
@@ -28,15 +29,15 @@ Room crowded(unsigned seed, Point shift = {0, 0}) {
   return room;
 }
 
-PlacedBody body_at(Vec2 at, const std::vector<Vec2>& vertices) {
-  PlacedBody body;
+detail::PlacedBody body_at(Vec2 at, const std::vector<Vec2>& vertices) {
+  detail::PlacedBody body;
   body.at = at;
   body.count = static_cast<int>(vertices.size());
   for (int i = 0; i < body.count; ++i) body.vertices[i] = vertices[static_cast<std::size_t>(i)];
   return body;
 }
 
-Ring placed(const PlacedBody& body) {
+Ring placed(const detail::PlacedBody& body) {
   Ring result;
   for (int i = 0; i < body.count; ++i) {
     result.push_back({point(body.at).x + point(body.vertices[i]).x, point(body.at).y + point(body.vertices[i]).y});
@@ -44,7 +45,7 @@ Ring placed(const PlacedBody& body) {
   return result;
 }
 
-double true_room(const Scene& scene, const PlacedBody& body) {
+double true_room(const Scene& scene, const detail::PlacedBody& body) {
   const Box b = scene.bounds();
   double least = room_inside(placed(body), {point(b.min).x, point(b.min).y, point(b.max).x, point(b.max).y});
   for (Index p = 0; p < scene.piece_count(); ++p) least = std::min(least, distance(placed(body), ring(scene.piece(p))));
@@ -52,13 +53,13 @@ double true_room(const Scene& scene, const PlacedBody& body) {
 }
 
 void expect_room(const Scene& scene, Point corner, float clearance, double rounding, unsigned seed) {
-  const Obstacles obstacles(scene, clearance);
+  const detail::Obstacles obstacles(scene, clearance);
   const double margin = static_cast<double>(obstacles.margin());
   std::mt19937 random(seed);
   int near = 0, far = 0, hit = 0;
   for (int i = 0; i < 3000; ++i) {
     const Vec2 at{uniform_float(random, corner.x, corner.x + 12), uniform_float(random, corner.y, corner.y + 12)};
-    const PlacedBody body = body_at(at, random_convex(random, {0, 0}, 0.4));
+    const detail::PlacedBody body = body_at(at, random_convex(random, {0, 0}, 0.4));
     const float reach = uniform_float(random, 0.001, 1.5);
     const double expected = true_room(scene, body) - margin;
     const auto got = static_cast<double>(obstacles.room(body, reach));
@@ -99,13 +100,13 @@ TEST(Obstacles, MarginIsTheClearanceRoundingAndTheFilesOwnError) {
   const SceneBytes bytes = data.bytes();
   Scene scene;
   ASSERT_TRUE(Scene::open(bytes.data(), bytes.size(), scene).ok());
-  EXPECT_GE(Obstacles(scene, 0.0F).margin(), 0.0101F);
-  EXPECT_NEAR(static_cast<double>(Obstacles(scene, 0.25F).margin()), 0.26, 2e-3);
+  EXPECT_GE(detail::Obstacles(scene, 0.0F).margin(), 0.0101F);
+  EXPECT_NEAR(static_cast<double>(detail::Obstacles(scene, 0.25F).margin()), 0.26, 2e-3);
 }
 
 TEST(Obstacles, BoundsAreWalls) {
   const OpenScene open{Room{}};
-  const Obstacles obstacles(open.scene, 0.0F);
+  const detail::Obstacles obstacles(open.scene, 0.0F);
   const auto square = corners({-0.5, -0.5, 0.5, 0.5});
   EXPECT_NEAR(static_cast<double>(obstacles.room(body_at({0.75F, 5}, square), 1.0F)), 0.25, 2e-4);
   EXPECT_NEAR(static_cast<double>(obstacles.room(body_at({5, 9.25F}, square), 1.0F)), 0.25, 2e-4);
@@ -116,7 +117,7 @@ TEST(Obstacles, BoundsAreWalls) {
 
 TEST(Obstacles, BodyThatIsNotFiniteHasNoRoom) {
   const OpenScene open{Room{}};
-  const Obstacles obstacles(open.scene, 0.0F);
+  const detail::Obstacles obstacles(open.scene, 0.0F);
   const float nan = std::numeric_limits<float>::quiet_NaN();
   for (const Vec2 at : {Vec2{nan, 5}, Vec2{5, nan}, Vec2{kInfinity, 5}, Vec2{5, -kInfinity}}) {
     EXPECT_LE(obstacles.room(body_at(at, corners({-0.5, -0.5, 0.5, 0.5})), 1.0F), 0.0F);
@@ -126,13 +127,13 @@ TEST(Obstacles, BodyThatIsNotFiniteHasNoRoom) {
 
 TEST(Obstacles, RoomByTheGridIsNeverMoreThanThereIs) {
   const OpenScene open(crowded(3));
-  const Obstacles obstacles(open.scene, 0.0F);
+  const detail::Obstacles obstacles(open.scene, 0.0F);
   std::mt19937 random(3);
   int positive = 0;
   for (int i = 0; i < 5000; ++i) {
     const Vec2 at{uniform_float(random, 0, 12), uniform_float(random, 0, 12)};
-    const PlacedBody body = body_at(at, random_convex(random, {0, 0}, 0.4));
-    const float radius = farthest(body.vertices, body.count) * 1.000001F;
+    const detail::PlacedBody body = body_at(at, random_convex(random, {0, 0}, 0.4));
+    const float radius = detail::farthest(body.vertices, body.count) * 1.000001F;
     const auto by_grid = static_cast<double>(obstacles.clearance().at(at) - radius - obstacles.margin());
     ASSERT_LE(by_grid, true_room(open.scene, body));
     positive += by_grid > 0 ? 1 : 0;
@@ -142,13 +143,13 @@ TEST(Obstacles, RoomByTheGridIsNeverMoreThanThereIs) {
 
 TEST(Obstacles, ContactIsWithWhatLacksMostOfTheMargin) {
   const OpenScene open(crowded(4));
-  const Obstacles obstacles(open.scene, 0.3F);
+  const detail::Obstacles obstacles(open.scene, 0.3F);
   const auto margin = static_cast<double>(obstacles.margin());
   std::mt19937 random(4);
   int near = 0, hit = 0, free = 0;
   for (int i = 0; i < 2000; ++i) {
     const Vec2 at{uniform_float(random, 0, 12), uniform_float(random, 0, 12)};
-    const PlacedBody body = body_at(at, random_convex(random, {0, 0}, 0.4));
+    const detail::PlacedBody body = body_at(at, random_convex(random, {0, 0}, 0.4));
     const double expected = std::max(true_room(open.scene, body), 0.0);
     const Contact contact = obstacles.contact(body);
     if (contact.with == Hindrance::none) {
@@ -173,7 +174,7 @@ TEST(Obstacles, ContactIsWithWhatLacksMostOfTheMargin) {
 
 TEST(Obstacles, DistanceOfAPoint) {
   const OpenScene open(crowded(5));
-  const Obstacles obstacles(open.scene, 0.3F);  // which a distance leaves out
+  const detail::Obstacles obstacles(open.scene, 0.3F);  // which a distance leaves out
   std::mt19937 random(5);
   for (int i = 0; i < 3000; ++i) {
     const Vec2 at{uniform_float(random, -1, 13), uniform_float(random, -1, 13)};
@@ -189,7 +190,7 @@ TEST(Obstacles, DistanceOfAPoint) {
 
 TEST(Obstacles, BodyWithAVertexAtInfinityHasNoRoom) {
   const OpenScene open{Room{}};
-  const Obstacles obstacles(open.scene, 0.0F);
+  const detail::Obstacles obstacles(open.scene, 0.0F);
   const std::vector<Vec2> square = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
   ASSERT_GT(obstacles.room(body_at({5, 5}, square), 1.0F), 0.0F);
   for (std::size_t i = 0; i < square.size(); ++i) {

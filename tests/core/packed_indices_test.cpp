@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Indices of two or of four bytes: all of them, and kNone, are read back.
-#include "krait/base/packed_indices.hpp"
+#include "base/packed_indices.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,16 +14,16 @@ namespace {
 
 struct Fixture {
   Fixture(std::uint64_t count, std::uint64_t limit) {
-    Arena counting;
-    indices.take(counting, Pool::regions, count, limit);
+    detail::Arena counting;
+    indices.take(counting, detail::Pool::regions, count, limit);
     bytes = counting.needed();
     block.resize(bytes / 8);
-    Arena arena(block.data(), bytes);
-    indices.take(arena, Pool::regions, count, limit);
+    detail::Arena arena(block.data(), bytes);
+    indices.take(arena, detail::Pool::regions, count, limit);
   }
   std::uint64_t bytes;
   std::vector<std::uint64_t> block;
-  PackedIndices indices;
+  detail::PackedIndices indices;
 };
 
 TEST(PackedIndices, TakeTwoBytesAsLongAsNoIndexIsTheMark) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The controller against its definition, step by step.
-#include "krait/robot/pid.hpp"
-
 #include <gtest/gtest.h>
+
+#include "krait/robots/model.hpp"
 
 namespace krait::test {
 namespace {

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // The motion of a plan, against double precision and against the tree's, and what becomes of ways that do not hold.
-#include "krait/motion/plan_drive.hpp"
+#include "motion/plan_drive.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "krait/robots/defaults.hpp"
 #include "planner_fixture.hpp"
 #include "robot_oracle.hpp"
+#include "search/adaptive_search.hpp"
 #include "step_oracle.hpp"
 
 namespace krait::test {
@@ -61,8 +63,8 @@ class Drives {
 
   const R& robot_;
   float dt_;
-  PlanDrive plan_;
-  Drive tree_;
+  detail::PlanDrive plan_;
+  detail::Drive tree_;
   std::vector<Pose> poses_;
   Numbers truth_;
   double path_ = 0;
@@ -142,10 +144,10 @@ class Wave : public Unicycle {
   Wave() : Unicycle({}) {}
   int state_size() const { return 4; }
   void derivative(StateView s, ControlView, StateRef ds) const {
-    const SinCos heading = sin_cos(s[2]);
+    const SinCos heading = math::sin_cos(s[2]);
     ds[0] = heading.cos;
     ds[1] = heading.sin;
-    ds[2] = 0.1F * kRate * sin_cos(s[3]).cos;
+    ds[2] = 0.1F * kRate * math::sin_cos(s[3]).cos;
     ds[3] = kRate;
   }
   float fastest_rate(float) const { return kRate; }
@@ -184,10 +186,10 @@ class Whirl : public Unicycle {
 };
 
 TEST(PlanDriveOfWhirl, HasNoRateAndNoTracking) {
-  EXPECT_EQ(fastest_rate(Whirl(), 1.0F), 0.0F);
+  EXPECT_EQ(detail::fastest_rate(Whirl(), 1.0F), 0.0F);
   float u[] = {1, 1};
   const float s[] = {0, 0, 0}, reference[] = {1, 1, 1};
-  track(Whirl(), StateView(s, 3), StateView(reference, 3), 1.0F, ControlRef(u, 2));
+  detail::track(Whirl(), StateView(s, 3), StateView(reference, 3), 1.0F, ControlRef(u, 2));
   EXPECT_EQ(u[0], 1.0F);
   EXPECT_EQ(u[1], 1.0F);
 }
@@ -235,16 +237,16 @@ TEST(PlanDriveOfHitches, HasRoomBetweenTheTreeAndTheLimit) {
   p.wheelbase = 0.4F;
   p.max_hitch_angle = 0.1F;
   Bench<Snake> bench(two_rooms(), Snake(p));
-  bench.parameters.doomed_steps = 0;
-  bench.parameters.candidates = 0;
+  bench.parameters.tuning.doomed_steps = 0;
+  bench.parameters.tuning.candidates = 0;
   bench.parameters.dt = 0.01F;
   bench.limits.iterations = 2000;
   ASSERT_TRUE(bench.init().ok());
   const float start[8] = {3, 6};
   ASSERT_EQ(bench.solve({start, Goal::named(0), 1}), Status::budget_used);
   float nearest = 1;
-  for (Index vertex = 0; vertex < bench.planner.tree().vertices(); ++vertex) {
-    const float* state = bench.planner.tree().state(vertex);
+  for (Index vertex = 0; vertex < detail::opened(bench.planner).tree().vertices(); ++vertex) {
+    const float* state = detail::opened(bench.planner).tree().state(vertex);
     float ahead = state[2];
     for (int hitch = 5; hitch < 8; ++hitch) {
       nearest = std::min(nearest, p.max_hitch_angle - std::fabs(ahead - state[hitch]));
@@ -310,7 +312,7 @@ class PushedChain {
 
   void aim(bool back) {
     const float heading = plan_.state()[2] + uniform_float(random_, -0.3F, 0.3F);
-    const SinCos to = sin_cos(back ? heading + kPi : heading);
+    const SinCos to = math::sin_cos(back ? heading + kPi : heading);
     plan_.aim({{plan_.state()[0] + 5 * to.cos, plan_.state()[1] + 5 * to.sin}, back ? -1.0F : 1.0F, kStep});
   }
 
@@ -319,7 +321,7 @@ class PushedChain {
     const StateView state(plan_.state(), robot_.state_size());
     robot_.place(state, poses.data());
     plan_.step(poses.data());
-    off_ = carry_errors(robot_, state, poses.data(), ControlView(plan_.control(), 2), kStep, errors_.data());
+    off_ = detail::carry_errors(robot_, state, poses.data(), ControlView(plan_.control(), 2), kStep, errors_.data());
     const Numbers control(plan_.control(), plan_.control() + 2);
     for (int part = 0; part < 32; ++part) truth_ = rk4(robot_, truth_, control, wide(kStep) / 32);
     plan_.go();
@@ -329,7 +331,7 @@ class PushedChain {
   std::mt19937 random_;
   std::vector<float> start_;
   std::vector<float> errors_;
-  PlanDrive plan_;
+  detail::PlanDrive plan_;
   Numbers truth_;
   float off_ = 0;
 };
@@ -383,7 +385,7 @@ PushedWays push_back_from(float x) {
   PushedWays ways;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     Bench<Truck> bench(room, Truck(p));
-    bench.parameters.reverse_share = 0.5F;
+    bench.parameters.tuning.reverse_share = 0.5F;
     bench.limits.iterations = 2000;
     EXPECT_TRUE(bench.init().ok());
     const float start[] = {x, 0.6F, 0, 0, 0, 0};
@@ -436,7 +438,7 @@ TEST(PlanDriveOfPushedChains, NoPlanIsLongerThanItsErrorsAllow) {
 TEST(PlanDriveCalls, DriveAnExpansionEach) {
   const float start[] = {2, 6, 0};
   Bench<Unicycle> bench(two_rooms(), small_unicycle());
-  bench.parameters.max_steps = 5;
+  bench.parameters.tuning.max_steps = 5;
   ASSERT_TRUE(bench.init().ok());
   EXPECT_EQ(bench.planner.start({start}), Status::searching);
   std::uint64_t placed = 0, driving = 0;
@@ -449,7 +451,7 @@ TEST(PlanDriveCalls, DriveAnExpansionEach) {
   }
   ASSERT_EQ(bench.planner.status(), Status::solved);
   EXPECT_GE(driving * 5, bench.planner.statistics().plan_steps);
-  EXPECT_LE(placed, 5U * (2 * bench.parameters.max_substeps - 1) + 1);
+  EXPECT_LE(placed, 5U * (2 * bench.parameters.tuning.max_substeps - 1) + 1);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a solved plan holds, for every model and planner: it replays bit for bit, keeps the limits, touches nothing.
-#include "krait/plan/plan.hpp"
+#include "krait/plan.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "plan/plan_meter.hpp"
 #include "planner_fixture.hpp"
 #include "robot_oracle.hpp"
 #include "step_oracle.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The last states before a collision: they are not kept to grow from.
 #include "planner_fixture.hpp"
+#include "search/adaptive_search.hpp"
 
 namespace krait::test {
 namespace {
@@ -11,8 +12,8 @@ constexpr float kStart[] = {2, 6, 0};
 class Expansions {
  public:
   Expansions(std::uint32_t doomed_steps, std::uint64_t seed) : bench_(two_rooms(0.8), small_unicycle()) {
-    bench_.parameters.doomed_steps = doomed_steps;
-    bench_.parameters.group_sample = 65535;  // nothing is left out by chance
+    bench_.parameters.tuning.doomed_steps = doomed_steps;
+    bench_.parameters.tuning.group_sample = 65535;  // nothing is left out by chance
     EXPECT_TRUE(bench_.init().ok());
     EXPECT_EQ(bench_.planner.start({kStart, Goal::named(0), seed}), Status::searching);
   }
@@ -20,20 +21,20 @@ class Expansions {
   // Makes one expansion. False when the search has ended.
   bool next() {
     states_.clear();
-    kept_before_ = bench_.planner.tree().vertices();
+    kept_before_ = detail::opened(bench_.planner).tree().vertices();
     return bench_.planner.advance(1,
                                   [&](const float*, const float* to) {
                                     states_.push_back({to[0], to[1], to[2]});
                                   }) == Status::searching &&
-           !bench_.planner.driving();
+           !detail::opened(bench_.planner).driving();
   }
 
   std::size_t made() const { return states_.size(); }
-  std::size_t kept() const { return bench_.planner.tree().vertices() - kept_before_; }
+  std::size_t kept() const { return detail::opened(bench_.planner).tree().vertices() - kept_before_; }
 
   // Whether the first states that were made, and no others, are those that were kept.
   bool first_are_kept() const {
-    const MotionTree& tree = bench_.planner.tree();
+    const detail::MotionTree& tree = detail::opened(bench_.planner).tree();
     for (std::size_t i = 0; i < kept(); ++i) {
       const float* state = tree.state(static_cast<Index>(kept_before_ + i));
       if (!std::equal(states_[i].begin(), states_[i].end(), state)) return false;
@@ -44,16 +45,16 @@ class Expansions {
 
   // How many states are in another region than their group's; on an edge between two either is right.
   std::uint32_t misplaced() const {
-    const MotionTree& tree = bench_.planner.tree();
+    const detail::MotionTree& tree = detail::opened(bench_.planner).tree();
     const Scene& scene = bench_.open.scene;
     std::vector<std::uint32_t> in_region(scene.triangle_count());
     for (Index vertex = 0; vertex < tree.vertices(); ++vertex) {
       const float* state = tree.state(vertex);
-      ++in_region[bench_.planner.regions().region(locate(scene, {state[0], state[1]}))];
+      ++in_region[detail::opened(bench_.planner).regions().region(detail::locate(scene, {state[0], state[1]}))];
     }
     std::uint32_t missing = 0;
     for (Index region = 0; region < scene.triangle_count(); ++region) {
-      const std::uint32_t grouped = bench_.planner.groups().size(region);
+      const std::uint32_t grouped = detail::opened(bench_.planner).groups().size(region);
       if (grouped < in_region[region]) missing += in_region[region] - grouped;
     }
     return missing;
@@ -92,12 +93,12 @@ TEST_P(DoomedSteps, AreNotKept) {
 INSTANTIATE_TEST_SUITE_P(All, DoomedSteps, ::testing::Values(0, 1, 2, 3));
 
 TEST(PlannerDoomedSteps, AreNotThePapers) {
-  EXPECT_EQ(Parameters::paper().doomed_steps, 0U);
+  EXPECT_EQ(Parameters::paper().tuning.doomed_steps, 0U);
   const auto hash_with = [](std::uint32_t doomed_steps) {
     Bench<Unicycle> bench(two_rooms(), small_unicycle());
-    bench.parameters.doomed_steps = doomed_steps;
-    bench.parameters.sight_tries = 0;  // more expansions collide
-    bench.parameters.candidates = 0;
+    bench.parameters.tuning.doomed_steps = doomed_steps;
+    bench.parameters.tuning.sight_tries = 0;  // more expansions collide
+    bench.parameters.tuning.candidates = 0;
     EXPECT_TRUE(bench.init().ok());
     EXPECT_EQ(bench.solve({kStart}), Status::solved);
     return bench.planner.statistics().hash;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Memory is known beforehand: a block of bytes_required works, one byte less says how many are needed.
 #include "planner_fixture.hpp"
+#include "search/adaptive_search.hpp"
 
 namespace krait::test {
 namespace {
@@ -22,9 +23,11 @@ TEST(PlannerMemory, PoolsAddUpToTheBytesUsed) {
   const auto needed = bench.planner.bytes_required(bench.open.scene, bench.robot, bench.limits);
   ASSERT_TRUE(bench.init(needed).ok());
   std::uint64_t sum = 0;
-  for (std::size_t pool = 0; pool < kPoolCount; ++pool) sum += bench.planner.arena().needed(static_cast<Pool>(pool));
+  for (std::size_t pool = 0; pool < detail::kPoolCount; ++pool)
+    sum += detail::opened(bench.planner).arena().needed(static_cast<detail::Pool>(pool));
   EXPECT_EQ(sum, needed);
-  EXPECT_GE(bench.planner.arena().needed(Pool::states), bench.limits.vertices * 3 * sizeof(float));
+  EXPECT_GE(detail::opened(bench.planner).arena().needed(detail::Pool::states),
+            bench.limits.vertices * 3 * sizeof(float));
 }
 
 // The same as with limits_for.
@@ -34,10 +37,10 @@ TEST(PlannerMemory, WithoutAStatedNumberOfVerticesTheBlockIsSpent) {
   for (const std::uint32_t way_legs : {0U, 64U}) {
     bench.limits = bench.planner.limits_for(kBytes, bench.open.scene, bench.robot, way_legs);
     ASSERT_TRUE(bench.init(kBytes).ok());
-    const std::uint64_t spent = bench.planner.arena().needed();
+    const std::uint64_t spent = detail::opened(bench.planner).arena().needed();
     bench.limits.vertices = 0;
     ASSERT_TRUE(bench.init(kBytes).ok());
-    EXPECT_EQ(bench.planner.arena().needed(), spent);
+    EXPECT_EQ(detail::opened(bench.planner).arena().needed(), spent);
     EXPECT_EQ(bench.solve({kStart}), Status::solved);
     const Failure failure = bench.init(1000);
     EXPECT_EQ(failure.status, Status::arena_too_small);
@@ -119,7 +122,7 @@ TEST(PlannerMemory, LimitsForAHugeBlockAreTheMostThatAPlannerTakes) {
   const Unicycle robot = small_unicycle();
   for (const std::uint64_t bytes : {std::uint64_t{1} << 34U, ~std::uint64_t{0}}) {
     const Limits limits = planner.limits_for(bytes, open.scene, robot);
-    EXPECT_EQ(limits.vertices, MotionTree::kMostExpansions);
+    EXPECT_EQ(limits.vertices, detail::MotionTree::kMostExpansions);
     EXPECT_EQ(limits.first_bad(), Argument::none);
   }
 }
@@ -130,13 +133,13 @@ TEST(PlannerMemory, BytesUsedGrowWithTheTreeUpToAllOfThem) {
   bench.limits.vertices = 300;
   bench.limits.expansions = 100;
   bench.limits.when_full = WhenFull::stop;
-  bench.parameters.group_sample = kUnboundedSample;
-  bench.parameters.max_steps = 5;
+  bench.parameters.tuning.group_sample = kUnboundedSample;
+  bench.parameters.tuning.max_steps = 5;
   ASSERT_TRUE(bench.init().ok());
   ASSERT_EQ(bench.planner.start({kStart, Goal::disc({11, 1}, 1e-3F)}), Status::searching);
-  const Arena& arena = bench.planner.arena();
-  const std::uint64_t tree_bytes =
-      arena.needed(Pool::vertices) + arena.needed(Pool::states) + arena.needed(Pool::expansions);
+  const detail::Arena& arena = detail::opened(bench.planner).arena();
+  const std::uint64_t tree_bytes = arena.needed(detail::Pool::vertices) + arena.needed(detail::Pool::states) +
+                                   arena.needed(detail::Pool::expansions);
   std::uint64_t before = bench.planner.statistics().bytes_used;
   EXPECT_NEAR(static_cast<double>(before), static_cast<double>(arena.needed() - tree_bytes), 32);
   while (bench.planner.advance(1) == Status::searching) {

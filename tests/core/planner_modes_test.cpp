@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "planner_fixture.hpp"
+#include "search/adaptive_search.hpp"
 #include "step_oracle.hpp"
 
 namespace krait::test {
@@ -28,8 +29,8 @@ Room parted() {
 TEST(PlannerModes, DiscreteChecksJumpOverWhatContinuousOnesSee) {
   for (const bool continuous : {true, false}) {
     Bench<Slider> bench(parted(), Slider(0.5F, 12.0F));
-    bench.parameters.prune_portals = false;
-    bench.parameters.continuous = continuous;
+    bench.parameters.tuning.prune_portals = false;
+    bench.parameters.tuning.continuous = continuous;
     bench.limits.iterations = 400;
     ASSERT_TRUE(bench.init().ok());
     const float start[] = {2, 4};
@@ -45,7 +46,7 @@ TEST(PlannerModes, WithoutPruningADoorTooNarrowIsTriedInVain) {
   Bench<Unicycle> bench(two_rooms(0.3), small_unicycle());
   bench.limits.iterations = 200;
   for (const bool prune : {true, false}) {
-    bench.parameters.prune_portals = prune;
+    bench.parameters.tuning.prune_portals = prune;
     ASSERT_TRUE(bench.init().ok());
     EXPECT_EQ(bench.planner.start({kStart}), prune ? Status::no_route : Status::searching);
     EXPECT_EQ(bench.planner.advance(1000), prune ? Status::no_route : Status::budget_used);
@@ -58,9 +59,9 @@ TEST(PlannerModes, OfStatesThatAreCheckedAloneThePlainWayGivesTheSamePlan) {
     std::uint64_t hashes[2], iterations[2];
     for (const bool plain : {true, false}) {
       Bench<Unicycle> bench(two_rooms(0.8), small_unicycle());
-      bench.parameters.plain = plain;
-      bench.parameters.continuous = false;
-      bench.parameters.kappa = 1;
+      bench.parameters.tuning.plain = plain;
+      bench.parameters.tuning.continuous = false;
+      bench.parameters.tuning.kappa = 1;
       ASSERT_TRUE(bench.init().ok());
       ASSERT_EQ(bench.solve({kStart, Goal::named(0), seed}), Status::solved);
       hashes[plain] = bench.planner.statistics().hash;
@@ -74,8 +75,8 @@ TEST(PlannerModes, OfStatesThatAreCheckedAloneThePlainWayGivesTheSamePlan) {
 TEST(PlannerPlain, RunsDijkstraWhereOthersRepairAndPlansAsSafely) {
   for (const bool plain : {true, false}) {
     Bench<Unicycle> bench(two_rooms(0.8), small_unicycle());
-    bench.parameters.plain = plain;
-    bench.parameters.kappa = 1;
+    bench.parameters.tuning.plain = plain;
+    bench.parameters.tuning.kappa = 1;
     ASSERT_TRUE(bench.init().ok());
     ASSERT_EQ(bench.solve({kStart}), Status::solved);
     const Statistics statistics = bench.planner.statistics();
@@ -114,12 +115,12 @@ TEST(PlannerModes, WhereEveryRegionMeetsTheGoalItIsFoundAndNoCostRises) {
   room.bounds = {0, 0, 12, 8};
   room.spacing = 20;
   Bench<Unicycle> bench(room, small_unicycle());
-  bench.parameters.stray_share = 0.95F;
-  bench.parameters.kappa = 1;
+  bench.parameters.tuning.stray_share = 0.95F;
+  bench.parameters.tuning.kappa = 1;
   ASSERT_TRUE(bench.init().ok());
   const float start[] = {1, 1, 0};
   ASSERT_EQ(bench.planner.start({start, Goal::disc({6, 4}, 0.1F)}), Status::searching);
-  ASSERT_EQ(bench.planner.regions().largest_cost(), 0.0F);
+  ASSERT_EQ(detail::opened(bench.planner).regions().largest_cost(), 0.0F);
   EXPECT_EQ(bench.planner.advance(20'000), Status::solved);
   EXPECT_EQ(bench.planner.statistics().regions_repaired, 0U);
 }
@@ -127,8 +128,8 @@ TEST(PlannerModes, WhereEveryRegionMeetsTheGoalItIsFoundAndNoCostRises) {
 // The expansions of a search until the first repair of its paths.
 std::uint64_t first_repair(std::uint32_t kappa, std::uint32_t update_regions) {
   Bench<Unicycle> bench(two_rooms(0.6), small_unicycle());
-  bench.parameters.kappa = kappa;
-  bench.parameters.update_regions = update_regions;
+  bench.parameters.tuning.kappa = kappa;
+  bench.parameters.tuning.update_regions = update_regions;
   EXPECT_TRUE(bench.init().ok());
   const float start[] = {2, 6, 0};
   EXPECT_EQ(bench.planner.start({start}), Status::searching);
@@ -147,7 +148,7 @@ TEST(PlannerUpdates, WaitForAnExpansionForSoManyRegions) {
   EXPECT_LT(first_repair(1, regions), 10U);
   EXPECT_EQ(first_repair(1, regions / 50) % (regions / (regions / 50)), 0U);
   EXPECT_EQ(first_repair(70, regions / 50) % 70, 0U);
-  EXPECT_EQ(Parameters::paper().update_regions, 0U);
+  EXPECT_EQ(Parameters::paper().tuning.update_regions, 0U);
 }
 
 // The body begins 0.6 m ahead of the position.
@@ -165,7 +166,7 @@ TEST(PlannerModes, APositionOutsideItsBodyMayPassOverAnObstacle) {
   const Rect post{1.5, 5.9, 1.75, 6.1};
   room.boxes.push_back(post);
   Bench<Unicycle> bench(room, arm());
-  bench.parameters.reverse_share = 1.0F;
+  bench.parameters.tuning.reverse_share = 1.0F;
   bench.limits.iterations = 500;
   ASSERT_TRUE(bench.init().ok());
   int over = 0;
@@ -173,7 +174,7 @@ TEST(PlannerModes, APositionOutsideItsBodyMayPassOverAnObstacle) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     EXPECT_EQ(bench.planner.start({kStart, Goal::disc({1.2F, 6}, 0.05F), seed}), Status::searching);
     (void)bench.planner.advance(500, [&](const float*, const float* to) {
-      if (!detail::holds(post, wide(to[0]), wide(to[1]))) return;
+      if (!building::holds(post, wide(to[0]), wide(to[1]))) return;
       ++over;
       least = std::min(least, separation_of_state(bench.robot, bench.open.scene, {to, to + 3}));
     });

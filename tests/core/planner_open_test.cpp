@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Expansions longer than max_steps: only in the open, and only by the planner that has them.
 #include "planner_fixture.hpp"
+#include "search/adaptive_search.hpp"
 
 namespace krait::test {
 namespace {
@@ -19,8 +20,8 @@ Room hall() {
 
 struct HallBench : Bench<Unicycle> {
   explicit HallBench(std::uint32_t open_steps, const Room& room = hall()) : Bench<Unicycle>(room, small_unicycle()) {
-    parameters.max_steps = kMaxSteps;
-    parameters.open_steps = open_steps;
+    parameters.tuning.max_steps = kMaxSteps;
+    parameters.tuning.open_steps = open_steps;
     EXPECT_TRUE(init().ok());
   }
 };
@@ -44,7 +45,9 @@ class Expansions {
     positions_.insert(positions_.end(), more.begin(), more.end());
     return positions_;
   }
-  bool searching() const { return bench_.planner.status() == Status::searching && !bench_.planner.driving(); }
+  bool searching() const {
+    return bench_.planner.status() == Status::searching && !detail::opened(bench_.planner).driving();
+  }
   bool begun() const { return begun_; }
   bool not_counted() const { return not_counted_; }  // whether the call took a selection back
 
@@ -52,7 +55,7 @@ class Expansions {
   std::uint32_t selections() const {
     std::uint32_t sum = 0;
     for (Index region = 0; region < bench_.open.scene.triangle_count(); ++region) {
-      sum += bench_.planner.groups().selections(region);
+      sum += detail::opened(bench_.planner).groups().selections(region);
     }
     return sum;
   }
@@ -85,14 +88,14 @@ std::uint64_t hash_with(std::uint32_t open_steps) {
   Room room = hall();
   room.spacing = 8;
   HallBench bench(open_steps, room);
-  bench.parameters.max_steps = 25;
+  bench.parameters.tuning.max_steps = 25;
   EXPECT_TRUE(bench.init().ok());
   EXPECT_EQ(bench.solve({kStart}), Status::solved);
   return bench.planner.statistics().hash;
 }
 
 TEST(PlannerOpen, AreNotThePapers) {
-  EXPECT_EQ(Parameters::paper().open_steps, 0U);
+  EXPECT_EQ(Parameters::paper().tuning.open_steps, 0U);
   EXPECT_NE(hash_with(1000), hash_with(0));
 }
 
@@ -109,9 +112,9 @@ TEST(PlannerOpen, WhatHasCrossedTwoPortalsIsNotInTheOpen) {
       if (positions.size() <= kMaxSteps) continue;
       ++longer;
       int crossed = 0;
-      Index before = locate(bench.open.scene, positions[0]);
+      Index before = detail::locate(bench.open.scene, positions[0]);
       for (std::size_t step = 1; step + 1 < positions.size(); ++step) {
-        const Index region = locate(bench.open.scene, positions[step], before);
+        const Index region = detail::locate(bench.open.scene, positions[step], before);
         crossed += region != before ? 1 : 0;
         before = region;
       }
@@ -145,7 +148,7 @@ TEST(PlannerOpen, ALongWayThatReachesItsTargetIsNoSelection) {
 TEST(PlannerOpen, ALongWayIsOneExpansionOfATry) {
   constexpr std::uint32_t kUnit = 5;
   HallBench bench(1000);
-  bench.parameters.restart_unit = kUnit;
+  bench.parameters.tuning.restart_unit = kUnit;
   ASSERT_TRUE(bench.init().ok());
   Expansions expansions(bench, 1);
   std::uint32_t begun = 0;

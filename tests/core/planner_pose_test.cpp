@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "planner_fixture.hpp"
+#include "search/adaptive_search.hpp"
 
 namespace krait::test {
 namespace {
@@ -96,7 +97,7 @@ void expect_poses(const R& robot, float hitches = kInfinity) {
     const Goal goal = Goal::pose(kPoint, 0.1F, facing);
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
       EXPECT_LE(poses.miss(goal, seed), 0) << "quarter " << quarter << ", seed " << seed;
-      EXPECT_LE(poses.bench().planner.statistics().plan_end_speed, kRestSpeed);
+      EXPECT_LE(poses.bench().planner.statistics().plan_end_speed, detail::kRestSpeed);
     }
   }
 }
@@ -160,7 +161,7 @@ TEST(PlannerPose, CallsMayCutAShotAnywhere) {
 
 TEST(PlannerPose, NoCallMakesMoreStepsThanItsExpansionsMay) {
   Poses<Car> poses{Car(Car::defaults())};
-  poses.bench().parameters.max_steps = 7;
+  poses.bench().parameters.tuning.max_steps = 7;
   ASSERT_TRUE(poses.bench().init().ok());
   Status status = poses.bench().planner.start(poses.query(Goal::pose(kPoint, 0.1F, kPi, 0.1F), 1));
   while (status == Status::searching) {
@@ -193,7 +194,7 @@ TEST(PlannerPose, ASmallTreeHoldsNoMoreThanItHasRoomFor) {
     poses.bench().limits.iterations = 2000;
     ASSERT_TRUE(poses.bench().init().ok());
     (void)poses.bench().solve(poses.query(Goal::pose(kPoint, 0.1F, kPi, 0.1F), 1));
-    const MotionTree& tree = poses.bench().planner.tree();
+    const detail::MotionTree& tree = detail::opened(poses.bench().planner).tree();
     EXPECT_LE(tree.most_expansions(), poses.bench().limits.kept_expansions());
   }
 }
@@ -272,7 +273,7 @@ TEST(PlannerPose, AStartOnTheEdgeIsNoPlanUnlessItIsInside) {
   const Vec2 center{3.3F, 4.1F};
   int at_once = 0;
   for (int i = 0; i < 400; ++i) {
-    const SinCos to = sin_cos(static_cast<float>(i) * 0.0157F);
+    const SinCos to = math::sin_cos(static_cast<float>(i) * 0.0157F);
     const float radius = i % 2 == 0 ? 0.7F : 0.699F;  // of the start, about the goal of 0.7 m
     std::vector<float> start = standing(poses.bench().robot, center + radius * Vec2{to.cos, to.sin});
     if (poses.bench().planner.start({start.data(), Goal::disc(center, 0.7F), 1}) != Status::solved) continue;

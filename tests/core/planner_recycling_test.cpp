@@ -4,6 +4,7 @@
 #include <random>
 
 #include "planner_fixture.hpp"
+#include "search/adaptive_search.hpp"
 #include "step_oracle.hpp"
 
 namespace krait::test {
@@ -33,7 +34,7 @@ class PlannerRecycling : public ::testing::Test {
   }
 
   static void expect_root_kept(const TestBench& bench) {
-    const MotionTree& tree = bench.planner.tree();
+    const detail::MotionTree& tree = detail::opened(bench.planner).tree();
     ASSERT_EQ(tree.branch(0).expansion, kNone);
     ASSERT_EQ(std::vector<float>(tree.state(0), tree.state(0) + 3), std::vector<float>(kStart, kStart + 3));
   }
@@ -52,14 +53,14 @@ TEST_F(PlannerRecycling, TheSmallestPoolsNeitherCrashNorHangNorLie) {
           bench.limits.expansions = expansions;
           ASSERT_TRUE(bench.init().ok());
           const Status status = bench.solve({kStart, Goal::named(0), seed});
-          ASSERT_LE(bench.planner.tree().vertices(), vertices);
-          ASSERT_LE(bench.planner.tree().expansions(), expansions);
+          ASSERT_LE(detail::opened(bench.planner).tree().vertices(), vertices);
+          ASSERT_LE(detail::opened(bench.planner).tree().expansions(), expansions);
           if (status == Status::solved) {
             ++solved;
             expect_plan(bench);
           } else {
             ASSERT_TRUE(bench.planner.plan().empty());
-            ASSERT_TRUE(status == Status::tree_full || status == Status::budget_used) << name(status);
+            ASSERT_TRUE(status == Status::tree_full || status == Status::budget_used) << to_string(status);
             if (when_full == WhenFull::recycle) {
               ASSERT_EQ(status, Status::budget_used);
             }
@@ -133,14 +134,14 @@ TEST_F(PlannerRecycling, HowTheSearchIsCutDoesNotMatter) {
 TEST_F(PlannerRecycling, WhatIsGivenUpIsCounted) {
   TestBench bench(two_rooms(0.55), small_unicycle());
   bench.limits = {50, 1000, 300};
-  bench.parameters.group_sample = kUnboundedSample;
+  bench.parameters.tuning.group_sample = kUnboundedSample;
   ASSERT_TRUE(bench.init().ok());
   ASSERT_EQ(bench.planner.start({kStart}), Status::searching);
   std::uint64_t before = 0;
   while (bench.planner.advance(1) == Status::searching) {
     const Statistics now = bench.planner.statistics();
     ASSERT_GE(now.recycled, before);
-    ASSERT_LE(now.recycled + bench.planner.tree().vertices(), now.vertices);
+    ASSERT_LE(now.recycled + detail::opened(bench.planner).tree().vertices(), now.vertices);
     before = now.recycled;
   }
   EXPECT_GT(before, 50U);
@@ -157,15 +158,15 @@ TEST_F(PlannerRecycling, EveryVertexIsInOneGroup) {
     std::vector<int> seen(40);
     std::uint32_t members = 0;
     for (Index region = 0; region < bench.open.scene.triangle_count(); ++region) {
-      bench.planner.groups().for_each_vertex(region, [&](Index vertex) {
+      detail::opened(bench.planner).groups().for_each_vertex(region, [&](Index vertex) {
         ++seen.at(vertex);
-        const float* state = bench.planner.tree().state(vertex);
-        const Index triangle = locate(bench.open.scene, {state[0], state[1]});
-        EXPECT_EQ(bench.planner.regions().region(triangle), region);
+        const float* state = detail::opened(bench.planner).tree().state(vertex);
+        const Index triangle = detail::locate(bench.open.scene, {state[0], state[1]});
+        EXPECT_EQ(detail::opened(bench.planner).regions().region(triangle), region);
         ++members;
       });
     }
-    ASSERT_EQ(members, bench.planner.tree().vertices());
+    ASSERT_EQ(members, detail::opened(bench.planner).tree().vertices());
     ASSERT_LE(*std::max_element(seen.begin(), seen.end()), 1);
     ASSERT_EQ(seen[0], 1);
   }

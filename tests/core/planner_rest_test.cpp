@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Plans end at rest, or as slow as asked: the brake is a part of them.
+#include "krait/robots/defaults.hpp"
 #include "planner_fixture.hpp"
+#include "search/adaptive_search.hpp"
 
 namespace krait::test {
 namespace {
@@ -36,7 +38,7 @@ class Rests {
     const Path path(bench_.planner.plan());
     const std::vector<float>& last = path.states.back();
     EXPECT_TRUE(goal.contains(bench_.open.scene, {last[0], last[1]}, 0.0F));
-    const float speed = speed_of(bench_.robot, StateView(last.data(), bench_.robot.state_size()));
+    const float speed = detail::speed_of(bench_.robot, StateView(last.data(), bench_.robot.state_size()));
     EXPECT_EQ(speed, bench_.planner.statistics().plan_end_speed);
     return speed;
   }
@@ -60,8 +62,9 @@ class Rests {
 template <class R>
 void expect_rest(const R& robot) {
   Rests<R> rests(robot);
-  EXPECT_LE(rests.fastest_end(Goal::named(0)), kRestSpeed);
-  EXPECT_LE(rests.fastest_end(Goal::disc({10.5F, 3}, 0.15F)), kRestSpeed) << "far smaller than the stopping distance";
+  EXPECT_LE(rests.fastest_end(Goal::named(0)), detail::kRestSpeed);
+  EXPECT_LE(rests.fastest_end(Goal::disc({10.5F, 3}, 0.15F)), detail::kRestSpeed)
+      << "far smaller than the stopping distance";
 }
 
 TEST(PlannerRest, EveryModelEndsAtRestByDefault) {
@@ -74,7 +77,7 @@ TEST(PlannerRest, EveryModelEndsAtRestByDefault) {
 TEST(PlannerRest, AnEndSpeedIsKeptAndMadeUseOf) {
   Rests<Car> rests(Car(Car::defaults()));
   rests.bench().parameters.end_speed = 1.0F;
-  EXPECT_LE(rests.fastest_end(Goal::named(0)), 1.0F + kRestSpeed);
+  EXPECT_LE(rests.fastest_end(Goal::named(0)), 1.0F + detail::kRestSpeed);
   EXPECT_GT(rests.slowest_end(Goal::named(0)), 0.4F) << "braking stops where the plan is slow enough";
   rests.bench().parameters.end_speed = kInfinity;
   EXPECT_GT(rests.slowest_end(Goal::named(0)), 2.0F);
@@ -84,7 +87,7 @@ TEST(PlannerRest, WeakBrakesBeginFarFromTheGoal) {
   ChainParameters p = Car::defaults();
   p.max_acceleration = 0.5F;  // a stopping distance of 6.25 m, half of the scene
   Rests<Car> rests{Car(p)};
-  EXPECT_LE(rests.fastest_end(Goal::named(0)), kRestSpeed);
+  EXPECT_LE(rests.fastest_end(Goal::named(0)), detail::kRestSpeed);
 }
 
 TEST(PlannerRest, TheStateOfAUnicycleHasNoSpeed) {
@@ -107,7 +110,7 @@ TEST(PlannerRest, AStartInTheGoalIsAPlanWhereItIsSlowEnough) {
   start[3] = 2.0F;
   EXPECT_EQ(bench.solve({start.data()}), Status::solved);
   EXPECT_GT(bench.planner.plan().steps(), 0U);
-  EXPECT_LE(bench.planner.statistics().plan_end_speed, kRestSpeed);
+  EXPECT_LE(bench.planner.statistics().plan_end_speed, detail::kRestSpeed);
   bench.parameters.end_speed = 2.0F;
   ASSERT_TRUE(bench.init().ok());
   EXPECT_EQ(bench.planner.start({start.data()}), Status::solved);
@@ -121,7 +124,7 @@ TEST(PlannerRest, DoesNotDependOnHowASearchIsCutIntoCalls) {
     std::uint64_t hashes[2];
     for (int whole = 0; whole < 2; ++whole) {
       Bench<Car> bench(two_rooms(), Car(p));
-      bench.parameters.max_steps = 7;
+      bench.parameters.tuning.max_steps = 7;
       ASSERT_TRUE(bench.init().ok());
       const std::vector<float> start = standing(bench.robot, {4, 6});
       ASSERT_EQ(bench.planner.start({start.data(), Goal::named(0), seed}), Status::searching);
@@ -144,10 +147,10 @@ TEST(PlannerRest, NeedsNoMoreMemory) {
         ASSERT_TRUE(bench.init().ok());
         const std::vector<float> start = standing(bench.robot, {8, 4});
         const Status status = bench.solve({start.data(), Goal::named(0), seed});
-        EXPECT_LE(bench.planner.tree().most_expansions(), expansions);
+        EXPECT_LE(detail::opened(bench.planner).tree().most_expansions(), expansions);
         if (status != Status::solved) continue;
         ++solved;
-        EXPECT_LE(bench.planner.statistics().plan_end_speed, kRestSpeed);
+        EXPECT_LE(bench.planner.statistics().plan_end_speed, detail::kRestSpeed);
       }
     }
   }
@@ -181,7 +184,7 @@ class Sled : public Slider {
 
 TEST(PlannerRest, ARobotOfOnesOwnNeedsOnlySayHowFastItIs) {
   Rests<Sled> rests(Sled(true));
-  EXPECT_LE(rests.fastest_end(Goal::named(0)), kRestSpeed);
+  EXPECT_LE(rests.fastest_end(Goal::named(0)), detail::kRestSpeed);
   rests.bench().parameters.end_speed = kInfinity;
   EXPECT_GT(rests.slowest_end(Goal::named(0)), 1.0F);
 }

@@ -2,8 +2,9 @@
 // Searches that begin anew: when, from what, and what stays.
 #include <algorithm>
 
-#include "krait/search/restarts.hpp"
 #include "planner_fixture.hpp"
+#include "search/adaptive_search.hpp"
+#include "search/restarts.hpp"
 
 namespace krait::test {
 namespace {
@@ -12,7 +13,7 @@ constexpr float kStart[] = {2, 6, 0};
 
 // How many expansions the first tries last.
 std::vector<int> tries(std::uint32_t unit, std::size_t count) {
-  Restarts restarts;
+  detail::Restarts restarts;
   restarts.begin(unit);
   std::vector<int> lengths;
   int length = 0;
@@ -32,13 +33,15 @@ TEST(RestartsOf, LastAsLubysSequenceSays) {
 }
 
 TEST(RestartsOf, AreNeverDueWithoutAUnit) {
-  Restarts restarts;
+  detail::Restarts restarts;
   restarts.begin(0);
   for (int i = 0; i < 10'000; ++i) ASSERT_FALSE(restarts.due());
 }
 
 struct UnitBench : Bench<Unicycle> {
-  explicit UnitBench(std::uint32_t unit) : Bench(two_rooms(), small_unicycle()) { parameters.restart_unit = unit; }
+  explicit UnitBench(std::uint32_t unit) : Bench(two_rooms(), small_unicycle()) {
+    parameters.tuning.restart_unit = unit;
+  }
 };
 
 TEST(PlannerRestarts, SearchesThatBeginAnewSolveToo) {
@@ -73,7 +76,7 @@ TEST(PlannerRestarts, DoNotDependOnHowTheSearchIsCut) {
 TEST(PlannerRestarts, ForgetWhatTheTryHasLearnt) {
   constexpr std::uint32_t kUnit = 10;
   UnitBench bench(kUnit), fresh(0);
-  bench.parameters.kappa = fresh.parameters.kappa = 1;
+  bench.parameters.tuning.kappa = fresh.parameters.tuning.kappa = 1;
   ASSERT_TRUE(bench.init().ok());
   ASSERT_TRUE(fresh.init().ok());
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
@@ -81,25 +84,26 @@ TEST(PlannerRestarts, ForgetWhatTheTryHasLearnt) {
     EXPECT_EQ(bench.planner.start({kStart, Goal::named(0), seed}), Status::searching);
     const auto differs = [&] {
       for (Index r = 0; r < bench.open.scene.triangle_count(); ++r) {
-        if (bench.planner.regions().cost(r) != fresh.planner.regions().cost(r)) return true;
+        if (detail::opened(bench.planner).regions().cost(r) != detail::opened(fresh.planner).regions().cost(r))
+          return true;
       }
       return false;
     };
     if (bench.planner.advance(kUnit) != Status::searching || !differs()) continue;
-    const std::uint32_t most = bench.planner.tree().most_vertices();
+    const std::uint32_t most = detail::opened(bench.planner).tree().most_vertices();
     ASSERT_EQ(bench.planner.advance(1), Status::searching);
     if (bench.planner.statistics().iterations == kUnit) continue;  // a way to the goal is driven
     EXPECT_EQ(bench.planner.statistics().restarts, 1U);
     EXPECT_FALSE(differs());
-    EXPECT_EQ(bench.planner.tree().vertices(), 1U);
-    EXPECT_EQ(bench.planner.tree().expansions(), 0U);
-    EXPECT_EQ(bench.planner.tree().most_vertices(), most);
+    EXPECT_EQ(detail::opened(bench.planner).tree().vertices(), 1U);
+    EXPECT_EQ(detail::opened(bench.planner).tree().expansions(), 0U);
+    EXPECT_EQ(detail::opened(bench.planner).tree().most_vertices(), most);
     return;
   }
   FAIL() << "no search lasted long enough";
 }
 
-TEST(PlannerRestarts, AreNotThePapers) { EXPECT_EQ(Parameters::paper().restart_unit, 0U); }
+TEST(PlannerRestarts, AreNotThePapers) { EXPECT_EQ(Parameters::paper().tuning.restart_unit, 0U); }
 
 }  // namespace
 }  // namespace krait::test

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "planner_fixture.hpp"
+#include "search/adaptive_search.hpp"
 
 namespace krait::test {
 namespace {
@@ -70,7 +71,7 @@ TEST_F(PlannerStatus, NoRouteAtOnceThroughADoorNarrowerThanTheRobot) {
 TEST_F(PlannerStatus, BudgetUsed) {
   TestBench bench(two_rooms(), small_unicycle());
   bench.limits.iterations = 3;
-  bench.parameters.max_steps = 2;
+  bench.parameters.tuning.max_steps = 2;
   ASSERT_TRUE(bench.init().ok());
   EXPECT_EQ(bench.solve({kStart}), Status::budget_used);
   EXPECT_EQ(bench.planner.statistics().iterations, 3U);
@@ -86,7 +87,7 @@ TEST_F(PlannerStatus, TreeFullOfVertices) {
     bench.limits.expansions = 1000;
     ASSERT_TRUE(bench.init().ok());
     EXPECT_EQ(bench.solve({kStart}), Status::tree_full);
-    EXPECT_EQ(bench.planner.tree().vertices(), vertices);
+    EXPECT_EQ(detail::opened(bench.planner).tree().vertices(), vertices);
     EXPECT_EQ(bench.planner.statistics().recycled, 0U);
     EXPECT_TRUE(bench.planner.plan().empty());
   }
@@ -95,12 +96,12 @@ TEST_F(PlannerStatus, TreeFullOfVertices) {
 TEST_F(PlannerStatus, TreeFullOfExpansions) {
   TestBench bench(two_rooms(), small_unicycle());
   bench.limits.when_full = WhenFull::stop;
-  bench.parameters.max_steps = 2;
+  bench.parameters.tuning.max_steps = 2;
   for (const std::uint32_t expansions : {2U, 3U, 9U}) {
     bench.limits.expansions = expansions;
     ASSERT_TRUE(bench.init().ok());
     EXPECT_EQ(bench.solve({kStart}), Status::tree_full);
-    EXPECT_EQ(bench.planner.tree().expansions(), expansions);
+    EXPECT_EQ(detail::opened(bench.planner).tree().expansions(), expansions);
     EXPECT_TRUE(bench.planner.plan().empty());
   }
 }
@@ -189,7 +190,7 @@ TEST_F(PlannerStatus, BadStarts) {
 TEST_F(PlannerStatus, SceneNotOpened) {
   const Scene scene;
   const Unicycle robot = small_unicycle();
-  alignas(Arena::kAlignment) std::byte block[1000];
+  alignas(Setup::kAlignment) std::byte block[1000];
   decltype(TestBench::planner) planner;
   const Failure failure = planner.init({block, sizeof block, &scene, robot});
   EXPECT_EQ(failure.status, Status::bad_argument);
@@ -275,12 +276,12 @@ TEST_F(PlannerStatus, BadLimits) {
     EXPECT_EQ(failure.element, blame(argument));
   };
   Limits limits;
-  for (const std::uint32_t bad : {1U, MotionTree::kMostExpansions + 1, 0xFFFFFFFFU}) {
+  for (const std::uint32_t bad : {1U, detail::MotionTree::kMostExpansions + 1, 0xFFFFFFFFU}) {
     limits.vertices = bad;
     expect_bad(limits, Argument::vertices);
   }
   limits.vertices = 2;
-  for (const std::uint32_t bad : {1U, MotionTree::kMostExpansions + 1, 0xFFFFFFFFU}) {
+  for (const std::uint32_t bad : {1U, detail::MotionTree::kMostExpansions + 1, 0xFFFFFFFFU}) {
     limits.expansions = bad;
     expect_bad(limits, Argument::expansions);
   }
@@ -337,17 +338,17 @@ struct ParameterRange {
 };
 
 std::vector<ParameterRange> float_ranges() {
-  return {{Argument::alpha, 1, 64, false, false, [](auto& p, float x) { p.alpha = x; }},
-          {Argument::beta, 0, 1, true, true, [](auto& p, float x) { p.beta = x; }},
-          {Argument::epsilon, 0, 1, true, false, [](auto& p, float x) { p.epsilon = x; }},
-          {Argument::gamma, 0, 1e6F, false, false, [](auto& p, float x) { p.gamma = x; }},
-          {Argument::cost_length, 0, 10, false, false, [](auto& p, float x) { p.cost_length = x; }},
+  return {{Argument::alpha, 1, 64, false, false, [](auto& p, float x) { p.tuning.alpha = x; }},
+          {Argument::beta, 0, 1, true, true, [](auto& p, float x) { p.tuning.beta = x; }},
+          {Argument::epsilon, 0, 1, true, false, [](auto& p, float x) { p.tuning.epsilon = x; }},
+          {Argument::gamma, 0, 1e6F, false, false, [](auto& p, float x) { p.tuning.gamma = x; }},
+          {Argument::cost_length, 0, 10, false, false, [](auto& p, float x) { p.tuning.cost_length = x; }},
           {Argument::dt, 0.001F, 1, false, false, [](auto& p, float x) { p.dt = x; }},
-          {Argument::near_radius, 0, 10, false, false, [](auto& p, float x) { p.near_radius = x; }},
-          {Argument::stray_share, 0, 1, false, false, [](auto& p, float x) { p.stray_share = x; }},
-          {Argument::gentle_share, 0, 1, false, false, [](auto& p, float x) { p.gentle_share = x; }},
-          {Argument::slowest, 0.05F, 1, false, false, [](auto& p, float x) { p.slowest = x; }},
-          {Argument::reverse_share, 0, 1, false, false, [](auto& p, float x) { p.reverse_share = x; }},
+          {Argument::near_radius, 0, 10, false, false, [](auto& p, float x) { p.tuning.near_radius = x; }},
+          {Argument::stray_share, 0, 1, false, false, [](auto& p, float x) { p.tuning.stray_share = x; }},
+          {Argument::gentle_share, 0, 1, false, false, [](auto& p, float x) { p.tuning.gentle_share = x; }},
+          {Argument::slowest, 0.05F, 1, false, false, [](auto& p, float x) { p.tuning.slowest = x; }},
+          {Argument::reverse_share, 0, 1, false, false, [](auto& p, float x) { p.tuning.reverse_share = x; }},
           {Argument::clearance, 0, 10, false, false, [](auto& p, float x) { p.clearance = x; }},
           {Argument::goal_margin, 0, 10, false, false, [](auto& p, float x) { p.goal_margin = x; }}};
 }
@@ -361,12 +362,12 @@ Failure init_with(const std::function<void(Parameters&)>& change) {
 TEST(PlannerParameters, DefaultsAndThePapersAreInRange) {
   EXPECT_EQ(Parameters{}.first_bad(), Argument::none);
   EXPECT_EQ(Parameters::paper().first_bad(), Argument::none);
-  EXPECT_EQ(Parameters::paper().alpha, 8.0F);
-  EXPECT_EQ(Parameters::paper().beta, 0.85F);
-  EXPECT_EQ(Parameters::paper().gamma, 50.0F);
-  EXPECT_EQ(Parameters::paper().kappa, 20U);
-  EXPECT_EQ(Parameters::paper().path_regions, 8U);
-  EXPECT_EQ(Parameters::paper().doomed_steps, 0U);
+  EXPECT_EQ(Parameters::paper().tuning.alpha, 8.0F);
+  EXPECT_EQ(Parameters::paper().tuning.beta, 0.85F);
+  EXPECT_EQ(Parameters::paper().tuning.gamma, 50.0F);
+  EXPECT_EQ(Parameters::paper().tuning.kappa, 20U);
+  EXPECT_EQ(Parameters::paper().tuning.path_regions, 8U);
+  EXPECT_EQ(Parameters::paper().tuning.doomed_steps, 0U);
 }
 
 TEST(PlannerParameters, EachFloatIsCheckedAtBothEnds) {
@@ -374,17 +375,17 @@ TEST(PlannerParameters, EachFloatIsCheckedAtBothEnds) {
     const auto verdict = [&](float value) {
       const Failure failure = init_with([&](Parameters& p) { range.set(p, value); });
       if (failure.ok()) return true;
-      EXPECT_EQ(failure.status, Status::bad_argument) << name(range.argument);
-      EXPECT_EQ(failure.element, blame(range.argument)) << name(range.argument) << " " << value;
+      EXPECT_EQ(failure.status, Status::bad_argument) << to_string(range.argument);
+      EXPECT_EQ(failure.element, blame(range.argument)) << to_string(range.argument) << " " << value;
       return false;
     };
-    EXPECT_EQ(verdict(range.low), !range.low_open) << name(range.argument);
-    EXPECT_EQ(verdict(range.high), !range.high_open) << name(range.argument);
-    EXPECT_TRUE(verdict(std::nextafter(range.low, range.high))) << name(range.argument);
-    EXPECT_TRUE(verdict(std::nextafter(range.high, range.low))) << name(range.argument);
-    EXPECT_FALSE(verdict(std::nextafter(range.low, -kInfinity))) << name(range.argument);
-    EXPECT_FALSE(verdict(std::nextafter(range.high, kInfinity))) << name(range.argument);
-    for (const float bad : {kNan, kInfinity, -kInfinity}) EXPECT_FALSE(verdict(bad)) << name(range.argument);
+    EXPECT_EQ(verdict(range.low), !range.low_open) << to_string(range.argument);
+    EXPECT_EQ(verdict(range.high), !range.high_open) << to_string(range.argument);
+    EXPECT_TRUE(verdict(std::nextafter(range.low, range.high))) << to_string(range.argument);
+    EXPECT_TRUE(verdict(std::nextafter(range.high, range.low))) << to_string(range.argument);
+    EXPECT_FALSE(verdict(std::nextafter(range.low, -kInfinity))) << to_string(range.argument);
+    EXPECT_FALSE(verdict(std::nextafter(range.high, kInfinity))) << to_string(range.argument);
+    for (const float bad : {kNan, kInfinity, -kInfinity}) EXPECT_FALSE(verdict(bad)) << to_string(range.argument);
   }
 }
 
@@ -404,29 +405,31 @@ TEST(PlannerParameters, EachCountIsCheckedAtBothEnds) {
   const struct {
     Argument argument;
     std::uint32_t low, high;
-    std::uint32_t Parameters::*member;
-  } ranges[] = {{Argument::group_sample, 1, 65535, &Parameters::group_sample},
-                {Argument::kappa, 1, 10000, &Parameters::kappa},
-                {Argument::sight_tries, 0, 64, &Parameters::sight_tries},
-                {Argument::candidates, 0, 8, &Parameters::candidates},
-                {Argument::least_sketch, 0, 20, &Parameters::least_sketch},
-                {Argument::update_regions, 0, 1'000'000, &Parameters::update_regions},
-                {Argument::doomed_steps, 0, 3, &Parameters::doomed_steps},
-                {Argument::restart_unit, 0, 1'000'000'000, &Parameters::restart_unit},
-                {Argument::max_steps, 1, 1000, &Parameters::max_steps},
-                {Argument::open_steps, 0, 1000, &Parameters::open_steps},
-                {Argument::path_regions, 1, 64, &Parameters::path_regions},
-                {Argument::max_substeps, 1, 64, &Parameters::max_substeps}};
+    std::uint32_t SearchTuning::*member;
+  } ranges[] = {{Argument::group_sample, 1, 65535, &SearchTuning::group_sample},
+                {Argument::kappa, 1, 10000, &SearchTuning::kappa},
+                {Argument::sight_tries, 0, 64, &SearchTuning::sight_tries},
+                {Argument::candidates, 0, 8, &SearchTuning::candidates},
+                {Argument::least_sketch, 0, 20, &SearchTuning::least_sketch},
+                {Argument::update_regions, 0, 1'000'000, &SearchTuning::update_regions},
+                {Argument::doomed_steps, 0, 3, &SearchTuning::doomed_steps},
+                {Argument::restart_unit, 0, 1'000'000'000, &SearchTuning::restart_unit},
+                {Argument::max_steps, 1, 1000, &SearchTuning::max_steps},
+                {Argument::open_steps, 0, 1000, &SearchTuning::open_steps},
+                {Argument::path_regions, 1, 64, &SearchTuning::path_regions},
+                {Argument::max_substeps, 1, 64, &SearchTuning::max_substeps}};
   for (const auto& range : ranges) {
-    const auto init = [&](std::uint32_t value) { return init_with([&](Parameters& p) { p.*range.member = value; }); };
-    EXPECT_TRUE(init(range.low).ok()) << name(range.argument);
-    EXPECT_TRUE(init(range.high).ok()) << name(range.argument);
+    const auto init = [&](std::uint32_t value) {
+      return init_with([&](Parameters& p) { p.tuning.*range.member = value; });
+    };
+    EXPECT_TRUE(init(range.low).ok()) << to_string(range.argument);
+    EXPECT_TRUE(init(range.high).ok()) << to_string(range.argument);
     for (const std::uint32_t bad : {range.low - 1, range.high + 1, 0xFFFFFFFFU}) {
-      EXPECT_EQ(init(bad).status, Status::bad_argument) << name(range.argument) << " " << bad;
-      EXPECT_EQ(init(bad).element, blame(range.argument)) << name(range.argument) << " " << bad;
+      EXPECT_EQ(init(bad).status, Status::bad_argument) << to_string(range.argument) << " " << bad;
+      EXPECT_EQ(init(bad).element, blame(range.argument)) << to_string(range.argument) << " " << bad;
     }
   }
-  EXPECT_EQ(init_with([](Parameters& p) { p.max_substeps = 12; }).element, blame(Argument::max_substeps));
+  EXPECT_EQ(init_with([](Parameters& p) { p.tuning.max_substeps = 12; }).element, blame(Argument::max_substeps));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Ways are looked at before one is driven: targets in sight, sketches, and giving up.
 #include "planner_fixture.hpp"
+#include "search/adaptive_search.hpp"
 
 namespace krait::test {
 namespace {
@@ -9,8 +10,8 @@ constexpr float kStart[] = {2, 6, 0};
 
 Parameters without_looks() {
   Parameters parameters;
-  parameters.sight_tries = 0;
-  parameters.candidates = 0;
+  parameters.tuning.sight_tries = 0;
+  parameters.tuning.candidates = 0;
   return parameters;
 }
 
@@ -23,9 +24,9 @@ std::uint64_t hash_with(const Parameters& parameters) {
 }
 
 TEST(PlannerWays, AreNotThePapers) {
-  EXPECT_EQ(Parameters::paper().sight_tries, 0U);
-  EXPECT_EQ(Parameters::paper().candidates, 0U);
-  EXPECT_EQ(Parameters::paper().slowest, 0.75F);
+  EXPECT_EQ(Parameters::paper().tuning.sight_tries, 0U);
+  EXPECT_EQ(Parameters::paper().tuning.candidates, 0U);
+  EXPECT_EQ(Parameters::paper().tuning.slowest, 0.75F);
   EXPECT_NE(hash_with({}), hash_with(without_looks()));
 }
 
@@ -47,7 +48,7 @@ std::uint64_t vertices_with(const Parameters& parameters) {
 
 TEST(PlannerWays, TakeFewerVerticesThanAnyWay) {
   Parameters sketches;
-  sketches.sight_tries = 0;
+  sketches.tuning.sight_tries = 0;
   const std::uint64_t without = vertices_with(without_looks());
   EXPECT_LT(vertices_with(sketches), without);
   EXPECT_LT(vertices_with({}), without / 2);
@@ -56,14 +57,14 @@ TEST(PlannerWays, TakeFewerVerticesThanAnyWay) {
 // Where no sketch is long enough nothing is driven, and the regions ahead get dearer.
 TEST(PlannerWays, ThatEndTooSoonAreGivenUpAndRaiseCosts) {
   Bench<Unicycle> bench(two_rooms(0.8), small_unicycle());
-  bench.parameters.sight_tries = 0;
-  bench.parameters.candidates = 1;
-  bench.parameters.kappa = 1;
+  bench.parameters.tuning.sight_tries = 0;
+  bench.parameters.tuning.candidates = 1;
+  bench.parameters.tuning.kappa = 1;
   ASSERT_TRUE(bench.init().ok());
   int given_up = 0, raised = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     EXPECT_EQ(bench.planner.start({kStart, Goal::named(0), seed}), Status::searching);
-    while (bench.planner.status() == Status::searching && !bench.planner.driving()) {
+    while (bench.planner.status() == Status::searching && !detail::opened(bench.planner).driving()) {
       const std::uint64_t before = bench.planner.statistics().regions_repaired;
       int steps = 0;
       (void)bench.planner.advance(1, [&](const float*, const float*) { ++steps; });
@@ -81,9 +82,9 @@ TEST(PlannerWays, AtTheEndsOfTheirRangesStillFindPlans) {
   for (const std::uint32_t tries : {0U, 64U}) {
     for (const std::uint32_t candidates : {0U, 1U, 8U}) {
       Parameters parameters;
-      parameters.sight_tries = tries;
-      parameters.candidates = candidates;
-      parameters.least_sketch = 0;
+      parameters.tuning.sight_tries = tries;
+      parameters.tuning.candidates = candidates;
+      parameters.tuning.least_sketch = 0;
       EXPECT_NE(hash_with(parameters), 0U);
     }
   }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "planner_fixture.hpp"
+#include "search/adaptive_search.hpp"
 
 namespace krait::test {
 namespace {
@@ -99,7 +100,8 @@ TEST(PlannerWhy, TheBottleneckLeavesTheCostsAsTheyWere) {
   ASSERT_EQ(bench.planner.start({kStart}), Status::no_route);
   const auto costs = [&] {
     std::vector<float> all;
-    for (Index t = 0; t < bench.open.scene.triangle_count(); ++t) all.push_back(bench.planner.regions().cost(t));
+    for (Index t = 0; t < bench.open.scene.triangle_count(); ++t)
+      all.push_back(detail::opened(bench.planner).regions().cost(t));
     return all;
   };
   const std::vector<float> before = costs();
@@ -205,8 +207,8 @@ TEST(PlannerWhy, TheEffortIsWhereMostExpansionsGrewFrom) {
   std::uint32_t most = 0;
   Index where = kNone;
   for (Index t = 0; t < bench.open.scene.triangle_count(); ++t) {
-    if (bench.planner.groups().selections(t) <= most) continue;
-    most = bench.planner.groups().selections(t);
+    if (detail::opened(bench.planner).groups().selections(t) <= most) continue;
+    most = detail::opened(bench.planner).groups().selections(t);
     where = t;
   }
   EXPECT_EQ(effort.tries, most);

@@ -6,8 +6,8 @@
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/geometries/polygon.hpp>
 
+#include "collision/distance.hpp"
 #include "convex.hpp"
-#include "krait/collision/distance.hpp"
 
 namespace krait::test {
 namespace {
@@ -26,7 +26,7 @@ BoostPolygon boost_polygon(const std::vector<Vec2>& vertices, Point shift = {0, 
 Polygon view(const std::vector<Vec2>& vertices) { return {vertices.data(), static_cast<int>(vertices.size())}; }
 
 double got(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
-  return static_cast<double>(polygon_distance(view(a), view(b)));
+  return static_cast<double>(detail::polygon_distance(view(a), view(b)));
 }
 
 TEST(PolygonDistance, OfRandomConvexPolygonsNearby) {

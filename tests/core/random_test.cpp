@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The generator against the published algorithms, and the uniformity of what is drawn from it.
-#include "krait/base/random.hpp"
+#include "base/random.hpp"
 
 #include <gtest/gtest.h>
 
@@ -63,19 +63,19 @@ TEST(Random, SplitMixGivesItsPublishedFirstValue) {
 
 TEST(Random, BitsAreThePublishedSequence) {
   for (const std::uint64_t seed : {0ULL, 1ULL, 2ULL, 0xFFFFFFFFFFFFFFFFULL, 20150907ULL}) {
-    Random random(seed);
+    detail::Random random(seed);
     Published published(seed);
     for (int i = 0; i < 10'000; ++i) ASSERT_EQ(random.bits(), published.next()) << seed << " " << i;
   }
 }
 
 TEST(Random, SeedOneIsTheDefault) {
-  Random a, b(1);
+  detail::Random a, b(1);
   for (int i = 0; i < 100; ++i) ASSERT_EQ(a.bits(), b.bits());
 }
 
 TEST(Random, DifferentSeedsDiffer) {
-  Random a(1), b(2);
+  detail::Random a(1), b(2);
   int equal = 0;
   for (int i = 0; i < 1000; ++i) equal += a.bits() == b.bits() ? 1 : 0;
   EXPECT_LE(equal, 1);
@@ -83,7 +83,7 @@ TEST(Random, DifferentSeedsDiffer) {
 
 TEST(Random, BelowIsUniform) {
   for (const std::uint32_t sides : {2U, 3U, 7U, 10U, 100U}) {
-    Random random(sides);
+    detail::Random random(sides);
     std::vector<int> counts(sides);
     for (int i = 0; i < 200'000; ++i) {
       const std::uint32_t value = random.below(sides);
@@ -95,12 +95,12 @@ TEST(Random, BelowIsUniform) {
 }
 
 TEST(Random, BelowOneIsZero) {
-  Random random;
+  detail::Random random;
   for (int i = 0; i < 100; ++i) EXPECT_EQ(random.below(1), 0U);
 }
 
 TEST(Random, BelowReachesBothEndsOfALargeRange) {
-  Random random;
+  detail::Random random;
   std::uint32_t least = 0xFFFFFFFF, most = 0;
   for (int i = 0; i < 10'000; ++i) {
     const std::uint32_t value = random.below(0xFFFFFFFF);
@@ -112,7 +112,7 @@ TEST(Random, BelowReachesBothEndsOfALargeRange) {
 }
 
 TEST(Random, UnitIsUniformOnMultiplesOf24BitsBelowOne) {
-  Random random(5);
+  detail::Random random(5);
   std::vector<int> counts(64);
   for (int i = 0; i < 500'000; ++i) {
     const float value = random.unit();
@@ -126,7 +126,7 @@ TEST(Random, UnitIsUniformOnMultiplesOf24BitsBelowOne) {
 }
 
 TEST(Random, ConsecutivePairsAreUniform) {
-  Random random(6);
+  detail::Random random(6);
   std::vector<int> counts(256);
   for (int i = 0; i < 500'000; ++i) {
     const std::uint32_t first = random.below(16);

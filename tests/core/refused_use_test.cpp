@@ -6,7 +6,11 @@
 #include <type_traits>
 #include <utility>
 
+#include "collision/motion_check.hpp"
+#include "collision/obstacles.hpp"
 #include "krait/krait.hpp"
+#include "motion/drive.hpp"
+#include "motion/plan_drive.hpp"
 
 namespace krait {
 namespace {
@@ -25,19 +29,20 @@ concept Initialises = requires(Planner& planner, const Scene& scene, R&& robot) 
 static_assert(Initialises<Car&> && Initialises<const Car&> && !Initialises<Car> && !Initialises<const Car>);
 
 template <class S, class R>
-concept Checks = requires(MotionCheck check, S&& scene, R&& robot) {
+concept Checks = requires(detail::MotionCheck check, S&& scene, R&& robot) {
   check.assign(std::forward<R>(robot), std::forward<S>(scene), 0.0F, 1, true);
 };
 static_assert(Checks<Scene&, Car&> && !Checks<Scene, Car&> && !Checks<Scene&, Car>);
 
 template <class R>
-concept Drives = requires(Drive drive, PlanDrive plan_drive, R&& robot, const float* state) {
+concept Drives = requires(detail::Drive drive, detail::PlanDrive plan_drive, R&& robot, const float* state) {
   drive.assign(std::forward<R>(robot), 0.1F);
   plan_drive.begin(std::forward<R>(robot), 0.1F, state);
 };
 static_assert(Drives<Car&> && !Drives<Car>);
 
-static_assert(std::is_constructible_v<Obstacles, Scene&, float> && !std::is_constructible_v<Obstacles, Scene, float>);
+static_assert(std::is_constructible_v<detail::Obstacles, Scene&, float> &&
+              !std::is_constructible_v<detail::Obstacles, Scene, float>);
 
 TEST(RefusedUse, IsRefusedWhereThisFileCompiles) { SUCCEED(); }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The decomposition's heuristic costs against Boost's Dijkstra on the same graph, built here in double precision.
-#include "krait/decomposition/regions.hpp"
+#include "decomposition/regions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <set>
 #include <vector>
 
-#include "krait/decomposition/locate.hpp"
+#include "decomposition/locate.hpp"
 #include "scene_builder.hpp"
 
 namespace krait::test {
@@ -21,14 +21,14 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 // Regions in the caller's memory.
 struct Decomposition {
   explicit Decomposition(const Scene& scene) {
-    Arena counting;
+    detail::Arena counting;
     regions.take(counting, scene);
     block.resize(counting.needed() / 8);
-    Arena arena(block.data(), block.size() * 8);
+    detail::Arena arena(block.data(), block.size() * 8);
     regions.take(arena, scene);
   }
   std::vector<std::uint64_t> block;
-  Regions regions;
+  detail::Regions regions;
 };
 
 // The graph (R, E, C) by its definition: centroids, the goal's triangles as one vertex (a disc's: one more vertex at
@@ -176,7 +176,7 @@ TEST(Regions, TheWidestWayIsThatOfAFloodAtEveryWidth) {
   EXPECT_GT(ways, 50);
 }
 
-void expect_costs(const Regions& regions, const Graph& graph) {
+void expect_costs(const detail::Regions& regions, const Graph& graph) {
   const Scene& scene = regions.scene();
   const auto expected = graph.distances();
   double largest = 0;
@@ -192,7 +192,7 @@ void expect_costs(const Regions& regions, const Graph& graph) {
   ASSERT_NEAR(static_cast<double>(regions.largest_cost()), largest, 1e-5 * (1 + largest));
 }
 
-void expect_next(const Regions& regions, const Graph& graph) {
+void expect_next(const detail::Regions& regions, const Graph& graph) {
   const Scene& scene = regions.scene();
   std::vector<double> h;
   for (Index t = 0; t < scene.triangle_count(); ++t) h.push_back(static_cast<double>(regions.cost(regions.region(t))));
@@ -256,9 +256,9 @@ class Twins {
   }
 
   bool found() const { return found_; }
-  const Regions& regions() const { return repaired_.regions; }
+  const detail::Regions& regions() const { return repaired_.regions; }
 
-  void raise(Index region, const CostRaise& raise) {
+  void raise(Index region, const detail::CostRaise& raise) {
     repaired_.regions.raise_edges(region, raise);
     updated_.regions.raise_edges(region, raise);
   }
@@ -270,7 +270,7 @@ class Twins {
   }
 
   void expect_equal() const {
-    const Regions &a = repaired_.regions, &b = updated_.regions;
+    const detail::Regions &a = repaired_.regions, &b = updated_.regions;
     ASSERT_EQ(a.largest_cost(), b.largest_cost());
     for (Index t = 0; t < triangles_; ++t) {
       ASSERT_EQ(a.cost(a.region(t)), b.cost(b.region(t))) << t;
@@ -285,8 +285,8 @@ class Twins {
 };
 
 // Raises some regions, mostly ones that paths go through, now and then the goal itself or a source.
-void raise_some(Twins& twins, std::mt19937& random, const CostRaise& raise) {
-  const Regions& regions = twins.regions();
+void raise_some(Twins& twins, std::mt19937& random, const detail::CostRaise& raise) {
+  const detail::Regions& regions = twins.regions();
   for (unsigned i = 0; i < 1 + random() % 12; ++i) {
     Index region = regions.region(below(random, regions.scene().triangle_count()));
     for (unsigned steps = static_cast<unsigned>(random() % 6); steps > 0; --steps) {
@@ -296,7 +296,8 @@ void raise_some(Twins& twins, std::mt19937& random, const CostRaise& raise) {
   }
 }
 
-void expect_repairs(const Scene& scene, const Goal& goal, float least_width, const CostRaise& raise, unsigned seed) {
+void expect_repairs(const Scene& scene, const Goal& goal, float least_width, const detail::CostRaise& raise,
+                    unsigned seed) {
   Twins twins(scene, goal, least_width);
   if (!twins.found()) return;
   std::mt19937 random(seed);
@@ -315,7 +316,8 @@ void expect_repairs(const Scene& scene, const Goal& goal, float least_width, con
 TEST(RegionsRepair, IsAnUpdateBitForBitForNamedGoals) {
   for (unsigned seed = 1; seed <= 25; ++seed) {
     const OpenScene open(random_room(seed));
-    for (const CostRaise& raise : {CostRaise{50.0F, 0.7F}, CostRaise{50.0F, 0.0F}, CostRaise{0.01F, 0.7F}}) {
+    for (const detail::CostRaise& raise :
+         {detail::CostRaise{50.0F, 0.7F}, detail::CostRaise{50.0F, 0.0F}, detail::CostRaise{0.01F, 0.7F}}) {
       expect_repairs(open.scene, Goal::named(0), seed % 3 == 0 ? 0.9F : 0.0F, raise, seed);
     }
   }
@@ -372,7 +374,7 @@ TEST(RegionsRepair, OfARegionThatNoPathCrossesTouchesOnlyItself) {
   const OpenScene open(random_room(1));
   Twins twins(open.scene, Goal::named(0));
   ASSERT_TRUE(twins.found());
-  const Regions& regions = twins.regions();
+  const detail::Regions& regions = twins.regions();
   std::set<Index> crossed;
   for (Index t = 0; t < open.scene.triangle_count(); ++t) crossed.insert(regions.next(regions.region(t)));
   Index leaf = 0;
@@ -463,7 +465,7 @@ TEST(Regions, BeyondAClosedDoorAllIsInfinite) {
   const OpenScene open(with_door());
   Decomposition d(open.scene);
   ASSERT_TRUE(d.regions.reset(Goal::named(0), 0.45F, 0.05F));
-  const Index left = locate(open.scene, {1, 1});
+  const Index left = detail::locate(open.scene, {1, 1});
   EXPECT_LT(d.regions.cost(left), 20.0F);
   ASSERT_TRUE(d.regions.reset(Goal::named(0), 0.6F, 0.05F));
   EXPECT_EQ(d.regions.cost(left), kInfinity);
@@ -587,8 +589,8 @@ TEST(RegionsPoints, LieInTheirRegionAndFillItsHalvesEqually) {
   const OpenScene open(with_door());
   Decomposition d(open.scene);
   ASSERT_TRUE(d.regions.reset(Goal::named(0), 0.0F, 0.05F));
-  Random random(1);
-  const Index t = locate(open.scene, {1.2F, 1.4F});
+  detail::Random random(1);
+  const Index t = detail::locate(open.scene, {1.2F, 1.4F});
   Ring triangle;
   for (int k = 0; k < 3; ++k) triangle.push_back(point(open.scene.corner(t, k)));
   // The medians cut a triangle into halves of equal area.
@@ -609,7 +611,7 @@ TEST(RegionsPoints, OfTheGoalFillAllOfIt) {
   const OpenScene open(with_door());
   Decomposition d(open.scene);
   ASSERT_TRUE(d.regions.reset(Goal::named(0), 0.0F, 0.05F));
-  Random random(2);
+  detail::Random random(2);
   int counts[8] = {};
   constexpr int kDraws = 40'000;
   for (int i = 0; i < kDraws; ++i) {
@@ -627,10 +629,10 @@ TEST(RegionsPoints, OfADiscLieInIt) {
   Decomposition d(open.scene);
   const Goal goal = Goal::disc({2, 2}, 0.75F);
   ASSERT_TRUE(d.regions.reset(goal, 0.0F, 0.05F));
-  Random random(3);
+  detail::Random random(3);
   int inner = 0;
   for (int i = 0; i < 20'000; ++i) {
-    const Vec2 p = d.regions.random_point(locate(open.scene, {2, 2}), random);
+    const Vec2 p = d.regions.random_point(detail::locate(open.scene, {2, 2}), random);
     ASSERT_LE(length(p - Vec2{2, 2}), 0.750001F);
     inner += length(p - Vec2{2, 2}) < 0.75F * 0.70710678F ? 1 : 0;
   }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // check_robot finds nothing in the library's models, and names what a wrong robot does wrong.
-#include "krait/robot_check/robot_check.hpp"
+#include "krait/robot_check.hpp"
 
 #include <gmock/gmock.h>
 
 #include "checked_robots.hpp"
+#include "motion/rk4.hpp"
 #include "robot_oracle.hpp"
 
 namespace krait {
@@ -13,7 +14,7 @@ namespace test {
 // Trusted, and takes NaN for a speed.
 class TrustedCart : public Cart {
  public:
-  bool within_limits(StateView s) const { return !(absolute(s[3]) > kSpeed); }
+  bool within_limits(StateView s) const { return !(math::absolute(s[3]) > kSpeed); }
 };
 
 }  // namespace test
@@ -77,6 +78,12 @@ TYPED_TEST(RobotCheck, FindsNothingInTheModelsOfTheLibrary) {
   }
 }
 
+// Of a robot that lasts as long as the call.
+template <class R>
+RobotReport report_of(const R& robot, const RobotRanges& ranges, int samples = 1000) {
+  return check_robot(robot, ranges, samples);
+}
+
 struct Expected {
   Wrong wrong;
   const char* function;
@@ -101,7 +108,7 @@ void expect_named(const RobotReport& report, const char* function, const char* p
 }
 
 TEST(RobotCheckCart, FindsNothingWrong) {
-  const RobotReport report = check_robot(Cart(), cart_ranges(), 1000);
+  const RobotReport report = report_of(Cart(), cart_ranges(), 1000);
   EXPECT_TRUE(report.ok()) << report.text();
 }
 
@@ -109,7 +116,7 @@ class RobotCheckNames : public ::testing::TestWithParam<Expected> {};
 
 TEST_P(RobotCheckNames, WhatIsWrong) {
   const Expected& expected = GetParam();
-  const RobotReport report = check_robot(Cart(expected.wrong), cart_ranges(), 300);
+  const RobotReport report = report_of(Cart(expected.wrong), cart_ranges(), 300);
   expect_named(report, expected.function, expected.promise, expected.says);
 }
 
@@ -148,7 +155,6 @@ INSTANTIATE_TEST_SUITE_P(
         Expected{Wrong::steer_nan_at_the_target, "steer", "control", "0 / 0"},
         Expected{Wrong::steer_too_fast, "steer", "limits", "it leads beyond the limits, to ["},
         Expected{Wrong::steer_counts_its_calls, "steer", "pure", "asked again it answers"},
-        Expected{Wrong::steer_differs_by_frames, "steer", "frames", "given the frames it answers"},
         Expected{Wrong::rate_too_small, "fastest_rate", "step", "at 0.1 1/s a Runge-Kutta step of 0.4 s"},
         Expected{Wrong::rate_nan, "fastest_rate", "number", "fastest_rate is"}),
     [](const auto& expected) {
@@ -167,7 +173,7 @@ TEST(RobotCheckFront, NamesWhatIsWrongWithLeadingComponents) {
   ChainParameters parameters;
   parameters.trailers = 2;
   const RobotRanges ranges = ranges_of(Truck(parameters));
-  EXPECT_EQ(check_robot(FrontTruck(parameters, WrongFront::nothing), ranges, 200).text(), "");
+  EXPECT_EQ(report_of(FrontTruck(parameters, WrongFront::nothing), ranges, 200).text(), "");
   for (const ExpectedOfFront& e :
        {ExpectedOfFront{WrongFront::size, "leading_size", "range", "leading_size is 99"},
         ExpectedOfFront{WrongFront::derivative, "leading_size", "derivative", "of the whole state ["},
@@ -177,7 +183,7 @@ TEST(RobotCheckFront, NamesWhatIsWrongWithLeadingComponents) {
         ExpectedOfFront{WrongFront::lead_alone, "integrate_lead", "leading", "of the leading components alone"},
         ExpectedOfFront{WrongFront::rest_unwritten, "integrate_rest", "complete", "leaves number 5"}}) {
     SCOPED_TRACE(e.says);
-    expect_named(check_robot(FrontTruck(parameters, e.wrong), ranges, 200), e.function, e.promise, e.says);
+    expect_named(report_of(FrontTruck(parameters, e.wrong), ranges, 200), e.function, e.promise, e.says);
   }
 }
 
@@ -185,31 +191,46 @@ TEST(RobotCheckFront, NamesWhatIsWrongWithLeadingComponents) {
 TEST(RobotCheckRanges, ThatDoNotFitAreNamed) {
   RobotRanges ranges = cart_ranges();
   ranges.state.pop_back();
-  EXPECT_THAT(check_robot(Cart(), ranges).text(), HasSubstr("RobotRanges has 3 ranges of states, 2 of controls and 3"));
+  EXPECT_THAT(report_of(Cart(), ranges).text(), HasSubstr("RobotRanges has 3 ranges of states, 2 of controls and 3"));
   ranges = cart_ranges();
   ranges.dt.clear();
-  EXPECT_THAT(check_robot(Cart(), ranges).text(), HasSubstr("0 time steps"));
-  EXPECT_THAT(check_robot(Cart(Wrong::limits_nowhere), cart_ranges()).text(), HasSubstr("narrow RobotRanges::state"));
-  EXPECT_THAT(check_robot(Cart(Wrong::body_clockwise), cart_ranges()).text(), HasSubstr("robot_polygon"));
+  EXPECT_THAT(report_of(Cart(), ranges).text(), HasSubstr("0 time steps"));
+  EXPECT_THAT(report_of(Cart(Wrong::limits_nowhere), cart_ranges()).text(), HasSubstr("narrow RobotRanges::state"));
+  EXPECT_THAT(report_of(Cart(Wrong::body_clockwise), cart_ranges()).text(), HasSubstr("robot_polygon"));
+}
+
+TEST(RobotCheckRanges, HaveTheStepRateOfTheTree) { EXPECT_EQ(RobotRanges().step_rate, detail::kStepRate); }
+
+// Does not say how fast its motion changes, so that every time step counts as short enough.
+class QuietCart : public Cart {
+ public:
+  float fastest_rate(float) const = delete;
+};
+
+TEST(RobotCheckRate, IsNotCheckedWhereThereIsNone) {
+  RobotRanges ranges = cart_ranges();
+  ranges.step_error = 0.0F;
+  EXPECT_NE(find(report_of(Cart(), ranges, 50), "fastest_rate", "step"), nullptr);
+  EXPECT_EQ(report_of(QuietCart(), ranges, 50).text(), "");
 }
 
 TEST(RobotCheckTrust, ARobotThatTakesNanForAStateMustNotBeTrusted) {
-  expect_named(check_robot(TrustedCart(), cart_ranges(), 50), "within_limits", "finite", "component 0 may be nan");
+  expect_named(report_of(TrustedCart(), cart_ranges(), 50), "within_limits", "finite", "component 0 may be nan");
 }
 
 TEST(RobotCheckLeaving, MoreStepsThanAllowedAreNamed) {
   RobotRanges ranges = cart_ranges();
   ranges.leaving = 0.001F;
-  const RobotReport report = check_robot(Cart(Wrong::steer_too_fast), ranges, 200);
+  const RobotReport report = report_of(Cart(Wrong::steer_too_fast), ranges, 200);
   EXPECT_EQ(find(report, "steer", "limits"), nullptr);
   ASSERT_NE(find(report, "steer", "leaving"), nullptr) << report.text();
   EXPECT_THAT(find(report, "steer", "leaving")->message, HasSubstr("more than the 0.1 % of RobotRanges::leaving"));
   ranges.leaving = 1.0F;
-  EXPECT_EQ(check_robot(Cart(Wrong::steer_too_fast), ranges, 200).text(), "");
+  EXPECT_EQ(report_of(Cart(Wrong::steer_too_fast), ranges, 200).text(), "");
 }
 
 TEST(RobotCheckReport, TellsStateControlAndStepOfTheWorst) {
-  const RobotReport report = check_robot(Cart(Wrong::travel_bend_too_small), cart_ranges(), 300);
+  const RobotReport report = report_of(Cart(Wrong::travel_bend_too_small), cart_ranges(), 300);
   const RobotFault* fault = find(report, "travel", "bend");
   ASSERT_NE(fault, nullptr);
   EXPECT_THAT(fault->message, HasSubstr("at the state ["));

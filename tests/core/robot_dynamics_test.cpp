@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "robot/shape.hpp"
 #include "robot_oracle.hpp"
 
 namespace krait::test {
@@ -34,7 +35,7 @@ TYPED_TEST(RobotDynamics, SatisfiesTheConcept) {
     EXPECT_LE(robot.state_size(), TypeParam::kMaxState);
     EXPECT_LE(robot.control_size(), TypeParam::kMaxControl);
     EXPECT_LE(robot.body_count(), TypeParam::kMaxBodies);
-    EXPECT_EQ(first_bad_of_robot(robot), Argument::none);
+    EXPECT_EQ(detail::first_bad_of_robot(robot), Argument::none);
   }
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // A step that a chain calls within its limits, or a collision check free, keeps them all the way, by the same motion in
 // small steps of double precision.
+#include "base/random.hpp"
+#include "collision/motion_check.hpp"
 #include "in_own_memory.hpp"
-#include "krait/collision/motion_check.hpp"
 #include "robot_oracle.hpp"
 #include "scene_builder.hpp"
 
@@ -13,7 +14,7 @@ constexpr float kDt = 0.1F;
 
 // A chain in motion whose hitch angles crowd at their limit.
 template <class R>
-std::vector<float> bent_state(const R& robot, Random& random) {
+std::vector<float> bent_state(const R& robot, detail::Random& random) {
   const ChainParameters& p = robot.parameters();
   std::vector<float> s(static_cast<std::size_t>(robot.state_size()), 0.0F);
   s[2] = 6.0F * random.unit() - 3.0F;
@@ -45,7 +46,7 @@ struct Tally {
 template <class R, class IsKept>
 Tally try_steps(const R& robot, float dt, int count, IsKept is_kept, double error) {
   const double limit = wide(robot.parameters().max_hitch_angle);
-  Random random(11);
+  detail::Random random(11);
   Tally tally;
   for (int n = 0; n < count; ++n) {
     const std::vector<float> s = bent_state(robot, random);
@@ -96,7 +97,7 @@ TEST(RobotKeepsLimits, NoHitchPassesItsLimitInAStepThatIsFree) {
   Room room;
   room.bounds = {-10, -10, 10, 10};
   const OpenScene open(room);
-  InOwnMemory<MotionCheck> check;
+  InOwnMemory<detail::MotionCheck> check;
   check.assign(snake, open.scene, 0.0F, 16, true);
   int by_parts = 0;
   const auto is_free = [&](const auto& s, const auto& u, const auto& next) {

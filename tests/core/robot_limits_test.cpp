@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "krait/robots/defaults.hpp"
+#include "robot/shape.hpp"
 #include "robot_oracle.hpp"
 
 namespace krait::test {
@@ -38,7 +40,8 @@ void expect_limits_held(const R& robot, float dt, int steps, std::mt19937& rando
     if (i % 20 == 0) {
       steering = {};
       target.point = {uniform_float(random, -10, 10), uniform_float(random, -10, 10)};
-      target.speed = uniform_float(random, 0.05, 1) * (reversible(robot) && below(random, 3) == 0 ? -1.0F : 1.0F);
+      target.speed =
+          uniform_float(random, 0.05, 1) * (detail::reversible(robot) && below(random, 3) == 0 ? -1.0F : 1.0F);
       target.dt = dt;
     }
     std::vector<float> u(2);
@@ -75,11 +78,11 @@ TYPED_TEST(RobotLimits, SteeringByTheFramesGivesTheSameControl) {
       robot.place(view, poses.data());
       Target target;
       target.point = {uniform_float(random, -10, 10), uniform_float(random, -10, 10)};
-      target.speed = uniform_float(random, reversible(robot) ? -1.0F : 0.05F, 1);
+      target.speed = uniform_float(random, detail::reversible(robot) ? -1.0F : 0.05F, 1);
       Steering fresh[2];
       std::vector<float> alone(2), framed(2);
       robot.steer(view, target, fresh[0], ControlRef(alone.data(), 2));
-      steer(robot, view, poses.data(), target, fresh[1], ControlRef(framed.data(), 2));
+      detail::steer(robot, view, poses.data(), target, fresh[1], ControlRef(framed.data(), 2));
       ASSERT_EQ(alone, framed) << i;
     }
   }
@@ -172,7 +175,7 @@ struct Spoiled {
 // Of a robot that need not last.
 template <RobotModel R>
 Argument first_bad(const R& robot) {
-  return first_bad_of_robot(robot);
+  return detail::first_bad_of_robot(robot);
 }
 
 TEST(RobotSound, ChainRejectsEachBadParameter) {
@@ -251,11 +254,11 @@ TEST_P(RobotShape, UnusableBodyIsRefusedByEveryModel) {
   for (const int k : {0, 3}) {
     Snake snake(p);
     snake.set_body(k, body);
-    EXPECT_EQ(first_bad_of_robot(snake), Argument::robot_polygon);
+    EXPECT_EQ(detail::first_bad_of_robot(snake), Argument::robot_polygon);
   }
   Unicycle unicycle({});
   unicycle.set_body(0, body);
-  EXPECT_EQ(first_bad_of_robot(unicycle), Argument::robot_polygon);
+  EXPECT_EQ(detail::first_bad_of_robot(unicycle), Argument::robot_polygon);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -286,16 +289,16 @@ TEST(RobotShapes, MeasuresOfABox) {
   p.body_length = 0.8F;
   p.body_width = 0.5F;
   const Unicycle robot(p);
-  EXPECT_FLOAT_EQ(robot_length(robot), 0.8F);
-  EXPECT_FLOAT_EQ(inner_radius(robot.body(0), {}), 0.25F);
+  EXPECT_FLOAT_EQ(detail::robot_length(robot), 0.8F);
+  EXPECT_FLOAT_EQ(detail::inner_radius(robot.body(0), {}), 0.25F);
 }
 
 TEST(RobotShapes, InnerRadiusIsZeroWhenTheBodyLiesBesideItsAxle) {
   Unicycle robot({});
   const Vec2 ahead[] = {{0.5F, -0.2F}, {1, -0.2F}, {1, 0.2F}, {0.5F, 0.2F}};
   robot.set_body(0, {ahead, 4});
-  EXPECT_EQ(first_bad_of_robot(robot), Argument::none);
-  EXPECT_EQ(inner_radius(robot.body(0), {}), 0.0F);
+  EXPECT_EQ(detail::first_bad_of_robot(robot), Argument::none);
+  EXPECT_EQ(detail::inner_radius(robot.body(0), {}), 0.0F);
 }
 
 }  // namespace

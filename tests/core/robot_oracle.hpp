@@ -12,6 +12,7 @@
 
 #include "draws.hpp"
 #include "krait/krait.hpp"
+#include "motion/rk4.hpp"
 
 namespace krait::test {
 
@@ -196,12 +197,13 @@ std::vector<float> random_control(const R& robot, const std::vector<float>& stat
   for (const Range range : control_limits(robot)) u.push_back(uniform_float(random, wide(range.low), wide(range.high)));
   if constexpr (std::is_base_of_v<Chain, R>) {
     const ChainParameters& p = robot.parameters();
-    u[0] = clamp(u[0], (p.min_speed - state[3]) / dt, (p.max_speed - state[3]) / dt);
-    u[1] = clamp(u[1], (-p.max_steering - state[4]) / dt, (p.max_steering - state[4]) / dt);
+    u[0] = math::clamp(u[0], (p.min_speed - state[3]) / dt, (p.max_speed - state[3]) / dt);
+    u[1] = math::clamp(u[1], (-p.max_steering - state[4]) / dt, (p.max_steering - state[4]) / dt);
   }
   if constexpr (std::is_same_v<R, DifferentialDrive>) {
     const float most = robot.parameters().max_wheel_speed;
-    for (std::size_t i = 0; i < 2; ++i) u[i] = clamp(u[i], (-most - state[3 + i]) / dt, (most - state[3 + i]) / dt);
+    for (std::size_t i = 0; i < 2; ++i)
+      u[i] = math::clamp(u[i], (-most - state[3 + i]) / dt, (most - state[3 + i]) / dt);
   }
   return u;
 }
@@ -236,7 +238,7 @@ Bounds bounds_of(const R& robot, const std::vector<float>& s, const std::vector<
 template <class R>
 std::vector<float> step(const R& robot, const std::vector<float>& s, const std::vector<float>& u, float dt) {
   std::vector<float> next(s.size());
-  propagate(robot, s.data(), u.data(), dt, next.data());
+  detail::propagate(robot, s.data(), u.data(), dt, next.data());
   return next;
 }
 

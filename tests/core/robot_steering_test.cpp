@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "krait/krait.hpp"
+#include "motion/drive.hpp"
 
 namespace krait::test {
 namespace {
@@ -47,7 +48,7 @@ TEST(RobotSteering, ADifferentialDriveSlowsDownToTurn) {
 template <class R>
 std::vector<float> stopped(const R& robot, std::vector<float> state, Vec2 toward) {
   const int size = robot.state_size();
-  Drive drive;
+  detail::Drive drive;
   drive.assign(robot, 0.1F);
   drive.begin(state.data());
   Target target;
@@ -84,7 +85,7 @@ TEST(RobotSteering, ACarStopsWhereItsStoppingWayEnds) {
     expect_stopping_way(Truck(p), state, target, 0.01F);
     expect_stopping_way(Snake(p), state, target, 0.01F);
     const Truck truck(p);
-    EXPECT_EQ(truck.speed(StateView(state.data(), 7)), absolute(speed));
+    EXPECT_EQ(truck.speed(StateView(state.data(), 7)), math::absolute(speed));
   }
   EXPECT_NEAR(Truck(p).stopping_way(StateView(std::vector<float>{0, 0, 0, 2, 1, 0, 0}.data(), 7)), 0.4F * 0.5403F,
               1e-4F);

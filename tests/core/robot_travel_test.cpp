@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "krait/robots/defaults.hpp"
+#include "robot/tracking.hpp"
 #include "robot_oracle.hpp"
 
 namespace krait::test {
@@ -73,8 +75,8 @@ struct Ratios {
 template <class R>
 QuickBound quick_bound_of(const R& robot, const std::vector<float>& s, const std::vector<float>& u, float dt,
                           const std::vector<float>& next) {
-  return quick_bound(robot, StateView(s.data(), robot.state_size()), ControlView(u.data(), 2), dt,
-                     StateView(next.data(), robot.state_size()));
+  return detail::quick_bound(robot, StateView(s.data(), robot.state_size()), ControlView(u.data(), 2), dt,
+                             StateView(next.data(), robot.state_size()));
 }
 
 // Checks the bounds of a step on every vertex of every body (lemmas 1 to 9); those of all bodies alike, where there are

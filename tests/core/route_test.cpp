@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Places along a line of vias: points, projections, changes.
-#include "krait/improve/route.hpp"
+#include "improve/route.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,8 +14,8 @@ namespace {
 
 struct Given {
   std::vector<std::uint64_t> block = std::vector<std::uint64_t>(1000);
-  Arena arena{block.data(), block.size() * 8};
-  Route route;
+  detail::Arena arena{block.data(), block.size() * 8};
+  detail::Route route;
 
   explicit Given(const std::vector<Vec2>& points, std::uint32_t capacity = 64) {
     route.take(arena, capacity);

@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "draws.hpp"
-#include "krait/scene/scene.hpp"
+#include "krait/scene.hpp"
 
 namespace krait::test {
 
@@ -124,7 +124,7 @@ struct SceneData {
   SceneBytes bytes() const;
 };
 
-namespace detail {
+namespace building {
 
 class Writer {
  public:
@@ -205,23 +205,23 @@ std::uint32_t longest(const std::vector<std::vector<T>>& lists) {
   return count(most);
 }
 
-}  // namespace detail
+}  // namespace building
 
 inline SceneBytes SceneData::bytes() const {
   using format::Section;
   format::Header h = header;
   std::memcpy(h.magic, format::kMagic, sizeof h.magic);
   h.version = format::kVersion;
-  h.vertices = detail::count(vertices.size());
-  h.triangles = detail::count(triangles.size());
-  h.portals = detail::count(portal_widths.size());
-  h.goals = detail::count(goals.size());
-  h.starts = detail::count(starts.size());
-  h.start_angles = detail::count(start_angles.size());
-  h.pieces = detail::count(pieces.size());
-  h.most_bucket_triangles = detail::longest(bucket_triangles);
-  h.most_bucket_pieces = detail::longest(bucket_pieces);
-  detail::Writer w(h);
+  h.vertices = building::count(vertices.size());
+  h.triangles = building::count(triangles.size());
+  h.portals = building::count(portal_widths.size());
+  h.goals = building::count(goals.size());
+  h.starts = building::count(starts.size());
+  h.start_angles = building::count(start_angles.size());
+  h.pieces = building::count(pieces.size());
+  h.most_bucket_triangles = building::longest(bucket_triangles);
+  h.most_bucket_pieces = building::longest(bucket_pieces);
+  building::Writer w(h);
   w.section(Section::vertices, vertices);
   w.indices(Section::triangle_vertices, triangles);
   w.indices(Section::triangle_neighbors, neighbors);
@@ -251,7 +251,7 @@ inline SceneBytes SceneData::bytes() const {
   }
   std::size_t bytes_of_names = 0;
   for (const std::string& name : names) bytes_of_names += name.size() + 1;
-  h.names_bytes = detail::count(bytes_of_names);
+  h.names_bytes = building::count(bytes_of_names);
   return w.finish();
 }
 
@@ -271,7 +271,7 @@ struct Room {
   double bucket_size = 1.5;
 };
 
-namespace detail {
+namespace building {
 
 inline std::vector<double> grid_lines(double low, double high, double spacing, std::set<double> lines) {
   lines.insert(low);
@@ -526,9 +526,9 @@ class RoomBuilder {
   std::vector<Ring> rings_;
 };
 
-}  // namespace detail
+}  // namespace building
 
-inline SceneData data_of(const Room& room) { return detail::RoomBuilder(room).build(); }
+inline SceneData data_of(const Room& room) { return building::RoomBuilder(room).build(); }
 
 // A scene together with its bytes.
 struct OpenScene {

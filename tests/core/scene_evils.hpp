@@ -199,7 +199,7 @@ inline std::vector<Evil> geometry_evils() {
       element("neighbor_out_of_range", Section::triangle_neighbors, t, flat, std::uint16_t{60000}),
       element("neighbor_itself", Section::triangle_neighbors, t, flat, static_cast<std::uint16_t>(t)),
       written("neighbor_that_shares_no_edge", neighbors, t,
-              [t, e](SceneData& d) { d.neighbors[t][e] = detail::count(d.triangles.size()) - 1; }),
+              [t, e](SceneData& d) { d.neighbors[t][e] = building::count(d.triangles.size()) - 1; }),
       written("neighbor_one_way", neighbors, t,
               [t, e](SceneData& d) {
                 const Index n = d.neighbors[t][e];
@@ -313,15 +313,15 @@ inline std::vector<Evil> bucket_evils() {
   const auto triangle_offsets = static_cast<std::uint8_t>(Section::bucket_triangle_offsets);
   const auto piece_offsets = static_cast<std::uint8_t>(Section::bucket_piece_offsets);
   const SceneData data = sound();
-  const auto buckets = detail::count(data.bucket_triangles.size());
-  const auto first = detail::count(data.bucket_triangles[0].size());
+  const auto buckets = building::count(data.bucket_triangles.size());
+  const auto first = building::count(data.bucket_triangles[0].size());
   const auto longest = static_cast<std::uint32_t>(
       std::find_if(data.bucket_triangles.begin(), data.bucket_triangles.end(),
-                   [&](const auto& list) { return list.size() == detail::longest(data.bucket_triangles); }) -
+                   [&](const auto& list) { return list.size() == building::longest(data.bucket_triangles); }) -
       data.bucket_triangles.begin());
   std::uint32_t most_pieces = 0;
   while (data.bucket_pieces[most_pieces].empty()) ++most_pieces;
-  const std::uint32_t end_of_second = first + detail::count(data.bucket_triangles[1].size());
+  const std::uint32_t end_of_second = first + building::count(data.bucket_triangles[1].size());
   return {
       element("bucket_offset_first", Section::bucket_triangle_offsets, 0, 0, std::uint32_t{1}),
       element("bucket_offset_beyond", Section::bucket_triangle_offsets, 1, 1, std::uint32_t{0xFFFFFFF0}),
@@ -356,7 +356,7 @@ inline std::vector<Evil> bucket_evils() {
                 for (auto& list : d.bucket_pieces) list.clear();
               }),
       written("bucket_triangle_elsewhere", triangle_list, first,
-              [=](SceneData& d) { d.bucket_triangles[0].push_back(detail::count(d.triangles.size()) - 1); }),
+              [=](SceneData& d) { d.bucket_triangles[0].push_back(building::count(d.triangles.size()) - 1); }),
       written("bucket_piece_elsewhere", piece_list, 1, [](SceneData& d) {
         d.bucket_pieces[0] = {0, 1};
       })};

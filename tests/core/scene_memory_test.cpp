@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "krait/decomposition/locate.hpp"
+#include "decomposition/locate.hpp"
 #include "scene_builder.hpp"
 
 namespace krait::test {
@@ -52,7 +52,7 @@ TEST(SceneMemory, OpensAndIsUsedInReadOnlyMemoryBeforeAGuardPage) {
   int found = 0;
   for (int i = 0; i < 10'000; ++i) {
     const Vec2 p{uniform_float(random, -1, 13), uniform_float(random, -1, 13)};
-    found += locate(scene, p) != kNone ? 1 : 0;
+    found += detail::locate(scene, p) != kNone ? 1 : 0;
     EXPECT_GE(scene.clearance().at(p), 0.0F);
   }
   EXPECT_GT(found, 1000);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rough steps against Runge-Kutta's, and how far they find a way free.
-#include "krait/robot/sketch.hpp"
 
 #include "in_own_memory.hpp"
-#include "krait/search/sketcher.hpp"
+#include "krait/robots/defaults.hpp"
 #include "planner_fixture.hpp"
 #include "robot_oracle.hpp"
+#include "search/sketcher.hpp"
 
 namespace krait::test {
 namespace {
@@ -32,8 +32,8 @@ TYPED_TEST(SketchStep, LeadsAboutWhereTheDynamicsDo) {
       std::vector<Pose> poses(static_cast<std::size_t>(robot.body_count()));
       robot.place(StateView(state.data(), robot.state_size()), poses.data());
       std::vector<float> rough = state;
-      ASSERT_TRUE(sketch(robot, StateRef(rough.data(), robot.state_size()), poses.data(),
-                         ControlView(u.data(), robot.control_size()), kStep));
+      ASSERT_TRUE(detail::sketch(robot, StateRef(rough.data(), robot.state_size()), poses.data(),
+                                 ControlView(u.data(), robot.control_size()), kStep));
       std::vector<float> exact = state;
       for (int part = 0; part < 20; ++part) exact = step(robot, exact, u, kStep / 20);
       std::vector<Pose> expected(poses.size());
@@ -41,7 +41,7 @@ TYPED_TEST(SketchStep, LeadsAboutWhereTheDynamicsDo) {
       for (std::size_t k = 0; k < poses.size(); ++k) {
         const auto trailers = static_cast<float>(k);
         ASSERT_LE(length(poses[k].position - expected[k].position), 0.04F + 0.01F * trailers) << i << " " << k;
-        ASSERT_LE(absolute((poses[k].heading - expected[k].heading).sin), 0.04F) << i << " " << k;
+        ASSERT_LE(math::absolute((poses[k].heading - expected[k].heading).sin), 0.04F) << i << " " << k;
       }
       const std::size_t seen = std::min<std::size_t>(rough.size(), 6);
       for (std::size_t k = 0; k < seen; ++k) ASSERT_NEAR(rough[k], exact[k], 0.04) << i << " " << k;
@@ -63,7 +63,7 @@ TEST(SketchOfAChain, EndsWhereAHitchFoldsTooFar) {
     Pose poses[4];
     robot.place(StateView(s.data(), 8), poses);
     const float u[] = {0, 0};
-    EXPECT_EQ(sketch(robot, StateRef(s.data(), 8), poses, ControlView(u, 2), kStep), speed > 0.0F);
+    EXPECT_EQ(detail::sketch(robot, StateRef(s.data(), 8), poses, ControlView(u, 2), kStep), speed > 0.0F);
   }
 }
 
@@ -81,7 +81,7 @@ TEST(SketchOfAChain, KeepsItsFramesTurned) {
     float u[2];
     const Target target{{i % 40 < 20 ? 50.0F : -50.0F, 20}, 1.0F, kStep, 1.0F};
     robot.steer(StateView(state.data(), robot.state_size()), poses.data(), target, steering, ControlRef(u, 2));
-    sketch(robot, StateRef(state.data(), robot.state_size()), poses.data(), ControlView(u, 2), kStep);
+    detail::sketch(robot, StateRef(state.data(), robot.state_size()), poses.data(), ControlView(u, 2), kStep);
   }
   for (std::size_t k = 0; k < poses.size(); ++k) {
     const SinCos h = poses[k].heading;
@@ -95,7 +95,7 @@ TEST(SketchOfAChain, KeepsItsFramesTurned) {
 template <class R>
 std::uint32_t free_steps(const Room& room, const R& robot, const std::vector<float>& state, const Target& target) {
   const OpenScene open(room);
-  InOwnMemory<Sketcher> sketcher;
+  InOwnMemory<detail::Sketcher> sketcher;
   sketcher.assign(robot, open.scene, kStep, 0.5F);
   return sketcher.free_steps(state.data(), target);
 }
@@ -119,12 +119,12 @@ TYPED_TEST(SketcherOf, FindsAWayFreeUpToTheWall) {
   Room walled = hall();
   walled.boxes = {{21.5, 0, 22, 20}};
   const Target ahead{{30, 10}, 1.0F, 0.1F, 1.0F};
-  EXPECT_EQ(free_steps(hall(), robot, state, ahead), Sketcher::kSteps);
+  EXPECT_EQ(free_steps(hall(), robot, state, ahead), detail::Sketcher::kSteps);
   const std::uint32_t steps = free_steps(walled, robot, state, ahead);
   EXPECT_GE(steps, 2U);
   EXPECT_LT(steps, 10U);
   // What is reached before the wall is free.
-  EXPECT_EQ(free_steps(walled, robot, state, {{20.7F, 10}, 1.0F, 0.1F, 1.0F}), Sketcher::kSteps);
+  EXPECT_EQ(free_steps(walled, robot, state, {{20.7F, 10}, 1.0F, 0.1F, 1.0F}), detail::Sketcher::kSteps);
 }
 
 TEST(SketcherOfATrain, SeesThatATrailerHits) {
@@ -135,16 +135,16 @@ TEST(SketcherOfATrain, SeesThatATrailerHits) {
   robot.rest({20, 10}, 0, nullptr, state.data());
   Room room = hall();
   room.boxes = {{16.6, 10.4, 18.9, 13}};  // beside the last trailers: a turn away from it drags them into it
-  EXPECT_EQ(free_steps(room, robot, state, {{30, 10}, 1.0F, 0.1F, 1.0F}), Sketcher::kSteps);
-  EXPECT_LT(free_steps(room, robot, state, {{20, 3}, 1.0F, 0.1F, 1.0F}), Sketcher::kSteps);
-  EXPECT_EQ(free_steps(room, robot, state, {{20, 17}, 1.0F, 0.1F, 1.0F}), Sketcher::kSteps);
+  EXPECT_EQ(free_steps(room, robot, state, {{30, 10}, 1.0F, 0.1F, 1.0F}), detail::Sketcher::kSteps);
+  EXPECT_LT(free_steps(room, robot, state, {{20, 3}, 1.0F, 0.1F, 1.0F}), detail::Sketcher::kSteps);
+  EXPECT_EQ(free_steps(room, robot, state, {{20, 17}, 1.0F, 0.1F, 1.0F}), detail::Sketcher::kSteps);
 }
 
 TEST(SketcherOfAUsersRobot, GoesByItsDerivative) {
   const Slider robot(0.5F, 1.5F);
   Room room = hall();
   room.boxes = {{22, 0, 22.5, 20}};
-  EXPECT_EQ(free_steps(room, robot, {20, 10}, {{20, 16}, 1.0F, 0.1F, 1.0F}), Sketcher::kSteps);
+  EXPECT_EQ(free_steps(room, robot, {20, 10}, {{20, 16}, 1.0F, 0.1F, 1.0F}), detail::Sketcher::kSteps);
   const std::uint32_t steps = free_steps(room, robot, {20, 10}, {{30, 10}, 1.0F, 0.1F, 1.0F});
   EXPECT_EQ(steps, 5U);  // 0.3 m each, until 0.27 m before the wall
 }

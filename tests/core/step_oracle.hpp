@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "convex.hpp"
+#include "krait/robots/defaults.hpp"
 #include "robot_oracle.hpp"
 
 namespace krait::test {
@@ -33,7 +34,7 @@ double separation_of_state(const R& robot, const Scene& scene, const std::vector
     least = std::min(least, room_inside(body, bounds));
     for (const Ring& piece : pieces) least = std::min(least, separation(body, piece));
   }
-  const auto gap = static_cast<std::size_t>(self_collision_gap(robot));
+  const auto gap = static_cast<std::size_t>(detail::self_collision_gap(robot));
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     for (std::size_t j = i + gap; j < bodies.size(); ++j) least = std::min(least, separation(bodies[i], bodies[j]));
   }

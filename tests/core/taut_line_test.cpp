@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lines pulled taut: short, free for the disc, between the same ends.
-#include "krait/improve/taut_line.hpp"
+#include "improve/taut_line.hpp"
 
 #include <gtest/gtest.h>
 
@@ -22,14 +22,14 @@ Room wall() {
 struct Given {
   OpenScene open{wall()};
   std::vector<std::uint64_t> block = std::vector<std::uint64_t>(2000);
-  TautLine line;
+  detail::TautLine line;
 
   explicit Given(std::uint32_t points) {
-    Arena arena(block.data(), block.size() * 8);
+    detail::Arena arena(block.data(), block.size() * 8);
     line.take(arena, points);
   }
   void pull() {
-    line.pull(Sight(open.scene, kRadius, 0.1F));
+    line.pull(detail::Sight(open.scene, kRadius, 0.1F));
     while (line.step()) {
     }
   }
@@ -41,7 +41,7 @@ struct Given {
 };
 
 // Far around the wall's end, by a staircase.
-void wind(TautLine& line) {
+void wind(detail::TautLine& line) {
   line.clear(0.25F);
   line.add({2, 1});
   for (int i = 0; i < 20; ++i) {
@@ -58,7 +58,7 @@ TEST(TautLine, GoesStraightAroundTheWall) {
   wind(given.line);
   const float before = given.length_of();
   given.pull();
-  const TautLine& line = given.line;
+  const detail::TautLine& line = given.line;
   EXPECT_EQ(length(line[0] - Vec2{2, 1}), 0.0F);
   EXPECT_EQ(length(line[line.count() - 1] - Vec2{10, 1}), 0.0F);
   EXPECT_LE(line.count(), 6U);
@@ -67,7 +67,7 @@ TEST(TautLine, GoesStraightAroundTheWall) {
   EXPECT_LT(given.length_of(), 1.05F * shortest);
   EXPECT_GT(given.length_of(), 0.95F * shortest);
   EXPECT_LT(given.length_of(), 0.8F * before);
-  const Sight sight(given.open.scene, 0.9F * kRadius, 0.05F);
+  const detail::Sight sight(given.open.scene, 0.9F * kRadius, 0.05F);
   for (std::uint32_t i = 1; i < line.count(); ++i) EXPECT_TRUE(sight.line_free(line[i - 1], line[i])) << i;
 }
 

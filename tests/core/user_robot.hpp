@@ -2,8 +2,8 @@
 // A robot that a user writes: a square that slides in any direction at up to `max_speed`.
 #pragma once
 
-#include "krait/robot/box.hpp"
-#include "krait/robot/robot.hpp"
+#include "krait/geometry.hpp"
+#include "krait/robot.hpp"
 
 namespace krait::test {
 
@@ -11,7 +11,7 @@ class Slider {
  public:
   static constexpr int kMaxState = 2, kMaxControl = 2, kMaxBodies = 1;
 
-  Slider(float side, float max_speed) : max_speed_(max_speed) { box(side, side, 0.0F, square_); }
+  Slider(float side, float max_speed) : max_speed_(max_speed) { rectangle(side, side, 0.0F, square_); }
 
   int state_size() const { return 2; }
   int control_size() const { return 2; }
@@ -33,6 +33,32 @@ class Slider {
  private:
   float max_speed_;
   Vec2 square_[4];
+};
+
+// The same robot, which states its rates instead of its travel.
+class RatedSlider {
+ public:
+  static constexpr int kMaxState = 2, kMaxControl = 2, kMaxBodies = 1;
+
+  RatedSlider(float side, float max_speed) : slider_(side, max_speed) {}
+
+  int state_size() const { return 2; }
+  int control_size() const { return 2; }
+  int body_count() const { return 1; }
+  void derivative(StateView s, ControlView u, StateRef ds) const { slider_.derivative(s, u, ds); }
+  void steer(StateView s, const Target& target, Steering& steering, ControlRef u) const {
+    slider_.steer(s, target, steering, u);
+  }
+  bool within_limits(StateView s) const { return slider_.within_limits(s); }
+  Polygon body(int k) const { return slider_.body(k); }
+  void place(StateView s, Pose* poses) const { slider_.place(s, poses); }
+  bool rates(StateView, ControlView u, float, StateView, BodyRates* rates) const {
+    rates[0] = {length({u[0], u[1]}), 0.0F, 0.0F, 0.0F};
+    return true;
+  }
+
+ private:
+  Slider slider_;
 };
 
 }  // namespace krait::test

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "krait/robots/defaults.hpp"
 #include "planner_fixture.hpp"
+#include "robot/shape.hpp"
 
 namespace krait::test {
 namespace {
@@ -29,21 +31,47 @@ TEST(UserRobot, PlansThroughADoor) {
   }
 }
 
+TEST(UserRobot, ThatStatesRatesPlansAsOneThatStatesItsTravel) {
+  static_assert(RobotModel<RatedSlider> && !StatesTravel<RatedSlider>);
+  Bench<Slider> one(two_rooms(), Slider(0.5F, 1.5F));
+  Bench<RatedSlider> other(two_rooms(), RatedSlider(0.5F, 1.5F));
+  ASSERT_TRUE(one.init().ok());
+  ASSERT_TRUE(other.init().ok());
+  const float start[] = {2, 6};
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    ASSERT_EQ(one.solve({start, Goal::named(0), seed}), Status::solved);
+    ASSERT_EQ(other.solve({start, Goal::named(0), seed}), Status::solved);
+    EXPECT_EQ(one.planner.plan().hash(), other.planner.plan().hash());
+  }
+}
+
+// Travel's own words: A dt^2 / 8, (W + (turn / dt)^2) dt^2 / 8, and never more than half of path and turn.
+TEST(UserRobotDefaults, TravelFollowsFromRates) {
+  const Travel slow = detail::travel_of({2.0F, 0.5F, 4.0F, 1.0F}, 0.5F);
+  EXPECT_FLOAT_EQ(slow.path, 1.0F);
+  EXPECT_FLOAT_EQ(slow.turn, 0.25F);
+  EXPECT_FLOAT_EQ(slow.bend, 0.125F);
+  EXPECT_FLOAT_EQ(slow.twist, 1.25F * 0.25F / 8);
+  const Travel jerky = detail::travel_of({1.0F, 1.0F, 100.0F, 100.0F}, 0.5F);
+  EXPECT_FLOAT_EQ(jerky.bend, 0.25F);
+  EXPECT_FLOAT_EQ(jerky.twist, 0.25F);
+}
+
 TEST(UserRobotDefaults, MayBeLeftOut) {
   const Slider slider(0.5F, 1);
-  EXPECT_EQ(self_collision_gap(slider), 2);
-  EXPECT_FALSE(reversible(slider));
+  EXPECT_EQ(detail::self_collision_gap(slider), 2);
+  EXPECT_FALSE(detail::reversible(slider));
   const float s[] = {1, 2};
   const float u[] = {0, 0};
-  EXPECT_FALSE(quick_bound(slider, StateView(s, 2), ControlView(u, 2), 0.1F, StateView(s, 2)).limits_kept);
-  EXPECT_TRUE(sound(slider));
-  EXPECT_EQ(first_bad_of_robot(slider), Argument::none);
+  EXPECT_FALSE(detail::quick_bound(slider, StateView(s, 2), ControlView(u, 2), 0.1F, StateView(s, 2)).limits_kept);
+  EXPECT_TRUE(detail::sound(slider));
+  EXPECT_EQ(detail::first_bad_of_robot(slider), Argument::none);
 }
 
 // Of a robot that need not last.
 template <RobotModel R>
 Argument first_bad(const R& robot) {
-  return first_bad_of_robot(robot);
+  return detail::first_bad_of_robot(robot);
 }
 
 TEST(UserRobotDefaults, UnusableBodyIsRefused) {
@@ -96,7 +124,7 @@ TEST(UserRobotDefaults, TheLengthIsThatOfBody0WhicheverVertexIsFirst) {
   for (std::size_t first = 0; first < body.size(); ++first) {
     Unicycle robot({});
     robot.set_body(0, {body.data(), static_cast<int>(body.size())});
-    EXPECT_EQ(robot_length(robot), 1.25F) << first;
+    EXPECT_EQ(detail::robot_length(robot), 1.25F) << first;
     std::rotate(body.begin(), body.begin() + 1, body.end());
   }
 }
@@ -213,14 +241,14 @@ TEST_P(LyingTrain, GetsNoPlanThroughItsLie) {
   for (const bool continuous : {true, false}) {
     for (const bool plain : {false, true}) {
       Bench<Train> bench(two_rooms(4), Train(GetParam()));
-      bench.parameters.continuous = continuous;
-      bench.parameters.plain = plain;
+      bench.parameters.tuning.continuous = continuous;
+      bench.parameters.tuning.plain = plain;
       bench.limits.iterations = 300;
       ASSERT_TRUE(bench.init().ok());
       const float start[] = {3, 6, 0};
       const Status status = bench.solve({start});
       EXPECT_EQ(status, GetParam() == Lie::none ? Status::solved : Status::budget_used)
-          << name(status) << " continuous " << continuous << " plain " << plain;
+          << to_string(status) << " continuous " << continuous << " plain " << plain;
       EXPECT_EQ(bench.planner.statistics().plans_refused, 0U) << "no way leads through what the tree never kept";
       if (bench.planner.plan().empty()) continue;
       const Path path(bench.planner.plan());

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <string>
 
-#include "krait/scene/format.hpp"
+#include "krait/format.hpp"
 
 namespace krait {
 namespace {
@@ -21,7 +21,7 @@ std::string page(const std::string& name) {
 
 TEST(Version, OfTheSceneFormatIsItsPages) {
   const std::string title = "# The bytes of a scene file, version " + std::to_string(format::kVersion) + "\n";
-  EXPECT_EQ(page("include/krait/scene/FORMAT.md").substr(0, title.size()), title);
+  EXPECT_EQ(page("include/krait/FORMAT.md").substr(0, title.size()), title);
 }
 
 TEST(Version, HasAnEntryInTheChanges) {

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "planner_fixture.hpp"
+#include "search/adaptive_search.hpp"
 #include "step_oracle.hpp"
 
 namespace krait::test {
@@ -58,10 +59,10 @@ TEST(WrongUse, ABlockOfEverySizeUpToEnough) {
 TEST(WrongUse, AFailedInitTakesNoMemoryAndALaterOneWorks) {
   Bench<Unicycle> bench(two_rooms(), small_unicycle());
   ASSERT_TRUE(bench.init().ok());
-  bench.parameters.gamma = kNan;
+  bench.parameters.tuning.gamma = kNan;
   ASSERT_EQ(bench.init().status, Status::bad_argument);
   EXPECT_EQ(bench.solve({kStart}), Status::bad_argument);
-  bench.parameters.gamma = 50;
+  bench.parameters.tuning.gamma = 50;
   ASSERT_TRUE(bench.init().ok());
   EXPECT_EQ(bench.solve({kStart}), Status::solved);
 }
@@ -73,7 +74,7 @@ TEST(WrongUse, ATreeOfOneVertexLessAndOfOneMore) {
   bench.limits.when_full = WhenFull::stop;
   ASSERT_TRUE(bench.init().ok());
   ASSERT_EQ(bench.solve({kStart}), Status::solved);
-  const std::uint32_t used = bench.planner.tree().most_vertices();
+  const std::uint32_t used = detail::opened(bench.planner).tree().most_vertices();
   const std::uint64_t hash = bench.planner.statistics().hash;
   for (const std::uint32_t vertices : {used - 1, used, used + 1}) {
     bench.limits.vertices = vertices;
@@ -87,7 +88,7 @@ TEST(WrongUse, ATreeOfOneVertexLessAndOfOneMore) {
       EXPECT_TRUE(bench.planner.plan().empty());
       EXPECT_EQ(bench.planner.advance(1000), Status::tree_full);
     }
-    EXPECT_LE(bench.planner.tree().most_vertices(), vertices);
+    EXPECT_LE(detail::opened(bench.planner).tree().most_vertices(), vertices);
   }
   EXPECT_EQ(bench.solve({kStart}), Status::solved) << "a query again, after all of that";
 }
@@ -125,28 +126,50 @@ TEST(WrongUse, ASceneThatWasNeverOpenedHoldsNoStart) {
 // Each parameter at both ends of its range, alone: the search ends, and a plan holds.
 TEST(WrongUse, ParametersAtTheEndsOfTheirRangesPlanOrEnd) {
   const std::function<void(Parameters&)> extremes[] = {
-      [](Parameters& p) { p.alpha = 1; },          [](Parameters& p) { p.alpha = 64; },
-      [](Parameters& p) { p.beta = 1e-30F; },      [](Parameters& p) { p.beta = std::nextafter(1.0F, 0.0F); },
-      [](Parameters& p) { p.epsilon = 1e-38F; },   [](Parameters& p) { p.epsilon = 1; },
-      [](Parameters& p) { p.gamma = 1e-38F; },     [](Parameters& p) { p.gamma = 1e6F; },
-      [](Parameters& p) { p.cost_length = 0; },    [](Parameters& p) { p.cost_length = 10; },
-      [](Parameters& p) { p.kappa = 1; },          [](Parameters& p) { p.kappa = 10000; },
-      [](Parameters& p) { p.update_regions = 0; }, [](Parameters& p) { p.update_regions = 1; },
-      [](Parameters& p) { p.dt = 0.001F; },        [](Parameters& p) { p.dt = 1; },
-      [](Parameters& p) { p.max_steps = 1; },      [](Parameters& p) { p.max_steps = 1000; },
-      [](Parameters& p) { p.open_steps = 0; },     [](Parameters& p) { p.open_steps = 1000; },
-      [](Parameters& p) { p.path_regions = 1; },   [](Parameters& p) { p.path_regions = 64; },
-      [](Parameters& p) { p.near_radius = 0; },    [](Parameters& p) { p.near_radius = 10; },
-      [](Parameters& p) { p.stray_share = 1; },    [](Parameters& p) { p.gentle_share = 1; },
-      [](Parameters& p) { p.sight_tries = 0; },    [](Parameters& p) { p.sight_tries = 64; },
-      [](Parameters& p) { p.candidates = 0; },     [](Parameters& p) { p.candidates = 8; },
-      [](Parameters& p) { p.least_sketch = 0; },   [](Parameters& p) { p.least_sketch = 20; },
-      [](Parameters& p) { p.doomed_steps = 0; },   [](Parameters& p) { p.doomed_steps = 3; },
-      [](Parameters& p) { p.restart_unit = 0; },   [](Parameters& p) { p.restart_unit = 1; },
-      [](Parameters& p) { p.slowest = 0.05F; },    [](Parameters& p) { p.slowest = 1; },
-      [](Parameters& p) { p.reverse_share = 1; },  [](Parameters& p) { p.clearance = 0; },
-      [](Parameters& p) { p.clearance = 10; },     [](Parameters& p) { p.max_substeps = 1; },
-      [](Parameters& p) { p.max_substeps = 64; },  [](Parameters& p) { p.goal_margin = 0; },
+      [](Parameters& p) { p.tuning.alpha = 1; },
+      [](Parameters& p) { p.tuning.alpha = 64; },
+      [](Parameters& p) { p.tuning.beta = 1e-30F; },
+      [](Parameters& p) { p.tuning.beta = std::nextafter(1.0F, 0.0F); },
+      [](Parameters& p) { p.tuning.epsilon = 1e-38F; },
+      [](Parameters& p) { p.tuning.epsilon = 1; },
+      [](Parameters& p) { p.tuning.gamma = 1e-38F; },
+      [](Parameters& p) { p.tuning.gamma = 1e6F; },
+      [](Parameters& p) { p.tuning.cost_length = 0; },
+      [](Parameters& p) { p.tuning.cost_length = 10; },
+      [](Parameters& p) { p.tuning.kappa = 1; },
+      [](Parameters& p) { p.tuning.kappa = 10000; },
+      [](Parameters& p) { p.tuning.update_regions = 0; },
+      [](Parameters& p) { p.tuning.update_regions = 1; },
+      [](Parameters& p) { p.dt = 0.001F; },
+      [](Parameters& p) { p.dt = 1; },
+      [](Parameters& p) { p.tuning.max_steps = 1; },
+      [](Parameters& p) { p.tuning.max_steps = 1000; },
+      [](Parameters& p) { p.tuning.open_steps = 0; },
+      [](Parameters& p) { p.tuning.open_steps = 1000; },
+      [](Parameters& p) { p.tuning.path_regions = 1; },
+      [](Parameters& p) { p.tuning.path_regions = 64; },
+      [](Parameters& p) { p.tuning.near_radius = 0; },
+      [](Parameters& p) { p.tuning.near_radius = 10; },
+      [](Parameters& p) { p.tuning.stray_share = 1; },
+      [](Parameters& p) { p.tuning.gentle_share = 1; },
+      [](Parameters& p) { p.tuning.sight_tries = 0; },
+      [](Parameters& p) { p.tuning.sight_tries = 64; },
+      [](Parameters& p) { p.tuning.candidates = 0; },
+      [](Parameters& p) { p.tuning.candidates = 8; },
+      [](Parameters& p) { p.tuning.least_sketch = 0; },
+      [](Parameters& p) { p.tuning.least_sketch = 20; },
+      [](Parameters& p) { p.tuning.doomed_steps = 0; },
+      [](Parameters& p) { p.tuning.doomed_steps = 3; },
+      [](Parameters& p) { p.tuning.restart_unit = 0; },
+      [](Parameters& p) { p.tuning.restart_unit = 1; },
+      [](Parameters& p) { p.tuning.slowest = 0.05F; },
+      [](Parameters& p) { p.tuning.slowest = 1; },
+      [](Parameters& p) { p.tuning.reverse_share = 1; },
+      [](Parameters& p) { p.clearance = 0; },
+      [](Parameters& p) { p.clearance = 10; },
+      [](Parameters& p) { p.tuning.max_substeps = 1; },
+      [](Parameters& p) { p.tuning.max_substeps = 64; },
+      [](Parameters& p) { p.goal_margin = 0; },
       [](Parameters& p) { p.goal_margin = 10; }};
   int solved = 0;
   for (std::size_t i = 0; i < std::size(extremes); ++i) {
@@ -156,7 +179,7 @@ TEST(WrongUse, ParametersAtTheEndsOfTheirRangesPlanOrEnd) {
     bench.limits.iterations = 300;
     ASSERT_TRUE(bench.init().ok());
     const Status status = bench.solve({kStart});
-    ASSERT_TRUE(ended(status) || status == Status::start_in_collision) << name(status);
+    ASSERT_TRUE(ended(status) || status == Status::start_in_collision) << to_string(status);
     if (status != Status::solved) continue;
     ++solved;
     expect_holds(bench.robot, bench.open.scene, bench.planner.plan(), bench.parameters.dt > 0.5F ? 64 : 8);
@@ -228,7 +251,7 @@ TEST(WrongUse, ARobotThatBreaksItsWordGetsNoPlanThroughTheFault) {
     } else if (static_cast<Fault>(fault) == Fault::steer_far_too_fast) {
       EXPECT_TRUE(ended(status));  // its travel grows with its control: what is proven is proven
     } else {
-      EXPECT_TRUE(status == Status::budget_used || status == Status::tree_full) << name(status);
+      EXPECT_TRUE(status == Status::budget_used || status == Status::tree_full) << to_string(status);
     }
     const Plan plan = bench.planner.plan();
     if (plan.empty()) continue;
@@ -313,7 +336,7 @@ void expect_bad_starts(const R& robot) {
       (void)bench.planner.start({start.data()});
       const Status status = bench.planner.status();
       EXPECT_TRUE(status == Status::bad_argument || (i < 2 && status == Status::start_outside))
-          << i << " " << bad << " " << name(status);
+          << i << " " << bad << " " << to_string(status);
       EXPECT_EQ(bench.planner.advance(5), status);
     }
   }
@@ -336,7 +359,8 @@ TEST(WrongUse, GoalsAtTheEndsOfAllNumbersEnd) {
     ASSERT_TRUE(bench.init().ok());
     const Status status = bench.solve({kStart, Goal::disc({10, 6}, radius)});
     const bool refused = status == Status::bad_argument;
-    EXPECT_TRUE(refused || (radius > 1 ? status == Status::solved : ended(status))) << radius << " " << name(status);
+    EXPECT_TRUE(refused || (radius > 1 ? status == Status::solved : ended(status)))
+        << radius << " " << to_string(status);
   }
 }
 

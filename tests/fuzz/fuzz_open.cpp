@@ -2,7 +2,7 @@
 // Scene::open, and every look-up of a scene that it took.
 #include <cstring>
 
-#include "krait/decomposition/locate.hpp"
+#include "decomposition/locate.hpp"
 #include "scene_input.hpp"
 
 namespace krait::fuzz {
@@ -10,7 +10,7 @@ namespace {
 
 void look_at_triangles(const Scene& scene) {
   for (Index t = 0; t < scene.triangle_count(); ++t) {
-    const Index found = locate(scene, scene.corner(t, 0), t);
+    const Index found = detail::locate(scene, scene.corner(t, 0), t);
     require(found == t, "a triangle does not contain its own corner");
     require(scene.goal_of(t) == kNone || scene.goal_of(t) < scene.goal_count(), "a triangle has no goal");
     for (int i = 0; i < 3; ++i) {

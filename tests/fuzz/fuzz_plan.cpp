@@ -31,7 +31,7 @@ SearchRequest request_of(const Choice& choice) {
   request.planner = kPlanners[choice.planner % std::size(kPlanners)];
   request.seed = choice.seed;
   if (choice.paper()) request.parameters = Parameters::paper();
-  if (!choice.paper()) request.parameters.restart_unit = choice.restart_unit();
+  if (!choice.paper()) request.parameters.tuning.restart_unit = choice.restart_unit();
   request.memory = choice.memory();
   request.iterations = 2000;
   return request;

@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-#include "krait/scene/format.hpp"
+#include "krait/format.hpp"
 
 namespace krait::fuzz {
 

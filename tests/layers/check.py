@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Whether the includes follow the layers: no file and no folder includes itself, directly or round about, the core
-includes nothing of the workstation, and none of the core's layers includes one above it. Prints the includes that break
-a rule. Exit code: 0 none does, 1 some do. Usage: check.py [ROOT]"""
+includes nothing of the workstation, none of the core's layers includes one above it, and no header that is installed
+includes one that is not. Prints what breaks a rule. Exit code: 0 none does, 1 some do. Usage: check.py [ROOT]"""
 import re
 import subprocess
 import sys
@@ -11,9 +11,11 @@ from pathlib import Path
 
 # Of the core, the lowest first: folders and files directly under include/krait and lib.
 LAYERS = [
-    "version", "base", "status", "parameters", "scene", "decomposition", "robot", "motion", "collision", "plan",
-    "improve", "search", "robot_check", "krait", "c",
+    "version", "contract", "math", "geometry", "base", "status", "why", "format", "parameters", "scene", "goal",
+    "decomposition", "robots", "robot", "watch", "motion", "collision", "plan", "improve", "planner", "search",
+    "robot_check", "krait", "c",
 ]
+ENTRANCES = ["krait.hpp", "krait.h", "robot_check.hpp"]  # what a user's program includes, under include/krait
 SEARCHED = ["include", "lib", "port"]  # what #include "…" is relative to, beside the including file's folder
 
 
@@ -95,12 +97,29 @@ def complaints(pairs):
                 yield from (f"  {x} includes {y}" for x, y in pairs if what == "folders" and (folder(x), folder(y)) == (a, b))
 
 
+# What a user includes is reached from the entrances and reaches nothing else; what stands in lib is krait::detail.
+def complaints_of_the_face(root, names, pairs):
+    public = {name for name in names if name.startswith("include/")}
+    yield from (f"{a} includes {b}: what is installed must not include what is not"
+                for a, b in pairs if a in public and b not in public)
+    reached, found = set(), {f"include/krait/{name}" for name in ENTRANCES}
+    while found:
+        reached |= found
+        found = {b for a, b in pairs if a in found} - reached
+    yield from (f"{name}: neither of {', '.join(ENTRANCES)} includes it" for name in sorted(public - reached))
+    for name in sorted(names):
+        if name.startswith("lib/") and name.endswith(".hpp") and not name.startswith("lib/c/"):
+            if not re.search(r"^namespace krait::(detail|box2d)\b", (root / name).read_text(), re.MULTILINE):
+                yield f"{name}: it is internal, and must stand in krait::detail"
+
+
 def main():
     root = Path(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).parents[2]).resolve()
-    pairs = includes(root, sources(root))
+    names = sources(root)
+    pairs = includes(root, names)
     if len(pairs) < 100:
         sys.exit(f"{root}: only {len(pairs)} includes were found, which cannot be all")
-    found = list(complaints(pairs))
+    found = list(complaints(pairs)) + list(complaints_of_the_face(root, names, pairs))
     print("\n".join(found) if found else f"{len(pairs)} includes follow the layers")
     sys.exit(1 if found else 0)
 

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "krait/search/groups.hpp"
 #include "scene_builder.hpp"
+#include "search/groups.hpp"
 
 namespace krait::test::reference {
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "decomposition.hpp"
+#include "decomposition/locate.hpp"
 #include "expansion.hpp"
 #include "planner_fixture.hpp"
 
@@ -134,7 +135,7 @@ class Follower {
 
   // Likewise of two triangles that share an edge; a position that no triangle contains is in the last one's region.
   Index region_of(Vec2 p, Index last) const {
-    const Index triangle = locate(*scene_, p, last);
+    const Index triangle = detail::locate(*scene_, p, last);
     if (triangle == kNone) return last;
     EXPECT_TRUE(regions_.contains(regions_.region(triangle), point(p), kGrid)) << p.x << " " << p.y;
     return regions_.region(triangle);

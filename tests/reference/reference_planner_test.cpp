@@ -2,6 +2,8 @@
 // Searches followed by a second planner that is written from the paper alone: every decision is held against it.
 #include "choices.hpp"
 #include "rivals.hpp"
+#include "robot/shape.hpp"
+#include "search/adaptive_search.hpp"
 
 namespace krait::test::reference {
 namespace {
@@ -46,17 +48,17 @@ void at_start(const R& robot, std::vector<float>& state) {
 }
 
 Rules rules_of(const Parameters& p, double length, double inner_radius) {
-  Rules rules{double{p.alpha}, double{p.beta}, double{p.epsilon}};
-  rules.gamma = double{p.gamma};
-  rules.cost_length = double{p.cost_length} * length;
-  rules.kappa = p.kappa;
-  rules.raise_goal = p.raise_goal;
-  rules.max_steps = p.max_steps;
-  rules.near = double{p.near_radius} * length;
-  rules.doomed_steps = p.doomed_steps;
-  rules.sample = p.group_sample;
-  rules.restart_unit = p.restart_unit;
-  rules.least_width = p.prune_portals ? 2 * (inner_radius + double{p.clearance}) : 0;
+  Rules rules{double{p.tuning.alpha}, double{p.tuning.beta}, double{p.tuning.epsilon}};
+  rules.gamma = double{p.tuning.gamma};
+  rules.cost_length = double{p.tuning.cost_length} * length;
+  rules.kappa = p.tuning.kappa;
+  rules.raise_goal = p.tuning.raise_goal;
+  rules.max_steps = p.tuning.max_steps;
+  rules.near = double{p.tuning.near_radius} * length;
+  rules.doomed_steps = p.tuning.doomed_steps;
+  rules.sample = p.tuning.group_sample;
+  rules.restart_unit = p.tuning.restart_unit;
+  rules.least_width = p.tuning.prune_portals ? 2 * (inner_radius + double{p.clearance}) : 0;
   rules.least_cost = 0.05 * length;
   rules.goal_depth = double{p.goal_margin};  // goals of two metres: less than a tenth of their size
   return rules;
@@ -64,11 +66,11 @@ Rules rules_of(const Parameters& p, double length, double inner_radius) {
 
 Shares shares_of(const Parameters& p) {
   Shares shares;
-  shares.path_regions = p.path_regions;
-  shares.ahead = 1 - double{p.stray_share};
-  shares.slowest = double{p.slowest};
-  shares.reverse = double{p.reverse_share};
-  shares.gentle = double{p.gentle_share};
+  shares.path_regions = p.tuning.path_regions;
+  shares.ahead = 1 - double{p.tuning.stray_share};
+  shares.slowest = double{p.tuning.slowest};
+  shares.reverse = double{p.tuning.reverse_share};
+  shares.gentle = double{p.tuning.gentle_share};
   return shares;
 }
 
@@ -140,11 +142,11 @@ void expect_all_ends(const Seen& seen, std::uint32_t max_steps) {
 Parameters adaptive() {
   Parameters p;
   p.end_speed = kInfinity;
-  p.open_steps = 0;
-  p.sight_tries = 0;
-  p.candidates = 0;
-  p.max_steps = 24;
-  p.kappa = 7;
+  p.tuning.open_steps = 0;
+  p.tuning.sight_tries = 0;
+  p.tuning.candidates = 0;
+  p.tuning.max_steps = 24;
+  p.tuning.kappa = 7;
   return p;
 }
 
@@ -156,14 +158,14 @@ struct Setting {
 class ReferencePlanner : public testing::TestWithParam<Setting> {};
 
 TEST_P(ReferencePlanner, AgreesWithAdaptive) {
-  Bench<Unicycle> bench(GetParam().room(), small_unicycle());
+  Bench<Unicycle, detail::AdaptiveSearch> bench(GetParam().room(), small_unicycle());
   bench.parameters = adaptive();
-  bench.parameters.prune_portals = false;  // so that the narrow door is tried
+  bench.parameters.tuning.prune_portals = false;  // so that the narrow door is tried
   Rules rules = rules_of(bench.parameters, 0.5, 0.2);
   rules.reach = kUnicyclesReach;
   Choices choices(shares_of(bench.parameters));
   Seen seen;
-  follow(bench, rules, choices, bench.parameters.path_regions, 1000, seen);
+  follow(bench, rules, choices, bench.parameters.tuning.path_regions, 1000, seen);
   choices.expect();
   EXPECT_GT(seen.updates, 20U);
   EXPECT_GT(seen.doomed, 100U);
@@ -171,17 +173,17 @@ TEST_P(ReferencePlanner, AgreesWithAdaptive) {
 
 // Algorithms 1 and 2 with the constants of the paper's Table 2.
 TEST_P(ReferencePlanner, AgreesWithThePapers) {
-  Bench<Unicycle> bench(GetParam().room(), small_unicycle());
+  Bench<Unicycle, detail::AdaptiveSearch> bench(GetParam().room(), small_unicycle());
   bench.parameters = Parameters::paper();
   Rules rules{8, 0.85, 0.01};
   rules.gamma = 50;
   rules.kappa = 20;
-  rules.near = double{bench.parameters.near_radius} * 0.5;
+  rules.near = double{bench.parameters.tuning.near_radius} * 0.5;
   rules.least_cost = 0.025;
   rules.reach = kUnicyclesReach;
   Shares shares;
-  shares.slowest = double{bench.parameters.slowest};
-  shares.reverse = double{bench.parameters.reverse_share};
+  shares.slowest = double{bench.parameters.tuning.slowest};
+  shares.reverse = double{bench.parameters.tuning.reverse_share};
   Choices choices(shares);
   Seen seen;
   follow(bench, rules, choices, shares.path_regions, 1000, seen);
@@ -192,8 +194,8 @@ TEST_P(ReferencePlanner, AgreesWithThePapers) {
 
 TEST_P(ReferencePlanner, AgreesWithPriorWork) {
   Bench<Unicycle, PriorPlanner> bench(GetParam().room(), small_unicycle());
-  bench.parameters.max_steps = 24;
-  bench.parameters.prune_portals = false;
+  bench.parameters.tuning.max_steps = 24;
+  bench.parameters.tuning.prune_portals = false;
   Rules rules = rules_of_prior(bench.parameters, 0.5, 0.2);
   rules.reach = kUnicyclesReach;
   const Shares shares = shares_of_prior(bench.parameters);
@@ -212,14 +214,14 @@ INSTANTIATE_TEST_SUITE_P(Scenes, ReferencePlanner,
 // Failures right before the goal raise its edges where they are asked to.
 TEST(ReferencePlannerGoal, IsRaisedOnlyWhereAskedTo) {
   for (const bool raise_goal : {false, true}) {
-    Bench<Unicycle> bench(fenced_goal(), small_unicycle());
+    Bench<Unicycle, detail::AdaptiveSearch> bench(fenced_goal(), small_unicycle());
     bench.parameters = adaptive();
-    bench.parameters.raise_goal = raise_goal;
-    bench.parameters.prune_portals = false;
+    bench.parameters.tuning.raise_goal = raise_goal;
+    bench.parameters.tuning.prune_portals = false;
     Rules rules = rules_of(bench.parameters, 0.5, 0.2);
     Choices choices(shares_of(bench.parameters));
     Seen seen;
-    follow(bench, rules, choices, bench.parameters.path_regions, 900, seen);
+    follow(bench, rules, choices, bench.parameters.tuning.path_regions, 900, seen);
     EXPECT_GT(seen.goal_raises, 20U);
   }
 }
@@ -227,14 +229,14 @@ TEST(ReferencePlannerGoal, IsRaisedOnlyWhereAskedTo) {
 // Of searches that end: how, and expansions as long as they may be.
 TEST(ReferencePlannerEnds, AreAllSeen) {
   for (const std::uint32_t max_steps : {8U, 40U}) {
-    Bench<Unicycle> bench(two_rooms(1), small_unicycle());
+    Bench<Unicycle, detail::AdaptiveSearch> bench(two_rooms(1), small_unicycle());
     bench.parameters = adaptive();
-    bench.parameters.max_steps = max_steps;
+    bench.parameters.tuning.max_steps = max_steps;
     Rules rules = rules_of(bench.parameters, 0.5, 0.2);
     rules.reach = kUnicyclesReach;
     Choices choices(shares_of(bench.parameters));
     Seen seen;
-    follow(bench, rules, choices, bench.parameters.path_regions, 1000, seen);
+    follow(bench, rules, choices, bench.parameters.tuning.path_regions, 1000, seen);
     choices.expect();
     expect_all_ends(seen, max_steps);
     EXPECT_GT(seen.solved, 5U);
@@ -243,14 +245,14 @@ TEST(ReferencePlannerEnds, AreAllSeen) {
 
 // Tries of 1, 1, 2, 1, 1, 2, 4, … units, each with costs and groups as at first.
 TEST(ReferencePlannerRestarts, ForgetWhatTheTryHasLearnt) {
-  Bench<Unicycle> bench(narrow_door(), small_unicycle());
+  Bench<Unicycle, detail::AdaptiveSearch> bench(narrow_door(), small_unicycle());
   bench.parameters = adaptive();
-  bench.parameters.restart_unit = 30;
-  bench.parameters.prune_portals = false;
+  bench.parameters.tuning.restart_unit = 30;
+  bench.parameters.tuning.prune_portals = false;
   Rules rules = rules_of(bench.parameters, 0.5, 0.2);
   Choices choices(shares_of(bench.parameters));
   Seen seen;
-  follow(bench, rules, choices, bench.parameters.path_regions, 400, seen);
+  follow(bench, rules, choices, bench.parameters.tuning.path_regions, 400, seen);
   EXPECT_EQ(bench.planner.statistics().restarts, 6U);  // after 30, 60, 120, 150, 180, 240 expansions
 }
 
@@ -262,13 +264,13 @@ TEST(ReferencePlannerChain, AgreesWithAdaptive) {
   p.body_width = 0.3F;
   p.wheelbase = 0.4F;
   p.hitch_length = 0.45F;
-  Bench<Snake> bench(dead_end(), Snake(p));
+  Bench<Snake, detail::AdaptiveSearch> bench(dead_end(), Snake(p));
   bench.parameters = adaptive();
   Choices choices(shares_of(bench.parameters));
   Seen seen;
   const Polygon body = bench.robot.body(0);
-  follow(bench, rules_of(bench.parameters, 0.4, double{inner_radius(body, {})}), choices, bench.parameters.path_regions,
-         900, seen);
+  follow(bench, rules_of(bench.parameters, 0.4, double{detail::inner_radius(body, {})}), choices,
+         bench.parameters.tuning.path_regions, 900, seen);
   EXPECT_GT(seen.updates, 10U);
   EXPECT_GT(seen.expansions, 500U);
 }

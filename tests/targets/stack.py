@@ -25,9 +25,9 @@ RESET = "krait_reset"
 # What an indirect call can reach: the folder or file of the source line that calls, and the targets by their C++ names,
 # in which CALLED stands for the member that the line calls.
 INDIRECT_CALLS = [
-    ("krait/robot/robot.hpp", r"krait::FunctionsOf<.*>::CALLED\("),
-    ("krait/search/expander.hpp", r"bool krait::Keeper::keep<krait::Planner>\("),
-    ("krait/search/watch.hpp", r"no such function"),  # a firmware's search has nobody who watches
+    ("krait/robot.hpp", r"krait::detail::FunctionsOf<.*>::CALLED\("),
+    ("search/expander.hpp", r"bool krait::detail::Keeper::keep<krait::detail::AdaptiveSearch>\("),
+    ("krait/watch.hpp", r"no such function"),  # a firmware's search has nobody who watches
     ("port/firmware/", r"krait::bare_metal::(\(anonymous namespace\)::(clock|log|fault)|stack_bytes)\("),
     ("port/bare_metal/memory.cpp", r"_GLOBAL__sub_I_"),  # static constructors
 ]

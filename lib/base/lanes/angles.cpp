@@ -4,7 +4,7 @@
 #include "base/lanes/kernels.hpp"
 
 #ifdef KRAIT_LANES
-namespace krait::lanes {
+namespace krait::detail::lanes {
 
 void turn_frames(const float* angles, int count, Pose* frames) {
 #ifdef KRAIT_AVX2
@@ -22,5 +22,5 @@ void turn_hitches(const NearHitches& near, float* sines, float* cosines) {
   turn_hitches_by<kLeastAngles>(near, sines, cosines);
 }
 
-}  // namespace krait::lanes
+}  // namespace krait::detail::lanes
 #endif

@@ -3,10 +3,10 @@
 #pragma once
 
 #include "base/lanes/lanes.hpp"
-#include "krait/base/math.hpp"
+#include "krait/geometry.hpp"
 
 #ifdef KRAIT_LANES
-namespace krait::lanes {
+namespace krait::detail::lanes {
 
 inline constexpr int kLeastAngles = 4;
 
@@ -33,5 +33,5 @@ void turn_hitches(const NearHitches& near, float* sines, float* cosines);
 }  // namespace avx2
 #endif
 
-}  // namespace krait::lanes
+}  // namespace krait::detail::lanes
 #endif

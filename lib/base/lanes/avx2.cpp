@@ -3,7 +3,7 @@
 #include "base/lanes/kernels.hpp"
 
 #ifdef KRAIT_AVX2
-namespace krait::lanes::avx2 {
+namespace krait::detail::lanes::avx2 {
 
 void turn_frames(const float* angles, int count, Pose* frames) { turn_frames_by<kLeastAngles>(angles, count, frames); }
 
@@ -11,5 +11,5 @@ void turn_hitches(const NearHitches& near, float* sines, float* cosines) {
   turn_hitches_by<kLeastAngles>(near, sines, cosines);
 }
 
-}  // namespace krait::lanes::avx2
+}  // namespace krait::detail::lanes::avx2
 #endif

@@ -11,7 +11,7 @@
 #define KRAIT_LANES 1
 #endif
 
-namespace krait {
+namespace krait::detail {
 
 template <int n>
 struct LaneTypes {
@@ -40,4 +40,4 @@ void for_each_block(int count, Visit visit) {
   for (int first = 0; first < count; first += n) visit(first + n <= count ? first : count - n);
 }
 
-}  // namespace krait
+}  // namespace krait::detail

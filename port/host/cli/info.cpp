@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "base/arena.hpp"
 #include "host/cli/commands.hpp"
 #include "host/cli/options.hpp"
 #include "host/run/pools.hpp"
@@ -64,8 +65,8 @@ void print_pools(const Pools& pools) {
   if (pools.vertices == 0) return;
   std::printf("\n%-26s %10s\n", "pool of RAM", "bytes");
   std::uint64_t total = 0;
-  for (std::size_t i = 0; i < kPoolCount; ++i) {
-    if (pools.bytes[i] > 0) total += print_row(krait::name(static_cast<Pool>(i)), pools.bytes[i]);
+  for (std::size_t i = 0; i < detail::kPoolCount; ++i) {
+    if (pools.bytes[i] > 0) total += print_row(to_string(static_cast<detail::Pool>(i)), pools.bytes[i]);
   }
   print_row("total", total);
 }

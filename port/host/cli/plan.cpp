@@ -19,7 +19,7 @@
 #include "host/run/shortest_way.hpp"
 #include "host/verify/verify.hpp"
 #include "host/workspace/printed.hpp"
-#include "krait/robot/shape.hpp"
+#include "robot/shape.hpp"
 
 namespace krait::host {
 namespace {
@@ -68,10 +68,10 @@ SearchRequest request_of(const PlanOptions& options) {
   request.time_limit = options.time_limit;
   request.improve = options.improve;
   Parameters& p = request.parameters;
-  if (options.alpha) p.alpha = static_cast<float>(*options.alpha);
-  if (options.beta) p.beta = static_cast<float>(*options.beta);
-  if (options.gamma) p.gamma = static_cast<float>(*options.gamma);
-  if (options.kappa) p.kappa = *options.kappa;
+  if (options.alpha) p.tuning.alpha = static_cast<float>(*options.alpha);
+  if (options.beta) p.tuning.beta = static_cast<float>(*options.beta);
+  if (options.gamma) p.tuning.gamma = static_cast<float>(*options.gamma);
+  if (options.kappa) p.tuning.kappa = *options.kappa;
   if (options.clearance) p.clearance = static_cast<float>(*options.clearance);
   if (options.dt) p.dt = static_cast<float>(*options.dt);
   return request;
@@ -141,7 +141,7 @@ float disc_width(const RobotSpec& robot) {
   std::vector<Vec2> corners;
   for (const Point& p : robot.bodies[0]) corners.push_back({static_cast<float>(p.x), static_cast<float>(p.y)});
   const Polygon body{corners.data(), static_cast<int>(corners.size())};
-  return 2 * inner_radius(body, middle(body));
+  return 2 * detail::inner_radius(body, detail::middle(body));
 }
 
 // Metres, from the plan's start to its end; NaN where the regions know none.
@@ -333,17 +333,17 @@ void add_plan(CLI::App& app, const char* program) {
                    "1e6; 10 is plenty. The plan is the best so far, proven and verified as the first")
       ->check(number_in(0, 1e6, "times the first plan's checks"))
       ->capture_default_str();
-  command->add_option("--alpha", o->alpha, with_default("strength of the heuristic, 1 to 64", defaults.alpha))
+  command->add_option("--alpha", o->alpha, with_default("strength of the heuristic, 1 to 64", defaults.tuning.alpha))
       ->check(number_in(1, 64, "a number without unit"));
-  command->add_option("--beta", o->beta, with_default("penalty of a selection, between 0 and 1", defaults.beta))
+  command->add_option("--beta", o->beta, with_default("penalty of a selection, between 0 and 1", defaults.tuning.beta))
       ->check(number_in(1e-6, 1 - 1e-6, "a number without unit"));
   command
       ->add_option("--gamma", o->gamma,
-                   with_default("how much failures raise edge costs, 0 (never) to 1e6", defaults.gamma))
+                   with_default("how much failures raise edge costs, 0 (never) to 1e6", defaults.tuning.gamma))
       ->check(number_in(0, 1e6, "a number without unit"));
   command
       ->add_option("--kappa", o->kappa,
-                   with_default("expansions between updates of the costs, 1 to 10000", defaults.kappa))
+                   with_default("expansions between updates of the costs, 1 to 10000", defaults.tuning.kappa))
       ->check(whole_number(10000, "expansions"));
   command
       ->add_option("--clearance", o->clearance,

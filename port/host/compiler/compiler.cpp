@@ -13,8 +13,8 @@
 #include "host/compiler/simplify.hpp"
 #include "host/compiler/snap.hpp"
 #include "host/compiler/write.hpp"
-#include "krait/scene/format.hpp"
-#include "krait/scene/scene.hpp"
+#include "krait/format.hpp"
+#include "krait/scene.hpp"
 
 namespace krait::host {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Compiles a workspace into the bytes of a scene file (include/krait/scene/FORMAT.md).
+// Compiles a workspace into the bytes of a scene file (include/krait/FORMAT.md).
 // GPL-3.0-or-later, as CGAL's triangulation packages are; linked into krait-compile only.
 #pragma once
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "krait/scene/format.hpp"
+#include "krait/format.hpp"
 
 namespace krait::host::compiler {
 namespace {

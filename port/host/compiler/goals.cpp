@@ -8,7 +8,7 @@
 #include "host/compiler/clip.hpp"
 #include "host/compiler/snap.hpp"
 #include "host/compiler/triangulation.hpp"
-#include "krait/scene/format.hpp"
+#include "krait/format.hpp"
 
 namespace krait::host::compiler {
 namespace {

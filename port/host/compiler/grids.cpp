@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "krait/scene/format.hpp"
+#include "krait/format.hpp"
 
 namespace krait::host::compiler {
 namespace {

@@ -7,7 +7,7 @@
 #include "host/compiler/cell_index.hpp"
 #include "host/compiler/distances.hpp"
 #include "host/compiler/geometry.hpp"
-#include "krait/scene/format.hpp"
+#include "krait/format.hpp"
 
 namespace krait::host::compiler {
 

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "krait/scene/format.hpp"
+#include "krait/format.hpp"
 
 namespace krait::host::compiler {
 namespace {

@@ -10,7 +10,7 @@
 #include <span>
 
 #include "host/compiler/grids.hpp"
-#include "krait/scene/format.hpp"
+#include "krait/format.hpp"
 
 namespace krait::host::compiler {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lays out a scene file (include/krait/scene/FORMAT.md).
+// Lays out a scene file (include/krait/FORMAT.md).
 #pragma once
 
 #include <cstdint>

@@ -6,7 +6,7 @@
 
 #include "host/import/format.hpp"
 #include "host/input/json.hpp"
-#include "krait/scene/format.hpp"
+#include "krait/format.hpp"
 
 namespace krait::host {
 namespace {

@@ -3,8 +3,9 @@
 // are square cells, each with a linked list of its points.
 #pragma once
 
-#include "krait/base/arena.hpp"
-#include "krait/scene/scene.hpp"
+#include "base/arena.hpp"
+#include "host/rivals/rival.hpp"
+#include "krait/scene.hpp"
 
 namespace krait::rivals {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/rivals/prior.hpp"
 
+#include "decomposition/locate.hpp"
 #include "host/rivals/rival.hpp"
-#include "krait/decomposition/locate.hpp"
 
 namespace krait::rivals {
 
@@ -22,7 +22,7 @@ Failure PriorPlanner::init(const Setup& setup, const Parameters& parameters, con
 
 Status PriorPlanner::start(const Query& query) {
   if (!usable()) return status();
-  groups_.clear({parameters_.alpha, parameters_.beta, prior_.epsilon}, kUnboundedSample);
+  groups_.clear({parameters_.tuning.alpha, parameters_.tuning.beta, prior_.epsilon}, kUnboundedSample);
   return begin(query, Keeper(*this));
 }
 

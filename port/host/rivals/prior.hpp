@@ -3,13 +3,14 @@
 // Search, AAAI 2013. Tree, groups and shortest paths are Algorithm 1's, but edge costs never change.
 #pragma once
 
-#include "krait/search/grouped.hpp"
+#include "host/rivals/rival.hpp"
+#include "search/grouped.hpp"
 
 namespace krait::rivals {
 
 struct PriorParameters {
   float epsilon = 1e-11F;           // 1e-30 … 1: keeps every weight positive
-  std::uint32_t path_regions = 10;  // 1 … 64: as Parameters::path_regions
+  std::uint32_t path_regions = 10;  // 1 … 64: as SearchTuning::path_regions
   float path_share = 0.85F;         // 0 … 1: share of targets in the regions ahead
   float goal_share = 0.05F;         // 0 … 1 - path_share: in the goal; the rest is uniform over the free workspace
   float nearest_share = 0.9F;       // 0 … 1: how often the group's vertex nearest to the target grows, not any

@@ -4,17 +4,20 @@
 #pragma once
 
 #include "krait/parameters.hpp"
+#include "search/search.hpp"
 
 namespace krait::rivals {
+
+using namespace detail;  // rivals are made of the core's parts
 
 // They drive where nothing has looked: the share of the top speed from which on set-points are uniform.
 inline constexpr float kRivalsSlowest = 0.75F;
 
 inline Parameters of_rival(Parameters parameters) {
-  parameters.open_steps = 0;
-  parameters.doomed_steps = 0;
-  parameters.restart_unit = 0;
-  parameters.slowest = kRivalsSlowest;
+  parameters.tuning.open_steps = 0;
+  parameters.tuning.doomed_steps = 0;
+  parameters.tuning.restart_unit = 0;
+  parameters.tuning.slowest = kRivalsSlowest;
   parameters.end_speed = kInfinity;
   return parameters;
 }

@@ -5,7 +5,8 @@
 #pragma once
 
 #include "host/rivals/nearest.hpp"
-#include "krait/search/search.hpp"
+#include "host/rivals/rival.hpp"
+#include "search/search.hpp"
 
 namespace krait::rivals {
 
@@ -27,7 +28,7 @@ class RrtPlanner : public Search {
   [[nodiscard]] Status advance(std::uint64_t iterations, const Watch& watch = Watch());
 
  private:
-  friend class krait::Keeper;
+  friend class krait::detail::Keeper;
 
   // Every state becomes a vertex.
   bool keep(Index region, Branch branch, const float* state);

@@ -9,6 +9,9 @@
 #include "host/input/file.hpp"
 #include "host/robot_file/shipped.hpp"
 #include "host/workspace/ring.hpp"
+#include "krait/robots/car.hpp"
+#include "krait/robots/differential_drive.hpp"
+#include "krait/robots/unicycle.hpp"
 
 namespace krait::host {
 namespace {
@@ -16,6 +19,8 @@ namespace {
 constexpr std::uint64_t kMaxFileBytes = 1 << 20;
 constexpr std::size_t kMaxBodyVertices = 8;
 constexpr double kMaxLength = 1000;  // m; of a robot's dimensions and the coordinates of its bodies
+
+static_assert(kMaxLinks == kMaxTrailers);
 
 struct Parameter {
   const char* name;
@@ -32,43 +37,58 @@ struct Model {
   std::vector<Parameter> parameters;
 };
 
-Parameter length(const char* name, double normal) { return {name, normal, 0.001, kMaxLength, "metres"}; }
-Parameter limit(const char* name, double normal, const char* unit) { return {name, normal, 0.001, 1e4, unit}; }
+// A default of the library, as it is written there: 0.8, not the nearest float's 0.800000011920929.
+double decimal(float value) {
+  char text[32];
+  double number = 0;
+  std::from_chars(text, std::to_chars(text, text + sizeof text, value).ptr, number);
+  return number;
+}
+
+Parameter length(const char* name, float normal) { return {name, decimal(normal), 0.001, kMaxLength, "metres"}; }
+Parameter limit(const char* name, float normal, const char* unit) { return {name, decimal(normal), 0.001, 1e4, unit}; }
 
 constexpr const char* kSpeed = "metres a second";
+constexpr double kLargestHitch = 3.1415926;  // radians: the largest that rounds to no more than the library's kPi
 
 // Snake, truck and car: the front axle steers, the control is the acceleration and the steering rate.
-std::vector<Parameter> steered(double body_length, double body_width) {
-  return {length("body_length", body_length),
-          length("body_width", body_width),
-          length("wheelbase", 0.8),
-          length("hitch_length", 0.8),
-          limit("max_speed", 2.5, kSpeed),
-          {"min_speed", 0, -1e4, 0, kSpeed},
-          {"max_steering", 1, 0.001, 1.57, "radians"},
-          limit("max_acceleration", 5, "metres a second squared"),
-          limit("max_steering_rate", 4, "radians a second"),
-          {"self_collision_gap", 2, 1, 1000, "bodies", true},
-          {"max_hitch_angle", 1.5707963, 0.001, 1.5707963, "radians"}};
+std::vector<Parameter> steered(const ChainParameters& normal) {
+  return {length("body_length", normal.body_length),
+          length("body_width", normal.body_width),
+          length("wheelbase", normal.wheelbase),
+          length("hitch_length", normal.hitch_length),
+          limit("max_speed", normal.max_speed, kSpeed),
+          {"min_speed", decimal(normal.min_speed), -1e4, 0, kSpeed},
+          {"max_steering", decimal(normal.max_steering), 0.001, 1.57, "radians"},
+          limit("max_acceleration", normal.max_acceleration, "metres a second squared"),
+          limit("max_steering_rate", normal.max_steering_rate, "radians a second"),
+          {"self_collision_gap", double(normal.self_collision_gap), 1, 1000, "bodies", true},
+          {"max_hitch_angle", decimal(normal.max_hitch_angle), 0.001, kLargestHitch, "radians"}};
+}
+
+std::vector<Parameter> turning(const UnicycleParameters& normal) {
+  return {length("body_length", normal.body_length),
+          length("body_width", normal.body_width),
+          limit("max_speed", normal.max_speed, kSpeed),
+          {"min_speed", decimal(normal.min_speed), -1e4, 0, kSpeed},
+          limit("max_turn_rate", normal.max_turn_rate, "radians a second")};
+}
+
+std::vector<Parameter> wheeled(const DifferentialDriveParameters& normal) {
+  return {length("body_length", normal.body_length),
+          length("body_width", normal.body_width),
+          length("wheel_radius", normal.wheel_radius),
+          length("track_width", normal.track_width),
+          limit("max_wheel_speed", normal.max_wheel_speed, "radians a second"),
+          limit("max_wheel_acceleration", normal.max_wheel_acceleration, "radians a second squared")};
 }
 
 const std::vector<Model>& models() {
-  static const std::vector<Model> all = {
-      {"snake", kMaxLinks, steered(0.7, 0.5)},
-      {"truck", kMaxLinks, steered(0.7, 0.5)},
-      {"car", 0, steered(1.2, 0.6)},
-      {"unicycle",
-       0,
-       {length("body_length", 0.5),
-        length("body_width", 0.4),
-        limit("max_speed", 1, kSpeed),
-        {"min_speed", -1, -1e4, 0, kSpeed},
-        limit("max_turn_rate", 2, "radians a second")}},
-      {"diff_drive",
-       0,
-       {length("body_length", 0.5), length("body_width", 0.4), length("wheel_radius", 0.08),
-        length("track_width", 0.36), limit("max_wheel_speed", 12, "radians a second"),
-        limit("max_wheel_acceleration", 24, "radians a second squared")}}};
+  static const std::vector<Model> all = {{"snake", kMaxLinks, steered({})},
+                                         {"truck", kMaxLinks, steered({})},
+                                         {"car", 0, steered(Car::defaults())},
+                                         {"unicycle", 0, turning({})},
+                                         {"diff_drive", 0, wheeled({})}};
   return all;
 }
 

@@ -5,8 +5,9 @@
 #include <memory>
 #include <string>
 
+#include "decomposition/regions.hpp"
 #include "host/run/session.hpp"
-#include "krait/search/planner.hpp"
+#include "search/adaptive_search.hpp"
 
 namespace krait::host {
 
@@ -38,7 +39,7 @@ class PlannerSession : public Session {
   void stop_for_time() override { planner_.stop_for_time(); }
   Status status() const override { return planner_.status(); }
   Statistics statistics() const override { return planner_.statistics(); }
-  const Regions& regions() const override { return planner_.regions(); }
+  const detail::Regions& regions() const override { return planner_.regions(); }
   Bottleneck bottleneck() override { return planner_.bottleneck(); }
   Effort effort() const override {
     if constexpr (requires { planner_.effort(); }) return planner_.effort();

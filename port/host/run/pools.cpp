@@ -4,6 +4,9 @@
 #include <memory>
 #include <vector>
 
+#include "base/arena.hpp"
+#include "search/adaptive_search.hpp"
+
 namespace krait::host {
 
 std::uint64_t least_block(const krait::Scene& scene, const Robot& robot) {
@@ -23,7 +26,8 @@ Pools pools_of(std::uint64_t bytes, const krait::Scene& scene, const Robot& robo
   const auto planner = std::make_unique<Planner>();
   if (!planner->init({block.data(), 8 * block.size(), &scene, robot}, {}, limits).ok()) return {};
   Pools pools{limits.vertices, limits.kept_expansions(), {}};
-  for (std::size_t i = 0; i < kPoolCount; ++i) pools.bytes[i] = planner->arena().needed(static_cast<Pool>(i));
+  for (std::size_t i = 0; i < detail::kPoolCount; ++i)
+    pools.bytes[i] = detail::opened(*planner).arena().needed(static_cast<detail::Pool>(i));
   return pools;
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 
+#include "base/arena.hpp"
 #include "krait/krait.hpp"
 
 namespace krait::host {
@@ -12,7 +13,7 @@ namespace krait::host {
 struct Pools {
   std::uint32_t vertices = 0;  // 0: the block is too small
   std::uint32_t expansions = 0;
-  std::array<std::uint64_t, kPoolCount> bytes{};  // by Pool
+  std::array<std::uint64_t, detail::kPoolCount> bytes{};  // by Pool
 };
 
 // The least block that a planner takes, bytes.

@@ -6,7 +6,9 @@
 #include <limits>
 
 #include "host/run/robots.hpp"
-#include "krait/robot/shape.hpp"
+#include "krait/robots/defaults.hpp"
+#include "motion/rk4.hpp"
+#include "robot/shape.hpp"
 
 namespace krait::host {
 namespace {
@@ -153,8 +155,8 @@ std::vector<Ring> bodies_in(const SteadyTurn& turn, const RobotSpec& robot) {
 RobotFacts facts_of(const std::string& name, const RobotSpec& robot, const Parameters& parameters) {
   RobotFacts facts;
   CoreRobot(robot).visit([&](const auto& core) {
-    if (const Argument bad = first_bad_of_robot(core); bad != Argument::none) {
-      throw InputError("robot " + name + ": " + krait::name(bad) +
+    if (const Argument bad = detail::first_bad_of_robot(core); bad != Argument::none) {
+      throw InputError("robot " + name + ": " + krait::to_string(bad) +
                        (bad == Argument::robot_polygon
                             ? " cannot be used: bodies must lie within 100 m of their axles, no side below 0.1 mm"
                             : " cannot be used"));
@@ -162,9 +164,10 @@ RobotFacts facts_of(const std::string& name, const RobotSpec& robot, const Param
     const RobotExtent extent_at_step = extent(core, parameters);
     facts.tree_parts = extent_at_step.tree_parts;
     facts.plan_parts = extent_at_step.plan_parts;
-    facts.fastest_rate = static_cast<double>(fastest_rate(core, parameters.dt));
-    facts.longest_time_step = static_cast<double>(
-        can_integrate(core, parameters.dt) ? parameters.dt : krait::longest_time_step(core, parameters.dt));
+    facts.fastest_rate = static_cast<double>(detail::fastest_rate(core, parameters.dt));
+    facts.longest_time_step = static_cast<double>(detail::can_integrate(core, parameters.dt)
+                                                      ? parameters.dt
+                                                      : krait::detail::longest_time_step(core, parameters.dt));
   });
   turn_facts(robot, facts);
   stop_facts(robot, facts);

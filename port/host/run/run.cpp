@@ -170,7 +170,7 @@ SearchResult run_search(const std::string& scene_path, const SceneBytes& bytes, 
   SearchResult result{session->query().form, session->query().asked, since(begin)};
   result.first = first;
   result.stopped = company.stopped();
-  result.plan.status = name(session->status());
+  result.plan.status = to_string(session->status());
   session->copy_plan(result.plan);
   result.plan.statistics = statistics_json(session->statistics(), result.seconds);
   result.why = why_no_plan(*session, scene, request);

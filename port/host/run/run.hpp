@@ -15,7 +15,7 @@
 #include "host/plan_file/plan_file.hpp"
 #include "host/verify/verify.hpp"
 #include "krait/parameters.hpp"
-#include "krait/scene/scene.hpp"
+#include "krait/scene.hpp"
 
 namespace krait::host {
 

@@ -13,7 +13,7 @@ namespace krait::host {
 namespace {
 
 std::string explanation(const Failure& failure, const SearchRequest& request) {
-  const std::string argument = name(static_cast<Argument>(failure.element));
+  const std::string argument = to_string(static_cast<Argument>(failure.element));
   switch (failure.status) {
     case Status::arena_too_small:
       return "--memory " + std::to_string(request.memory) +
@@ -26,7 +26,7 @@ std::string explanation(const Failure& failure, const SearchRequest& request) {
     case Status::bad_robot:
       return argument + " cannot be used";
     case Status::bad_argument:
-      if (argument == name(Argument::goal)) return "the goal's centre lies outside the workspace's bounds";
+      if (argument == to_string(Argument::goal)) return "the goal's centre lies outside the workspace's bounds";
       if (failure.most > 0) {
         return printed("dt: at most %.2g s for a robot so fast and so short", static_cast<double>(failure.most));
       }
@@ -62,11 +62,11 @@ bool passes(Status status) {
 
 void refuse(const Failure& failure, const SearchRequest& request) {
   if (passes(failure.status)) return;
-  throw InputError(std::string(name(failure.status)) + ": " + explanation(failure, request));
+  throw InputError(std::string(to_string(failure.status)) + ": " + explanation(failure, request));
 }
 
 void refuse(const Contact& at_start, const krait::Scene& scene, const SearchRequest& request) {
-  throw InputError(std::string(name(Status::start_in_collision)) + ": " + why_not_there(at_start, scene, request));
+  throw InputError(std::string(to_string(Status::start_in_collision)) + ": " + why_not_there(at_start, scene, request));
 }
 
 std::uint32_t way_legs(const SearchRequest& request) {
@@ -75,7 +75,8 @@ std::uint32_t way_legs(const SearchRequest& request) {
 }
 
 std::unique_ptr<Session> start_session(const krait::Scene& scene, const SearchRequest& request, Block& block) {
-  if (request.planner == "adaptive") return std::make_unique<PlannerSession<Planner>>(scene, request, block);
+  if (request.planner == "adaptive")
+    return std::make_unique<PlannerSession<detail::AdaptiveSearch>>(scene, request, block);
   if (request.planner == "prior") return std::make_unique<PlannerSession<rivals::PriorPlanner>>(scene, request, block);
   if (request.planner == "rrt") return std::make_unique<PlannerSession<rivals::RrtPlanner>>(scene, request, block);
   throw InputError("no planner '" + request.planner + "' (there is: adaptive, prior, rrt)");

@@ -7,11 +7,11 @@
 #include <memory>
 #include <vector>
 
+#include "decomposition/regions.hpp"
 #include "host/run/query.hpp"
 #include "host/run/run.hpp"
-#include "krait/decomposition/regions.hpp"
-#include "krait/search/grouped.hpp"
-#include "krait/search/statistics.hpp"
+#include "krait/planner.hpp"
+#include "search/grouped.hpp"
 
 namespace krait::host {
 
@@ -29,7 +29,7 @@ class Session {
   virtual void stop_for_time() = 0;
   virtual Status status() const = 0;
   virtual Statistics statistics() const = 0;
-  virtual const Regions& regions() const = 0;
+  virtual const detail::Regions& regions() const = 0;
   virtual Bottleneck bottleneck() = 0;
   virtual Effort effort() const = 0;     // none of a planner without groups
   virtual float cost_to_go() const = 0;  // infinite of a planner without groups

@@ -7,8 +7,8 @@
 #include <queue>
 #include <vector>
 
+#include "decomposition/locate.hpp"
 #include "host/workspace/workspace.hpp"
-#include "krait/decomposition/locate.hpp"
 
 namespace krait::host {
 namespace {
@@ -115,7 +115,7 @@ bool sees(const krait::Scene& scene, float least_width, const Point& a, const Po
   for (int i = 1; i < steps; ++i) {
     const double share = static_cast<double>(i) / steps;
     const Vec2 at{static_cast<float>(a.x + share * (b.x - a.x)), static_cast<float>(a.y + share * (b.y - a.y))};
-    const Index triangle = locate(scene, at, before);
+    const Index triangle = detail::locate(scene, at, before);
     if (triangle == kNone || !wide_enough(scene, before, triangle, least_width)) return false;
     before = triangle;
   }
@@ -144,7 +144,7 @@ double length_of(const std::vector<Point>& way) {
 
 double shortest_way(const krait::Scene& scene, const krait::Goal& goal, float least_width, Vec2 from, Vec2 to) {
   constexpr double kNoWay = std::numeric_limits<double>::quiet_NaN();
-  const Index triangle = locate(scene, from);
+  const Index triangle = detail::locate(scene, from);
   if (triangle == kNone) return kNoWay;
   std::vector<Point> way = PortalPoints(scene, goal, least_width).way(triangle, point(from), point(to));
   if (way.empty()) return kNoWay;

@@ -2,8 +2,8 @@
 // How long the way of a plan must be, as far as the scene's regions know.
 #pragma once
 
-#include "krait/decomposition/goal.hpp"
-#include "krait/scene/scene.hpp"
+#include "krait/goal.hpp"
+#include "krait/scene.hpp"
 
 namespace krait::host {
 

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "decomposition/regions.hpp"
 #include "host/run/run.hpp"
 #include "host/run/session.hpp"
 
@@ -32,7 +33,7 @@ void draw_scene(const krait::Scene& scene, Picture& picture) {
   }
 }
 
-CostFrame costs_now(const Regions& regions, std::uint64_t iteration) {
+CostFrame costs_now(const detail::Regions& regions, std::uint64_t iteration) {
   CostFrame frame;
   frame.iteration = iteration;
   for (Index t = 0; t < regions.scene().triangle_count(); ++t) frame.costs.push_back(regions.cost(regions.region(t)));

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
+#include "decomposition/locate.hpp"
 #include "host/run/query.hpp"
 #include "host/workspace/printed.hpp"
-#include "krait/decomposition/locate.hpp"
 
 namespace krait::host {
 namespace {
@@ -37,7 +37,7 @@ std::string other_name(const Contact& contact, const RobotSpec& robot) {
 std::string why_no_route(const Bottleneck& bottleneck, const krait::Scene& scene, const SearchRequest& request) {
   if (bottleneck.needed == 0.0F || bottleneck.width == 0.0F) {
     const krait::Goal goal = resolve_goal(scene, request);
-    const bool inside = goal.is_disc() && locate(scene, goal.center()) == kNone;
+    const bool inside = goal.is_disc() && detail::locate(scene, goal.center()) == kNone;
     return inside
                ? "the goal's middle, " + place(scene, goal.center()) + ", lies in an obstacle, and no way leads to it"
                : "no way leads from the start to the goal: obstacles or the bounds close it off";

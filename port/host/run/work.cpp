@@ -3,6 +3,12 @@
 
 #include <vector>
 
+#include "collision/obstacles.hpp"
+#include "collision/sight.hpp"
+#include "krait/math.hpp"
+#include "robot/shape.hpp"
+#include "search/sketcher.hpp"
+
 namespace krait::host {
 namespace {
 
@@ -10,7 +16,7 @@ float farthest_of(const Chain& robot) {
   float most = 0.0F;
   for (int k = 0; k < robot.body_count(); ++k) {
     const Polygon body = robot.body(k);
-    most = std::max(most, farthest(body.vertices, body.count));
+    most = std::max(most, detail::farthest(body.vertices, body.count));
   }
   return most;
 }
@@ -19,7 +25,7 @@ float farthest_of(const Chain& robot) {
 // moved further than the body, and it may stray from it by as much.
 float search_radius(const krait::Scene& scene, const RobotExtent& robot, const Parameters& parameters) {
   constexpr float kLeastReach = 1e-3F;
-  const float margin = Obstacles(scene, parameters.clearance + kTreeSlack * robot.length).margin();
+  const float margin = detail::Obstacles(scene, parameters.clearance + kTreeSlack * robot.length).margin();
   return robot.largest_radius + robot.longest_travel + kLeastReach + margin;
 }
 
@@ -37,7 +43,7 @@ void count_bucket(const krait::Scene& scene, std::size_t bucket, std::size_t win
 std::uint64_t most_pieces_near(const krait::Scene& scene, float radius) {
   const CellGrid& grid = scene.buckets();
   const auto all = static_cast<float>(std::max(grid.columns, grid.rows));
-  const auto cells = static_cast<std::int32_t>(clamp(2.0F * radius * grid.per_metre, 0.0F, all)) + 2;
+  const auto cells = static_cast<std::int32_t>(math::clamp(2.0F * radius * grid.per_metre, 0.0F, all)) + 2;
   std::vector<std::size_t> marks(scene.piece_count(), 0);
   std::uint64_t most = 0;
   std::size_t window = 0;
@@ -76,14 +82,14 @@ float longest_travel(const Unicycle& robot, float dt) {
   const UnicycleParameters& p = robot.parameters();
   const Polygon body = robot.body(0);
   const float speed = std::max(p.max_speed, -p.min_speed);
-  return dt * (speed + farthest(body.vertices, body.count) * p.max_turn_rate);
+  return dt * (speed + detail::farthest(body.vertices, body.count) * p.max_turn_rate);
 }
 
 float longest_travel(const DifferentialDrive& robot, float dt) {
   const DifferentialDriveParameters& p = robot.parameters();
   const Polygon body = robot.body(0);
   const float rim = dt * p.wheel_radius * p.max_wheel_speed;
-  return rim * (1.0F + 2.0F * farthest(body.vertices, body.count) / p.track_width);
+  return rim * (1.0F + 2.0F * detail::farthest(body.vertices, body.count) / p.track_width);
 }
 
 float largest_radius(Polygon body) {
@@ -99,7 +105,7 @@ float largest_radius(Polygon body) {
 std::uint64_t integrations(const RobotExtent& robot, const Parameters& parameters) {
   const auto plan_parts = static_cast<std::uint64_t>(robot.plan_parts);
   std::uint64_t steps = static_cast<std::uint64_t>(robot.tree_parts) + plan_parts;
-  for (std::uint64_t cut = 2; parameters.continuous && cut <= parameters.max_substeps; cut *= 2) {
+  for (std::uint64_t cut = 2; parameters.tuning.continuous && cut <= parameters.tuning.max_substeps; cut *= 2) {
     steps += std::max(cut, plan_parts + cut - 1);
   }
   return steps;
@@ -114,18 +120,18 @@ std::uint64_t integrations(const RobotExtent& robot, const Parameters& parameter
 // calls. A Dijkstra pops every region at most once and pushes each source, and each region over each of its portals, at
 // most once.
 Work work_bound(const krait::Scene& scene, const RobotExtent& robot, const Parameters& parameters) {
-  const std::uint64_t parts = parameters.continuous ? 2 * std::uint64_t{parameters.max_substeps} - 1 : 1;
-  const std::uint64_t judged = parameters.max_steps * parts;
+  const std::uint64_t parts = parameters.tuning.continuous ? 2 * std::uint64_t{parameters.tuning.max_substeps} - 1 : 1;
+  const std::uint64_t judged = parameters.tuning.max_steps * parts;
   Work work;
   work.pieces_near = most_pieces_near(scene, search_radius(scene, robot, parameters));
   work.placements = judged + 1;
-  work.runge_kutta_steps = parameters.max_steps * integrations(robot, parameters);
+  work.runge_kutta_steps = parameters.tuning.max_steps * integrations(robot, parameters);
   work.polygon_distances =
-      (2 * robot.bodies * judged + parameters.max_steps) * work.pieces_near + judged * pairs(robot);
-  const std::uint64_t candidates = std::max(parameters.candidates, 1U);
-  const std::uint64_t lines = candidates * std::max(parameters.sight_tries, 1U) - candidates;
-  work.sketched_steps = std::uint64_t{parameters.candidates} * Sketcher::kSteps;
-  work.discs = lines * Sight::kMostLooks + work.sketched_steps * robot.bodies;
+      (2 * robot.bodies * judged + parameters.tuning.max_steps) * work.pieces_near + judged * pairs(robot);
+  const std::uint64_t candidates = std::max(parameters.tuning.candidates, 1U);
+  const std::uint64_t lines = candidates * std::max(parameters.tuning.sight_tries, 1U) - candidates;
+  work.sketched_steps = std::uint64_t{parameters.tuning.candidates} * detail::Sketcher::kSteps;
+  work.discs = lines * detail::Sight::kMostLooks + work.sketched_steps * robot.bodies;
   work.heap_operations = 2 * (std::uint64_t{scene.triangle_count()} + scene.portal_count());
   return work;
 }

@@ -7,6 +7,9 @@
 #include <cstdint>
 
 #include "krait/krait.hpp"
+#include "krait/robots/defaults.hpp"
+#include "motion/rk4.hpp"
+#include "robot/shape.hpp"
 
 namespace krait::host {
 
@@ -42,11 +45,13 @@ template <RobotModel R>
 RobotExtent extent(const R& robot, const Parameters& parameters) {
   RobotExtent extent;
   extent.bodies = static_cast<std::uint64_t>(robot.body_count());
-  extent.gap = static_cast<std::uint64_t>(self_collision_gap(robot));
+  extent.gap = static_cast<std::uint64_t>(detail::self_collision_gap(robot));
   extent.longest_travel = longest_travel(robot, parameters.dt);
-  extent.length = robot_length(robot);
-  extent.tree_parts = parts_of(parameters.dt, longest_tree_step(robot, parameters.dt), kMostParts);
-  extent.plan_parts = parts_of(parameters.dt, longest_plan_step(robot, parameters.dt), kMostPlanParts);
+  extent.length = detail::robot_length(robot);
+  extent.tree_parts =
+      detail::parts_of(parameters.dt, detail::longest_tree_step(robot, parameters.dt), detail::kMostParts);
+  extent.plan_parts =
+      detail::parts_of(parameters.dt, detail::longest_plan_step(robot, parameters.dt), detail::kMostPlanParts);
   for (int k = 0; k < robot.body_count(); ++k) {
     extent.largest_radius = std::max(extent.largest_radius, largest_radius(robot.body(k)));
   }

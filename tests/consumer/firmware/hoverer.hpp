@@ -13,7 +13,8 @@ struct Hoverer {
   void steer(krait::StateView s, const krait::Target& target, krait::Steering&, krait::ControlRef u) const {
     const krait::Vec2 to = target.point - krait::position(s);
     const float speed = target.speed / (krait::length(to) + 0.1F);
-    for (int i = 0; i < 2; ++i) u[i] = krait::clamp(5.0F * (speed * (i == 0 ? to.x : to.y) - s[2 + i]), -2.0F, 2.0F);
+    for (int i = 0; i < 2; ++i)
+      u[i] = krait::math::clamp(5.0F * (speed * (i == 0 ? to.x : to.y) - s[2 + i]), -2.0F, 2.0F);
   }
   bool within_limits(krait::StateView s) const { return s.tail(2).squaredNorm() <= 2.0F; }
   krait::Polygon body(int) const {

@@ -7,7 +7,7 @@
 
 namespace {
 
-alignas(krait::Arena::kAlignment) unsigned char block[256 * 1024];
+alignas(krait::Setup::kAlignment) unsigned char block[256 * 1024];
 krait::Scene scene;
 
 void write_hash(std::uint64_t hash) {
@@ -32,7 +32,7 @@ int report(const char* name, const R& robot, const float* start) {
   const krait::Status status = plan(planner, robot, start);
   write_text(name);
   write_text(" ");
-  write_text(krait::name(status));
+  write_text(krait::to_string(status));
   write_text(" ");
   write_hash(planner.plan().hash());
   return status == krait::Status::solved ? 0 : 1;

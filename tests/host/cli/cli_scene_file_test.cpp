@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A scene file that is cut short or damaged is refused, at every length and every byte.
 #include "host/cli/program.hpp"
-#include "krait/scene/scene.hpp"
+#include "krait/scene.hpp"
 
 namespace krait::host {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "krait/scene/scene.hpp"
+#include "krait/scene.hpp"
 
 namespace krait::host::test {
 namespace {

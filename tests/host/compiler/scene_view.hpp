@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "host/workspace/workspace.hpp"
-#include "krait/scene/format.hpp"
+#include "krait/format.hpp"
 
 namespace krait::host::test {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "krait/krait.hpp"
-#include "krait/robot_check/robot_check.hpp"
+#include "krait/robot_check.hpp"
 #include "readme_program.inc"
 #include "readme_robot.inc"
 

@@ -14,11 +14,11 @@ using rivals::NearestPoints;
 // Memory that ends where the points' does.
 struct Points {
   Points(Rect bounds, std::uint32_t capacity) : open(room(bounds)) {
-    Arena counting;
+    detail::Arena counting;
     nearest.take(counting, open.scene, capacity);
     bytes = counting.needed();
     block.resize(bytes / 8);
-    Arena arena(block.data(), bytes);
+    detail::Arena arena(block.data(), bytes);
     nearest.take(arena, open.scene, capacity);
     nearest.clear();
   }

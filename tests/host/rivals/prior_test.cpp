@@ -26,7 +26,7 @@ Room dead_end() {
 
 // The weight of [18] by its definition, as a logarithm, over all regions.
 double log_weight(const OfUnicycle& planner, Index region) {
-  const Regions& regions = planner.regions();
+  const detail::Regions& regions = planner.regions();
   double least = std::numeric_limits<double>::infinity(), most = 0;
   for (Index t = 0; t < regions.scene().triangle_count(); ++t) {
     const double h = static_cast<double>(regions.cost(regions.region(t)));
@@ -38,7 +38,7 @@ double log_weight(const OfUnicycle& planner, Index region) {
   if (!std::isfinite(h)) return -std::numeric_limits<double>::infinity();
   const double epsilon = 1e-11;
   return 8 * std::log(epsilon + (1 - epsilon) * (most - h) / (most - least)) +
-         std::log(double{Parameters().beta}) * planner.groups().selections(region);
+         std::log(double{Parameters().tuning.beta}) * planner.groups().selections(region);
 }
 
 std::set<Index> groups_of(const OfUnicycle& planner) {

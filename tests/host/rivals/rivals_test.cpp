@@ -41,12 +41,12 @@ TYPED_TEST(Rival, HasNoUseForWhatTheAdaptivePlannerAdds) {
     set(parameters);
     return parameters;
   };
-  EXPECT_EQ(this->solved(change([](Parameters& p) { p.doomed_steps = 0; })).hash, hash);
-  EXPECT_EQ(this->solved(change([](Parameters& p) { p.open_steps = 0; })).hash, hash);
-  EXPECT_EQ(this->solved(change([](Parameters& p) { p.sight_tries = p.candidates = 0; })).hash, hash);
-  EXPECT_EQ(this->solved(change([](Parameters& p) { p.slowest = 0.1F; })).hash, hash);
-  EXPECT_EQ(this->solved(change([](Parameters& p) { p.restart_unit = 1; })).restarts, 0U);
-  EXPECT_NE(this->solved(change([](Parameters& p) { p.max_steps = 20; })).hash, hash);
+  EXPECT_EQ(this->solved(change([](Parameters& p) { p.tuning.doomed_steps = 0; })).hash, hash);
+  EXPECT_EQ(this->solved(change([](Parameters& p) { p.tuning.open_steps = 0; })).hash, hash);
+  EXPECT_EQ(this->solved(change([](Parameters& p) { p.tuning.sight_tries = p.tuning.candidates = 0; })).hash, hash);
+  EXPECT_EQ(this->solved(change([](Parameters& p) { p.tuning.slowest = 0.1F; })).hash, hash);
+  EXPECT_EQ(this->solved(change([](Parameters& p) { p.tuning.restart_unit = 1; })).restarts, 0U);
+  EXPECT_NE(this->solved(change([](Parameters& p) { p.tuning.max_steps = 20; })).hash, hash);
 }
 
 TYPED_TEST(Rival, DoesNotDependOnHowTheSearchIsCut) {
@@ -113,7 +113,7 @@ TYPED_TEST(Rival, EndsOrGoesOnWhenTheTreeIsFull) {
   if (std::is_same_v<TypeParam, RrtPlanner>) {
     EXPECT_EQ(status, Status::tree_full);
   } else {
-    EXPECT_TRUE(status == Status::budget_used || status == Status::solved) << name(status);
+    EXPECT_TRUE(status == Status::budget_used || status == Status::solved) << to_string(status);
     EXPECT_GT(bench.planner.statistics().recycled, 0U);
   }
 }

@@ -45,7 +45,7 @@ TEST(RrtPlanner, ConnectionsGoOnInTheNextIteration) {
   Room open;
   open.bounds = {0, 0, 40, 40};
   RrtBench f(open, small_unicycle(), RrtParameters{0.0F});
-  f.parameters.max_steps = 1;
+  f.parameters.tuning.max_steps = 1;
   ASSERT_TRUE(f.init().ok());
   const float start[] = {20, 20, 0};
   EXPECT_EQ(f.planner.start({start, Goal::disc({1, 1}, 1e-3F), 1}), Status::searching);
@@ -88,8 +88,8 @@ TEST(RrtPlanner, ConnectionsEndThatComeNoCloser) {
   Room open;
   open.bounds = {0, 0, 20, 20};
   RrtBench f(open, small_unicycle(), RrtParameters{0.0F});
-  f.parameters.max_steps = 3;
-  f.parameters.near_radius = 0;
+  f.parameters.tuning.max_steps = 3;
+  f.parameters.tuning.near_radius = 0;
   ASSERT_TRUE(f.init().ok());
   const float start[] = {10, 10, 0};
   EXPECT_EQ(f.planner.start({start, Goal::disc({1, 1}, 1e-3F), 1}), Status::searching);

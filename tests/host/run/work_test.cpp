@@ -14,6 +14,10 @@
 #include <string>
 #include <vector>
 
+#include "collision/distance.hpp"
+#include "collision/sight.hpp"
+#include "decomposition/indexed_heap.hpp"
+
 namespace krait::host {
 namespace {
 
@@ -72,11 +76,11 @@ struct SceneFile {
 template <RobotModel R>
 Work most_work(const krait::Scene& scene, const R& robot, std::uint64_t seed) {
   counters[0].function = address_of(&Robot::integrate_lead);
-  counters[1].function = reinterpret_cast<const void*>(&polygon_distance);
-  counters[2].function = address_of(&IndexedHeap::push);
-  counters[3].function = address_of(&IndexedHeap::pop);
+  counters[1].function = reinterpret_cast<const void*>(&detail::polygon_distance);
+  counters[2].function = address_of(&detail::IndexedHeap::push);
+  counters[3].function = address_of(&detail::IndexedHeap::pop);
   counters[4].function = address_of(&Robot::sketch);
-  counters[5].function = address_of(&Sight::slack);
+  counters[5].function = address_of(&detail::Sight::slack);
   std::vector<std::uint64_t> block(1U << 19U);
   const auto planner = std::make_unique<Planner>();
   const Limits limits = planner->limits_for(8 * block.size(), scene, robot);

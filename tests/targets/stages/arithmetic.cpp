@@ -2,6 +2,7 @@
 // Random numbers, and the elementary functions swept over the floats' bits.
 #include <cmath>
 
+#include "base/random.hpp"
 #include "stages.hpp"
 
 namespace krait::stages {
@@ -10,7 +11,7 @@ namespace {
 void random_numbers(const firmware::Board& board) {
   Hash hash;
   for (std::uint64_t seed = 0; seed < 8; ++seed) {
-    Random random(seed * 0x9E3779B97F4A7C15ULL);
+    detail::Random random(seed * 0x9E3779B97F4A7C15ULL);
     for (std::uint32_t i = 1; i <= 256; ++i) {
       hash.add(random.bits());
       hash.add(random.below(i));
@@ -36,7 +37,7 @@ constexpr std::uint32_t kDense = 10'007;
 void sines(const firmware::Board& board) {
   Hash hash;
   const auto add = [&](float x) {
-    const SinCos angle = sin_cos(x);
+    const SinCos angle = math::sin_cos(x);
     hash.add(angle.sin);
     hash.add(angle.cos);
   };
@@ -53,19 +54,19 @@ void sines(const firmware::Board& board) {
 void arctangents(const firmware::Board& board) {
   Hash hash;
   sweep(kDenormal, 1e30F, kDense, [&](float x) {
-    hash.add(atan2(x, 1.0F));
-    hash.add(atan2(-x, -1.0F));
-    hash.add(atan2(1.0F, x));
-    hash.add(wrap_angle(x <= kMaxAngle ? x : 0.0F));
+    hash.add(math::atan2(x, 1.0F));
+    hash.add(math::atan2(-x, -1.0F));
+    hash.add(math::atan2(1.0F, x));
+    hash.add(math::wrap_angle(x <= kMaxAngle ? x : 0.0F));
   });
-  hash.add(atan2(0.0F, 0.0F));
+  hash.add(math::atan2(0.0F, 0.0F));
   report(board, {"atan2"}, hash);
 }
 
 void logarithms(const firmware::Board& board) {
   Hash hash;
-  sweep(0x1p-126F, kLargest, kDense, [&](float x) { hash.add(log(x)); });
-  sweep(0.5F, 2.0F, kDense, [&](float x) { hash.add(log(x)); });
+  sweep(0x1p-126F, kLargest, kDense, [&](float x) { hash.add(math::log(x)); });
+  sweep(0.5F, 2.0F, kDense, [&](float x) { hash.add(math::log(x)); });
   report(board, {"log"}, hash);
 }
 
@@ -75,7 +76,7 @@ void square_roots(const firmware::Board& board) {
     hash.add(std::sqrt(x));
     hash.add(1.0F / x);
   });
-  Random random(3);
+  detail::Random random(3);
   for (int i = 0; i < 1000; ++i) {
     const float x = spread(random, 100.0F);
     const float y = spread(random, 100.0F);

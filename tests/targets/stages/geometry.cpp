@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Polygon distances, point location, and shortest paths after raised costs.
+#include "base/arena.hpp"
+#include "base/random.hpp"
+#include "collision/distance.hpp"
+#include "decomposition/locate.hpp"
+#include "decomposition/regions.hpp"
 #include "stages.hpp"
 
 namespace krait::stages {
@@ -15,11 +20,11 @@ struct RandomPolygon {
   Vec2 corners[format::kMaxPieceVertices];
   int count;
 
-  RandomPolygon(Random& random, Vec2 center) : count(3 + static_cast<int>(random.below(6))) {
+  RandomPolygon(detail::Random& random, Vec2 center) : count(3 + static_cast<int>(random.below(6))) {
     const float radius = 0.1F + 2.0F * random.unit();
     const float sector = 2.0F * kPi / static_cast<float>(count);
     for (int i = 0; i < count; ++i) {
-      const SinCos angle = sin_cos(sector * (static_cast<float>(i) + 0.8F * random.unit()));
+      const SinCos angle = math::sin_cos(sector * (static_cast<float>(i) + 0.8F * random.unit()));
       corners[i] = center + radius * Vec2{angle.cos, angle.sin};
     }
   }
@@ -29,20 +34,20 @@ struct RandomPolygon {
 
 void locations(const firmware::Board& board, const Scene& scene) {
   Hash hash;
-  Random random(22);
+  detail::Random random(22);
   Index near = kNone;
   for (int i = 0; i < kPoints; ++i) {
     const Vec2 p = random_in(scene.bounds(), random);
-    const Index triangle = locate(scene, p);
+    const Index triangle = detail::locate(scene, p);
     hash.add(triangle);
-    hash.add(locate(scene, p, near));
+    hash.add(detail::locate(scene, p, near));
     hash.add(scene.clearance().at(p));
     near = triangle;
   }
   report(board, {scene.name(), "locate"}, hash);
 }
 
-void add_paths(const Regions& regions, Random& random, Hash& hash) {
+void add_paths(const detail::Regions& regions, detail::Random& random, Hash& hash) {
   for (Index t = 0; t < regions.scene().triangle_count(); ++t) {
     hash.add(regions.cost(t));
     hash.add(regions.next(t));
@@ -53,9 +58,9 @@ void add_paths(const Regions& regions, Random& random, Hash& hash) {
 
 void shortest_paths(const firmware::Board& board, const Scene& scene) {
   Hash hash;
-  Random random(23);
-  Arena arena(board.arena, board.arena_room);
-  Regions regions;
+  detail::Random random(23);
+  detail::Arena arena(board.arena, board.arena_room);
+  detail::Regions regions;
   regions.take(arena, scene);
   regions.reset(Goal::named(0), 0.5F, 0.035F);
   add_paths(regions, random, hash);
@@ -71,13 +76,13 @@ void shortest_paths(const firmware::Board& board, const Scene& scene) {
 
 void distances(const firmware::Board& board) {
   Hash hash;
-  Random random(21);
+  detail::Random random(21);
   for (int i = 0; i < kPairs; ++i) {
     const RandomPolygon a(random, {});
     const float x = spread(random, 4.0F);
     const float y = spread(random, 4.0F);
     const RandomPolygon b(random, {x, y});
-    hash.add(polygon_distance(a.polygon(), b.polygon()));
+    hash.add(detail::polygon_distance(a.polygon(), b.polygon()));
   }
   report(board, {"distance"}, hash);
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every robot: Runge-Kutta under random controls, steering toward random targets with the bodies placed, and the motion
 // of a plan.
+#include "base/random.hpp"
+#include "motion/plan_drive.hpp"
+#include "motion/rk4.hpp"
 #include "stages.hpp"
 
 namespace krait::stages {
@@ -20,7 +23,7 @@ struct Vehicle {
 
   void step() {
     float next[R::kMaxState];
-    propagate(robot, state, control, kStep, next);
+    detail::propagate(robot, state, control, kStep, next);
     for (int i = 0; i < robot.state_size(); ++i) state[i] = next[i];
   }
 
@@ -32,7 +35,7 @@ struct Vehicle {
 template <RobotModel R>
 void runge_kutta(const firmware::Board& board, const char* name, const R& robot) {
   Hash hash;
-  Random random(11);
+  detail::Random random(11);
   Vehicle<R> vehicle{robot};
   for (int step = 0; step < kSteps; ++step) {
     if (step % kExpansion == 0) vehicle.stand();
@@ -66,7 +69,7 @@ template <RobotModel R>
 void steering(const firmware::Board& board, const char* name, const R& robot) {
   Hash controls;
   Hash bodies;
-  Random random(12);
+  detail::Random random(12);
   Vehicle<R> vehicle{robot};
   Target target{};
   Steering memory;
@@ -90,10 +93,10 @@ void steering(const firmware::Board& board, const char* name, const R& robot) {
 // The motion of a plan.
 template <RobotModel R>
 void driving(const firmware::Board& board, const char* name, const R& robot) {
-  static PlanDrive drive;
+  static detail::PlanDrive drive;
   const float start[R::kMaxState] = {};
   Hash hash;
-  Random random(13);
+  detail::Random random(13);
   drive.begin(robot, kStep, start);
   for (int step = 0; step < kSteps / 3; ++step) {
     if (step % kExpansion == 0) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Whole searches: every state that was ever placed, in order, then the counts and the plan.
 #include "krait/krait.hpp"
+#include "krait/robots/defaults.hpp"
 #include "stages.hpp"
 
 namespace krait::stages {
@@ -50,7 +51,7 @@ void search(const firmware::Board& board, const Scene& scene, const char* name, 
   Hash plan;
   float start[R::kMaxState];
   const ScenePose pose = scene.start(0);
-  (void)rest(robot, pose.position, pose.heading, pose.angles, pose.angle_count, start);
+  (void)detail::rest(robot, pose.position, pose.heading, pose.angles, pose.angle_count, start);
   robot.forget();
   const bool ready = planner.init({board.arena, kBlock, &scene, robot}, {}, {.iterations = kIterations}).ok();
   tree.add(std::uint32_t{ready});

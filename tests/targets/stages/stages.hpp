@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <initializer_list>
 
+#include "base/random.hpp"
 #include "firmware/board.hpp"
 #include "krait/krait.hpp"
 
@@ -49,9 +50,9 @@ void decomposition(const firmware::Board& board, const Scene& scene);
 void searches(const firmware::Board& board, const Scene& scene);
 
 // Uniform in [-most, most).
-inline float spread(Random& random, float most) { return most * (2.0F * random.unit() - 1.0F); }
+inline float spread(detail::Random& random, float most) { return most * (2.0F * random.unit() - 1.0F); }
 
-inline Vec2 random_in(const Box& box, Random& random) {
+inline Vec2 random_in(const Box& box, detail::Random& random) {
   const float u = random.unit();
   const float v = random.unit();
   return {box.min.x + u * (box.max.x - box.min.x), box.min.y + v * (box.max.y - box.min.y)};

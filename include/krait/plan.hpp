@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// A solved plan: driven again from the start by a cursor in O(1) memory, or copied.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "krait/geometry.hpp"
+#include "krait/robot.hpp"
+
+namespace krait {
+
+namespace detail {
+
+class MotionTree;
+class TargetGrid;
+class Way;
+
+// The legs of a plan, one after the other: a path of the motion tree, or a way that was found later.
+class PlanPath {
+ public:
+  PlanPath() = default;
+  // `first` is the path's first expansion, kNone for a plan of one state.
+  PlanPath(const MotionTree& tree, Index first) : tree_(&tree), first_(first) {}
+  PlanPath(const Way& way, const TargetGrid& grid);
+
+  Index first() const { return first_; }  // kNone: no leg
+  Index next(Index leg) const;
+  Target target(Index leg) const;
+  std::uint32_t steps(Index leg) const;
+
+ private:
+  const MotionTree* tree_ = nullptr;  // or
+  const Way* way_ = nullptr;
+  const TargetGrid* grid_ = nullptr;
+  Index first_ = kNone;
+};
+
+}  // namespace detail
+
+// Walks along a plan: s0 u0 s1 u1 … sL. Its memory is its own.
+class PlanCursor {
+ public:
+  // At the end of no plan, without a state.
+  PlanCursor();
+  // `start` is robot.state_size() floats.
+  PlanCursor(const Robot& robot, const detail::PlanPath& path, const float* start, float dt);
+
+  int state_size() const;
+  int control_size() const;
+
+  // Whether this is the last state.
+  bool done() const;
+  // state_size() floats, valid until the next advance.
+  const float* state() const;
+  // control_size() floats, held for dt from this state on; not when done.
+  const float* control() const;
+  // The state that the control leads to; not when done.
+  const float* next() const;
+
+  // On to the next state; not when done. Work: one control and the Runge-Kutta steps of a time step.
+  void advance();
+
+ private:
+  // Of a detail::PlanWalk.
+  static constexpr std::size_t kWalkBytes = sizeof(void*) == 8 ? 1104 : 1064;
+
+  alignas(std::uint64_t) std::byte walk_[kWalkBytes];
+};
+
+// What a search found, in the planner's memory: valid until its next start or improve.
+class Plan {
+ public:
+  Plan() = default;
+  // `start` is robot.state_size() floats.
+  Plan(const Robot& robot, const detail::PlanPath& path, const float* start, float dt);
+
+  bool empty() const { return start_ == nullptr; }
+  std::uint32_t steps() const { return steps_; }
+  int state_size() const { return empty() ? 0 : robot_.state_size(); }
+  int control_size() const { return empty() ? 0 : robot_.control_size(); }
+  float dt() const { return dt_; }                                     // seconds
+  float duration() const { return dt_ * static_cast<float>(steps_); }  // seconds
+
+  // From the first state; of an empty plan one that is done and has no state.
+  PlanCursor cursor() const { return empty() ? PlanCursor() : PlanCursor(robot_, path_, start_, dt_); }
+
+  // Metres, of the line through the positions; 0 for no plan. O(steps).
+  float length() const;
+
+  // FNV-1a 64 over s0, u0, s1, u1, …, sL; 0 for no plan. O(steps).
+  std::uint64_t hash() const;
+
+  // (steps() + 1) * state_size() and steps() * control_size() floats into the caller's arrays. O(steps).
+  void copy(float* states, float* controls) const;
+
+ private:
+  Robot robot_;
+  detail::PlanPath path_;
+  const float* start_ = nullptr;
+  float dt_ = 0.0F;
+  std::uint32_t steps_ = 0;
+};
+
+}  // namespace krait

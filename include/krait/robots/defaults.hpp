@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: Apache-2.0
+// What stands for the functions that a robot may have (model.hpp) where it has none.
+#pragma once
+
+#include "krait/robots/model.hpp"
+
+namespace krait::detail {
+
+// The control that steers s, whose frames are `poses`, toward the target.
+template <RobotModel R>
+void steer(const R& robot, StateView s, const Pose* poses, const Target& target, Steering& steering, ControlRef u) {
+  if constexpr (requires { robot.steer(s, poses, target, steering, u); }) {
+    robot.steer(s, poses, target, steering, u);
+  } else {
+    robot.steer(s, target, steering, u);
+  }
+}
+
+// The travel of a body by its rates over dt: a point that accelerates by at most A leaves the line between its places
+// by at most A dt^2 / 8, and by no more than half its way.
+inline Travel travel_of(const BodyRates& most, float dt) {
+  const float path = most.speed * dt;
+  const float turn = most.turn * dt;
+  const float eighth = 0.125F * dt * dt;
+  const float bend = most.acceleration * eighth;
+  const float twist = (most.turn_acceleration + most.turn * most.turn) * eighth;
+  return {path, turn, bend < 0.5F * path ? bend : 0.5F * path, twist < 0.5F * turn ? twist : 0.5F * turn};
+}
+
+// Bounds every body's motion while u is held for dt, by the robot's travel or by its rates. False where its limits are
+// not proven to hold all the way.
+template <RobotModel R>
+bool travel(const R& robot, StateView s, ControlView u, float dt, StateView next, Travel* travel) {
+  if constexpr (StatesTravel<R>) {
+    return robot.travel(s, u, dt, next, travel);
+  } else {
+    BodyRates rates[R::kMaxBodies] = {};
+    const bool limits_hold = robot.rates(s, u, dt, next, rates);
+    for (int k = 0; k < robot.body_count(); ++k) travel[k] = travel_of(rates[k], dt);
+    return limits_hold;
+  }
+}
+
+// Changes u, the reference's control, so that the robot comes back from s to the reference; a robot may say how.
+template <RobotModel R>
+void track(const R& robot, StateView s, StateView reference, float dt, ControlRef u) {
+  if constexpr (requires { robot.track(s, reference, dt, u); }) robot.track(s, reference, dt, u);
+}
+
+// Carries the errors of a state's components over a time step, and returns the metres that a body may be off then; a
+// robot may say.
+template <RobotModel R>
+float carry_errors(const R& robot, StateView s, const Pose* poses, ControlView u, float dt, float* errors) {
+  if constexpr (requires {
+                  { robot.carry_errors(s, poses, u, dt, errors) } -> std::same_as<float>;
+                })
+    return robot.carry_errors(s, poses, u, dt, errors);
+  return 0.0F;
+}
+
+// Whether the state is within the limits, and far enough for the tree; a robot may say.
+template <RobotModel R>
+bool keeps_reserve(const R& robot, StateView s) {
+  if constexpr (requires {
+                  { robot.keeps_reserve(s) } -> std::same_as<bool>;
+                })
+    return (kAnswersProven<R> || robot.within_limits(s)) && robot.keeps_reserve(s);
+  return robot.within_limits(s);
+}
+
+// How many of the state's first components move by themselves; a robot may say.
+template <RobotModel R>
+int leading_size(const R& robot) {
+  if constexpr (requires {
+                  { robot.leading_size() } -> std::same_as<int>;
+                })
+    return robot.leading_size();
+  return robot.state_size();
+}
+
+// Bodies i and j are tested against each other when |i - j| is at least this; a robot may say otherwise.
+template <RobotModel R>
+int self_collision_gap(const R& robot) {
+  if constexpr (requires {
+                  { robot.self_collision_gap() } -> std::same_as<int>;
+                })
+    return robot.self_collision_gap();
+  return 2;
+}
+
+// Whether its functions compute floats as written; a robot may say.
+template <RobotModel R>
+bool exact(const R& robot) {
+  if constexpr (requires {
+                  { robot.exact() } -> std::same_as<bool>;
+                })
+    return robot.exact();
+  return true;
+}
+
+// Whether the dimensions and limits can be used; a robot may say.
+template <RobotModel R>
+bool sound(const R& robot) {
+  if constexpr (requires {
+                  { robot.sound() } -> std::same_as<bool>;
+                })
+    return robot.sound();
+  return true;
+}
+
+// A robot may say.
+template <RobotModel R>
+QuickBound quick_bound(const R& robot, StateView s, ControlView u, float dt, StateView next) {
+  if constexpr (requires {
+                  { robot.quick_bound(s, u, dt, next) } -> std::same_as<QuickBound>;
+                })
+    return robot.quick_bound(s, u, dt, next);
+  return {};
+}
+
+// How fast the dynamics can change within a time step of dt seconds, 1/s; a robot may say.
+template <RobotModel R>
+float fastest_rate(const R& robot, float dt) {
+  if constexpr (requires {
+                  { robot.fastest_rate(dt) } -> std::same_as<float>;
+                })
+    return robot.fastest_rate(dt);
+  return 0.0F;
+}
+
+// Whether the robot says how fast it moves in a state.
+template <class R>
+inline constexpr bool kHasSpeed = requires(const R& robot, StateView s) {
+  { robot.speed(s) } -> std::same_as<float>;
+};
+
+// How fast it moves in a state, m/s; 0 where it does not say.
+template <RobotModel R>
+float speed_of(const R& robot, StateView s) {
+  if constexpr (kHasSpeed<R>) return robot.speed(s);
+  return 0.0F;
+}
+
+// How far ahead, along body 0, braking would end, metres; a robot may say.
+template <RobotModel R>
+float stopping_way(const R& robot, StateView s) {
+  if constexpr (requires {
+                  { robot.stopping_way(s) } -> std::same_as<float>;
+                })
+    return robot.stopping_way(s);
+  return 0.0F;
+}
+
+// Metres, of the sharpest turn that the robot drives for long; a robot may say, and else it is `length`.
+template <RobotModel R>
+float turning_radius(const R& robot, float length) {
+  if constexpr (requires {
+                  { robot.turning_radius() } -> std::same_as<float>;
+                })
+    return robot.turning_radius();
+  return length;
+}
+
+// m/s, straight ahead; a robot may say, and else it is `length` metres a second.
+template <RobotModel R>
+float top_speed(const R& robot, float length) {
+  if constexpr (requires {
+                  { robot.top_speed() } -> std::same_as<float>;
+                })
+    return robot.top_speed();
+  return length;
+}
+
+// Writes the state in which the robot stands still, its bodies but the first turned as `count` angles say, or as the
+// first where there are none. False, and nothing is written, where it has no such function or another number of bodies.
+template <RobotModel R>
+bool rest(const R& robot, Vec2 position, float heading, const float* angles, std::uint32_t count, float* s) {
+  if constexpr (requires { robot.rest(position, heading, angles, s); }) {
+    const auto followers = static_cast<std::uint32_t>(robot.body_count() - 1);
+    const bool straight = count == 0 || followers == 0;
+    if (!straight && count != followers) return false;
+    robot.rest(position, heading, straight ? nullptr : angles, s);
+    return true;
+  } else if constexpr (requires { robot.rest(position, heading, s); }) {
+    robot.rest(position, heading, s);
+    return true;
+  }
+  return false;
+}
+
+// Whether the robot can drive backwards; a robot may say.
+template <RobotModel R>
+bool reversible(const R& robot) {
+  if constexpr (requires {
+                  { robot.reversible() } -> std::same_as<bool>;
+                })
+    return robot.reversible();
+  return false;
+}
+
+// A fourth-order Runge-Kutta step of Eqn 2 with the control held, by a model's derivative.
+// What dt seconds add to a state, or to its leading components: d, as many floats. Four derivatives.
+template <RobotModel R>
+void runge_kutta(const R& robot, StateView state, ControlView u, float dt, float* d) {
+  const int n = static_cast<int>(state.size());
+  float k1[R::kMaxState];
+  float k23[R::kMaxState];
+  float k[R::kMaxState];
+  float middle[R::kMaxState] = {};  // for compilers that doubt that n is above 0
+  const float half = 0.5F * dt;
+  robot.derivative(state, u, StateRef(k1, n));
+  for (int i = 0; i < n; ++i) middle[i] = state[i] + half * k1[i];
+  const StateView at(middle, n);
+  robot.derivative(at, u, StateRef(k23, n));
+  for (int i = 0; i < n; ++i) middle[i] = state[i] + half * k23[i];
+  robot.derivative(at, u, StateRef(k, n));
+  for (int i = 0; i < n; ++i) {
+    middle[i] = state[i] + dt * k[i];
+    k23[i] = k23[i] + k[i];
+  }
+  robot.derivative(at, u, StateRef(k, n));
+  const float sixth = dt / 6.0F;
+  for (int i = 0; i < n; ++i) d[i] = sixth * ((k1[i] + k[i]) + 2.0F * k23[i]);
+}
+
+// Moves the state s and its frames `poses` by dt under u. False where it leaves the robot's limits. A robot may have it
+// as sketch(s, poses, u, dt); else it is a step by the midpoint rule.
+template <RobotModel R>
+bool sketch(const R& robot, StateRef s, Pose* poses, ControlView u, float dt) {
+  if constexpr (requires {
+                  { robot.sketch(s, poses, u, dt) } -> std::same_as<bool>;
+                }) {
+    return robot.sketch(s, poses, u, dt);
+  } else {
+    const int n = robot.state_size();
+    float rates[R::kMaxState];
+    float middle[R::kMaxState];
+    robot.derivative(StateView(s.data(), n), u, StateRef(rates, n));
+    for (int i = 0; i < n; ++i) middle[i] = s[i] + 0.5F * dt * rates[i];
+    robot.derivative(StateView(middle, n), u, StateRef(rates, n));
+    for (int i = 0; i < n; ++i) s[i] = s[i] + dt * rates[i];
+    if (!robot.within_limits(StateView(s.data(), n))) return false;
+    robot.place(StateView(s.data(), n), poses);
+    return true;
+  }
+}
+
+}  // namespace krait::detail

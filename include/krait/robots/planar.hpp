@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// What unicycle and differential drive share: one box on an axle, state (x, y, theta, …).
+#pragma once
+
+#include "krait/geometry.hpp"
+#include "krait/robots/functions.hpp"
+
+namespace krait {
+
+class PlanarBody {
+ public:
+  static constexpr int kMaxBodies = 1;
+
+  PlanarBody(float body_length, float body_width) {
+    rectangle(body_length, body_width, 0.0F, vertices_);
+    count_ = 4;
+  }
+
+  int body_count() const { return 1; }
+  Polygon body(int) const { return {vertices_, count_}; }
+
+  // Replaces the polygon: 3 to 8 vertices, convex, counter-clockwise, in the axle's frame; copied. Of more it keeps
+  // none, which init refuses as bad_robot.
+  void set_body(int, Polygon polygon) {
+    count_ = polygon.count <= kMaxVertices ? polygon.count : 0;
+    for (int i = 0; i < count_; ++i) vertices_[i] = polygon[i];
+  }
+
+  void place(StateView s, Pose* poses) const { poses[0] = {position(s), math::sin_cos(s[2])}; }
+
+ protected:
+  // Heading error to the target in radians, of the rear when driving backwards.
+  static float heading_error(StateView s, const Target& target) {
+    const SinCos heading = math::sin_cos(s[2]);
+    const Vec2 to{target.point.x - s[0], target.point.y - s[1]};
+    const Vec2 along{heading.cos, heading.sin};
+    return target.speed < 0.0F ? math::atan2(-cross(along, to), -dot(along, to))
+                               : math::atan2(cross(along, to), dot(along, to));
+  }
+
+ private:
+  Vec2 vertices_[kMaxVertices];
+  int count_ = 0;
+};
+
+}  // namespace krait

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: Apache-2.0
+// A checked, read-only view of a scene file, used in place (it may lie in flash). scene/FORMAT.md is the bytes.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+#include "krait/contract.hpp"
+#include "krait/format.hpp"
+#include "krait/geometry.hpp"
+#include "krait/status.hpp"
+
+namespace krait {
+
+namespace detail {
+class SceneChecker;
+}
+
+// Integers of the file's index width.
+class IndexArray {
+ public:
+  IndexArray() = default;
+  IndexArray(const std::byte* data, bool wide) : data_(data), wide_(wide) {}
+
+  Index operator[](std::size_t i) const {
+    if (wide_) return reinterpret_cast<const std::uint32_t*>(data_)[i];
+    const Index index = reinterpret_cast<const std::uint16_t*>(data_)[i];
+    return index == format::kNone16 ? kNone : index;
+  }
+
+ private:
+  const std::byte* data_ = nullptr;
+  bool wide_ = false;
+};
+
+struct Cell {
+  std::int32_t column;
+  std::int32_t row;
+};
+
+// Square cells over the bounds.
+struct CellGrid {
+  Vec2 origin{};
+  float per_metre = 1;
+  std::int32_t columns = 0;
+  std::int32_t rows = 0;
+
+  // The cell that contains p, clamped to the grid; any finite p.
+  Cell cell(Vec2 p) const {
+    return {clamped((p.x - origin.x) * per_metre, columns), clamped((p.y - origin.y) * per_metre, rows)};
+  }
+  std::size_t index(Cell c) const {
+    return static_cast<std::size_t>(c.row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(c.column);
+  }
+
+ private:
+  static std::int32_t clamped(float x, std::int32_t cells) {
+    const float last = static_cast<float>(cells - 1);
+    return static_cast<std::int32_t>(math::clamp(x, 0.0F, last));
+  }
+};
+
+// A lower bound of the distance to the nearest obstacle or bound, by place.
+class ClearanceGrid {
+ public:
+  ClearanceGrid() = default;
+  ClearanceGrid(Vec2 origin, const format::Header& header, const std::uint8_t* cells)
+      : origin_(origin),
+        per_metre_(1.0F / header.clearance_cell),
+        unit_(header.clearance_unit),
+        columns_(static_cast<float>(header.clearance_columns)),
+        rows_(static_cast<float>(header.clearance_rows)),
+        stride_(header.clearance_columns),
+        cells_(cells) {}
+
+  // At most the distance from p to the nearest obstacle or bound, metres; 0 where p lies near one or outside.
+  float at(Vec2 p) const {
+    const float column = (p.x - origin_.x) * per_metre_;
+    const float row = (p.y - origin_.y) * per_metre_;
+    const bool inside = column * (columns_ - column) > 0.0F && row * (rows_ - row) > 0.0F;
+    if (!inside) return 0.0F;
+    const auto cell = static_cast<std::uint32_t>(row) * stride_ + static_cast<std::uint32_t>(column);
+    return unit_ * static_cast<float>(cells_[cell]);
+  }
+
+ private:
+  Vec2 origin_{};
+  float per_metre_ = 1.0F;
+  float unit_ = 0.0F;
+  float columns_ = 0.0F;
+  float rows_ = 0.0F;
+  std::uint32_t stride_ = 0;
+  const std::uint8_t* cells_ = nullptr;
+};
+
+// A start of the scene, in its local coordinates, and the trailers' headings where it has them. Metres, radians.
+struct ScenePose {
+  Vec2 position;
+  float heading;
+  const float* angles;
+  std::uint32_t angle_count;
+};
+
+class Scene {
+ public:
+  static constexpr std::uint8_t kHeaderSection = 255;  // Failure::section for the header
+
+  // Checks every byte that the core later relies on, then views them; the bytes must stay, unchanged, for as long
+  // as the scene is used. Reads only [bytes, bytes + size); writes and allocates nothing. `bytes` is aligned to 4.
+  // Returns bad_scene with section and element, or ok. O(size log l), l the longest list of a bucket.
+  [[nodiscard]] static Failure open(const void* bytes, std::size_t size, Scene& scene);
+
+  std::uint32_t bytes() const { return header_.total_bytes; }
+
+  // A check sum of the bytes as they are now, by which a planner finds at each start that they are no longer those of
+  // its init: of the header, whose CRC tells one file from another, and of up to 256 words spread evenly over the rest.
+  // So it sees another file, and any run of changed bytes longer than a 256th of this one and a word; of a single
+  // changed word elsewhere only open tells. 0 for a scene that was not opened. Work: reads 310 words at most.
+  std::uint32_t fingerprint() const;
+
+  const format::Header& header() const { return header_; }
+  Box bounds() const {
+    return {{header_.bounds_min_x, header_.bounds_min_y}, {header_.bounds_max_x, header_.bounds_max_y}};
+  }
+  bool inside_bounds(Vec2 p) const {
+    return p.x >= header_.bounds_min_x && p.x <= header_.bounds_max_x && p.y >= header_.bounds_min_y &&
+           p.y <= header_.bounds_max_y;
+  }
+
+  // The decomposition. Edge i of a triangle goes from its vertex i to vertex (i + 1) % 3.
+  Index triangle_count() const { return header_.triangles; }
+  Index portal_count() const { return header_.portals; }
+  Vec2 corner(Index triangle, int i) const { return vertices_[triangle_vertices_[edge_at(triangle, i)]]; }
+  Vec2 centroid(Index triangle) const {
+    return (1.0F / 3.0F) * (corner(triangle, 0) + corner(triangle, 1) + corner(triangle, 2));
+  }
+  Index neighbor(Index triangle, int edge) const { return triangle_neighbors_[edge_at(triangle, edge)]; }
+  Index portal(Index triangle, int edge) const { return triangle_portals_[edge_at(triangle, edge)]; }
+  float portal_width(Index portal) const {
+    KRAIT_ASSERT(portal < portal_count());
+    return portal_widths_[portal];
+  }
+  Index goal_of(Index triangle) const {
+    KRAIT_ASSERT(triangle < triangle_count());
+    const std::uint16_t goal = triangle_goals_[triangle];
+    return goal == format::kNone16 ? kNone : goal;
+  }
+
+  Index goal_count() const { return header_.goals; }
+  const char* name() const { return names_; }
+  const char* goal_name(Index goal) const {
+    KRAIT_ASSERT(goal < goal_count());
+    return nth_name(1 + goal);
+  }
+  Polygon goal_polygon(Index goal) const {
+    KRAIT_ASSERT(goal < goal_count());
+    const std::uint32_t first = goal_offsets_[goal];
+    return {goal_vertices_ + first, static_cast<int>(goal_offsets_[goal + 1] - first)};
+  }
+  // The goal's index, or kNone.
+  Index find_goal(const char* goal) const;
+
+  Index start_count() const { return header_.starts; }
+  const char* start_name(Index start) const {
+    KRAIT_ASSERT(start < start_count());
+    return nth_name(1 + header_.goals + start);
+  }
+  ScenePose start(Index start) const;
+
+  // Obstacles.
+  Index piece_count() const { return header_.pieces; }
+  Polygon piece(Index piece) const {
+    KRAIT_ASSERT(piece < piece_count());
+    const std::uint32_t first = piece_offsets_[piece];
+    return {piece_vertices_ + first, static_cast<int>(piece_offsets_[piece + 1] - first)};
+  }
+  Box piece_box(Index piece) const {
+    KRAIT_ASSERT(piece < piece_count());
+    return piece_boxes_[piece];
+  }
+
+  // Buckets: triangles and pieces by place.
+  const CellGrid& buckets() const { return buckets_; }
+  std::uint32_t bucket_triangles_begin(std::size_t bucket) const { return bucket_triangle_offsets_[bucket]; }
+  Index bucket_triangle(std::uint32_t i) const { return bucket_triangles_[i]; }
+  std::uint32_t bucket_pieces_begin(std::size_t bucket) const { return bucket_piece_offsets_[bucket]; }
+  Index bucket_piece(std::uint32_t i) const { return bucket_pieces_[i]; }
+
+  const ClearanceGrid& clearance() const { return clearance_grid_; }
+
+ private:
+  static std::size_t at(Index triangle, int i) { return std::size_t{triangle} * 3 + static_cast<std::size_t>(i); }
+  std::size_t edge_at(Index triangle, int i) const {
+    KRAIT_ASSERT(triangle < triangle_count() && i >= 0 && i < 3);
+    return at(triangle, i);
+  }
+  // Of a scene that was not opened, which contains no point.
+  static format::Header unopened() {
+    format::Header header{};
+    header.bounds_min_x = 1.0F;
+    header.bounds_max_x = -1.0F;
+    return header;
+  }
+  const char* nth_name(Index n) const;
+  void view(const std::byte* bytes);
+
+  format::Header header_ = unopened();
+  const std::uint32_t* words_ = nullptr;  // of the whole file
+  const Vec2* vertices_ = nullptr;
+  IndexArray triangle_vertices_;
+  IndexArray triangle_neighbors_;
+  IndexArray triangle_portals_;
+  const std::uint16_t* triangle_goals_ = nullptr;
+  const float* portal_widths_ = nullptr;
+  const std::uint32_t* goal_offsets_ = nullptr;
+  const Vec2* goal_vertices_ = nullptr;
+  const format::StartRecord* starts_ = nullptr;
+  const float* start_angles_ = nullptr;
+  const std::uint32_t* piece_offsets_ = nullptr;
+  const Vec2* piece_vertices_ = nullptr;
+  const Box* piece_boxes_ = nullptr;
+  const std::uint32_t* bucket_triangle_offsets_ = nullptr;
+  IndexArray bucket_triangles_;
+  const std::uint32_t* bucket_piece_offsets_ = nullptr;
+  IndexArray bucket_pieces_;
+  const std::uint8_t* clearance_ = nullptr;
+  const char* names_ = nullptr;
+  CellGrid buckets_;
+  ClearanceGrid clearance_grid_;
+
+  friend class detail::SceneChecker;
+};
+
+}  // namespace krait

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whether discs are free: rough looks at where a robot may go. They choose what is tried, and prove nothing.
+#pragma once
+
+#include "krait/scene.hpp"
+
+namespace krait::detail {
+
+class Sight {
+ public:
+  Sight() = default;
+
+  // Looks in a scene, which must outlive this, for discs of `radius` metres, at least 0, in steps of `step` metres,
+  // above 0.
+  Sight(const Scene& scene, float radius, float step) : scene_(&scene), radius_(radius), step_(step) {}
+
+  // Metres that the disc around a point may move in any direction and is free all the way: by the clearance grid, and 0
+  // where that does not suffice and the pieces nearby leave the disc free. Negative where the disc meets a piece, is
+  // not within the bounds, or the point is not finite. Worst case: every edge of the pieces in the buckets that the
+  // disc's box meets.
+  float slack(Vec2 center) const {
+    const float room = scene_->clearance().at(center) - radius_;
+    return room > 0.0F ? room : slack_near(center);
+  }
+
+  // Whether a disc is free that goes straight from a to b, but for its first step, as far as some places on the way
+  // show, none further than a step from the next that the grid does not tell about. False where kMostLooks do not reach
+  // b.
+  bool line_free(Vec2 a, Vec2 b) const;
+
+  static constexpr int kMostLooks = 200;
+
+ private:
+  // Where the grid does not suffice.
+  float slack_near(Vec2 center) const;
+
+  bool apart_from_pieces(Vec2 center) const;
+
+  const Scene* scene_ = nullptr;
+  float radius_ = 0.0F;
+  float step_ = 1.0F;
+};
+
+}  // namespace krait::detail

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// The workspace decomposition D = (R, E, C) (section 4.1), the heuristic costs h(r) and the shortest-path tree.
+//
+// A region is named by a triangle. All triangles of a named goal form the one region G, named by the first of them;
+// a disc goal makes every triangle that it meets a source of its own. Edges are the portals between regions.
+#pragma once
+
+#include "base/arena.hpp"
+#include "base/random.hpp"
+#include "decomposition/indexed_heap.hpp"
+#include "krait/goal.hpp"
+#include "krait/scene.hpp"
+#include "krait/why.hpp"
+
+namespace krait::detail {
+
+// How much a failed expansion raises an edge's cost C (Eqn 9).
+struct CostRaise {
+  float gamma = 50.0F;  // square metres in the paper's form, plain number otherwise
+  float length = 0.0F;  // metres: C += gamma * length^2 / max(C, length); 0: the paper's C += gamma / C
+};
+
+class Regions {
+ public:
+  // Allocates its tables: 9 bytes a triangle (13 from 65,536 on) and 4 a portal. The scene must outlive this.
+  void take(Arena& arena, const Scene& scene);
+  void take(Arena&, const Scene&&) = delete;
+
+  // Costs C between centroids, but at least `least_cost` metres; portals narrower than `least_width` are no edges;
+  // then Dijkstra. False when no triangle belongs to the goal.
+  bool reset(const Goal& goal, float least_width, float least_cost);
+
+  // Whether a disc could get from triangle `from` to within `reach` metres of the goal through portals of at least
+  // `least_width`. Uses the tables as scratch: reset must follow. O(R).
+  bool connected(Index from, const Goal& goal, float reach, float least_width);
+
+  // The widest way from triangle `from` to within `reach` metres of the goal of the last reset (into it for 0), through
+  // portals of any width, and its narrowest portal; `needed` is the caller's. Then finds h anew, as update does.
+  // O(R log R).
+  Bottleneck widest_way(Index from, float reach);
+
+  // Dijkstra from the goal over the costs as they are: h and the shortest-path tree. O(R log R).
+  void update();
+
+  // The same, bit for bit, where edges were only raised since the last update or repair: finds the paths anew of those
+  // regions only whose path went over a raised edge. Returns how many. O(R + n log n) for n of them.
+  Index repair();
+
+  // The region of a triangle.
+  Index region(Index triangle) const { return is_goal_triangle(triangle) ? goal_region_ : triangle; }
+  // h(r), metres; infinite where no path leads to the goal.
+  float cost(Index region) const { return h_[region]; }
+  // Largest finite h (Eqn 7's h_max).
+  float largest_cost() const { return largest_; }
+  // The region after r on its shortest path, as of the last update; kNone at a goal and where there is no path.
+  Index next(Index region) const {
+    const std::uint8_t edge = next_[region] & kEdgeMask;
+    return edge == kNoEdge ? kNone : this->region(scene_->neighbor(region, edge));
+  }
+  bool is_goal(Index region) const { return h_[region] == 0.0F; }
+  // A named goal's one region; kNone for a disc.
+  Index goal_region() const { return goal_region_; }
+  const Goal& goal() const { return goal_; }
+  const Scene& scene() const { return *scene_; }
+
+  // Raises the cost of every edge of r (Algorithm 1, line 11). O(edges of r), O(R) for G. Costs h stay as they were.
+  void raise_edges(Index region, const CostRaise& raise);
+
+  // A point drawn uniformly: in the triangle; in the whole goal polygon's triangles for G; a disc's sources
+  // return a point of the disc.
+  Vec2 random_point(Index region, Random& random) const;
+
+  // A point drawn uniformly in the goal.
+  Vec2 random_goal_point(Random& random) const;
+
+  // One of the first `most` regions after r on its shortest path, each as likely; r where there is none. O(most).
+  Index random_ahead(Index region, std::uint32_t most, Random& random) const;
+
+ private:
+  bool is_goal_triangle(Index triangle) const {
+    return goal_region_ != kNone && scene_->goal_of(triangle) == goal_.index();
+  }
+  Vec2 region_center(Index region) const;
+  void settle_widest(float reach);
+  std::uint8_t edge_to(Index triangle, Index neighbor) const;
+  Bottleneck narrowest_on_way(Index from) const;
+  Vec2 roomiest_point(Index triangle, int edge) const;
+  void set_costs(float least_width, float least_cost);
+  void push_sources();
+  void settle();
+  void settle(Index triangle);
+  float cost_beside(Index triangle) const;
+  bool follows(Index triangle, Index ahead) const;
+  Index list_stale();
+  Index list_followers(Index triangle, Index count);
+  Index list_if_new(Index triangle, Index count);
+  void raise_triangle_edges(Index triangle, const CostRaise& raise);
+  Index random_goal_triangle(Random& random) const;
+
+  const Scene* scene_ = nullptr;
+  Goal goal_ = Goal::named(0);
+  Index goal_region_ = kNone;
+  Vec2 goal_center_{};
+  // Of next_: the edge that a triangle's shortest path crosses, and marks.
+  static constexpr std::uint8_t kEdgeMask = 3;
+  static constexpr std::uint8_t kNoEdge = 3;
+  static constexpr std::uint8_t kRaised = 4;  // its edges were raised since h was found
+  static constexpr std::uint8_t kListed = 8;  // its path is to be found anew
+
+  float* h_ = nullptr;
+  std::uint8_t* next_ = nullptr;
+  float* portal_costs_ = nullptr;
+  IndexedHeap heap_;
+  float largest_ = 0.0F;
+  float exact_below_ = 0.0F;  // metres: up to there every edge of a path counts in float
+};
+
+}  // namespace krait::detail

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+// Looks for ways of fewer steps than a plan has. In rounds: a line to the goal, along the shortest path of regions or
+// along the plan, is pulled taut; its corners are rounded by what the robot can turn; it is driven, and changed at
+// random around the place where that fails until the goal is reached, then anywhere as long as that saves steps. What
+// is better than the plan is driven once more and proven as the plan was, and only then takes its place.
+#pragma once
+
+#include "decomposition/locate.hpp"
+#include "decomposition/regions.hpp"
+#include "improve/corners.hpp"
+#include "improve/taut_line.hpp"
+#include "improve/way_drive.hpp"
+#include "krait/plan.hpp"
+#include "plan/plan_proof.hpp"
+
+namespace krait::detail {
+
+class Improver {
+ public:
+  // Room for ways of `legs` legs, and for routes that are as long.
+  void take(Arena& arena, std::uint32_t legs, int state_size);
+
+  // Begins with a plan of one step or more, which must stay, as must what the tools name and `proof`. The regions'
+  // costs and paths are those of the goal, as they were before any was raised. A plan ends as deep inside the
+  // goal as `depth` says.
+  void begin(const WayTools& tools, PlanProof& proof, const Regions& regions, const PlanPath& plan,
+             const EndDepth& depth, const Random& random);
+
+  // Continues by one iteration, which is at most max_steps steps of a drive, and some more at its begin: those that
+  // Way::kLegsAState legs have, driven again unproven, or a turn in the void; or a stretch of pulling a line taut; or
+  // the regions from the start to the goal. Returns whether there is a better plan now.
+  bool iterate();
+
+  // The best plan so far.
+  const PlanPath& plan() const { return plan_; }
+  // Of the best plan, once iterate has found one.
+  const PlanMeasures& measures() const { return measures_; }
+
+ private:
+  using Outcome = WayDrive::Outcome;
+
+  enum class Stage : std::uint8_t { turning, tracing, pulling, driving, proving };
+
+  static constexpr std::uint32_t kLeastVias = 64;
+  static constexpr std::uint32_t kLeastPoints = 256;
+  static constexpr std::uint32_t kHold = 3;       // steps of a leg, or more where a way would not have room
+  static constexpr std::uint32_t kPatience = 20;  // changes in vain while the goal is not reached, and
+  static constexpr std::uint32_t kPolish = 30;    // afterwards, that end a round
+  static constexpr float kRounded = 0.6F;         // how often the corners of a new route are rounded
+  static constexpr float kWorthProof = 0.97F;     // of the plan's steps: a way so short is proven at once
+  static constexpr std::uint32_t kRunUp = 15;     // steps straight on before a turn is measured,
+  static constexpr std::uint32_t kTurning = 30;   // steps of the turn,
+  static constexpr std::uint32_t kMeasured = 15;  // the last ones of which are measured
+  static constexpr float kReach = 2.4F;           // units: how far on along a route the robot's place is looked for
+
+
+  Way& current() { return ways_[here_]; }
+  Way& trial() { return ways_[1 - here_]; }
+  Route& route() { return routes_[here_of_routes_]; }
+  Route& changed() { return routes_[1 - here_of_routes_]; }
+
+  void take_plan(const PlanPath& plan);
+
+  // One unproven step of the drive; returns how long it is.
+  float step_in_void(Pose& after);
+
+  // What the robot's turns are like: far ahead for some steps, then far to the left, as if nothing was there.
+  void measure_turn();
+
+  void aim_aside(const Pose& pose, bool left);
+
+  // A new line: in turn that of the regions and that of the plan.
+  void begin_round();
+
+  // The middles of the portals between the regions. False where they have no path.
+  bool trace_regions();
+
+  // The plan's positions.
+  void trace();
+
+  void begin_pull();
+
+  void pull();
+
+  // Makes the line a route.
+  void dress();
+
+  void begin_search();
+
+  // Drives the changed route from the leg on.
+  void begin_drive(std::uint32_t leg);
+
+  void drive();
+
+  void learn_reached();
+
+  // A way that comes nearer to the goal is better; of those that come as near another one is taken now and then.
+  void learn_blocked();
+
+  void accept();
+
+  bool worth_proof();
+
+  // The next change, or the next round.
+  void go_on();
+
+  // A via of the changed route from a little before the place where the current way failed to a little after, a new one
+  // if there is none.
+  std::uint32_t via_near_failure();
+
+  // Bounds how much of the route a change at via i concerns, by vias on the line where its neighbours are far. Returns
+  // the via's new number.
+  std::uint32_t spread_around(std::uint32_t i);
+
+  // The first leg of the current way that may look further along the route than `from`, or else the last.
+  std::uint32_t first_that_sees(float from);
+
+  void begin_proof();
+
+  bool prove();
+
+  bool finish_proof();
+
+  WayTools tools_;
+  PlanProof* proof_ = nullptr;
+  const Regions* regions_ = nullptr;
+  PlanPath plan_;
+  std::uint32_t plan_steps_ = 0;
+  EndDepth depth_;
+  PlanMeasures measures_;
+  Random random_;
+  float robot_length_ = 1.0F;
+  float half_width_ = 0.0F;
+  float stride_ = 0.0F;  // metres: the longest step that the robot made
+  Turns turns_{};
+  std::uint32_t share_ = 0;  // of the turns, that is measured next
+  Stage stage_ = Stage::turning;
+  std::uint32_t round_ = 0;
+  TautLine line_;
+  Way best_;
+  Way ways_[2];  // the best of this round, and the one that is driven
+  int here_ = 0;
+  Route routes_[2];  // that those ways follow
+  int here_of_routes_ = 0;
+  WayDrive drives_;
+  bool reaches_ = false;    // whether the current way reaches the goal
+  float left_ = kInfinity;  // metres of the route where it does not
+  float failed_ = 0.0F;     // metres along the route where it ends
+  std::uint32_t vain_ = 0;  // changes since the last that helped
+  Index leg_ = 0;           // that is traced or proven next, and
+  std::uint32_t step_ = 0;  // how many of its steps are
+};
+
+}  // namespace krait::detail

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// What models have in common that follow a reference motion which they are very near to.
+#pragma once
+
+#include "krait/robots/model.hpp"
+
+namespace krait::detail {
+
+// How far a state is from its reference, seen from the reference.
+struct Deviation {
+  float ahead;    // metres
+  float left;     // metres
+  float heading;  // radians
+};
+
+// Of states that begin with x, y and a heading.
+inline Deviation deviation(StateView s, StateView reference) {
+  const SinCos heading = math::sin_cos(reference[2]);
+  const Vec2 along{heading.cos, heading.sin};
+  const Vec2 apart{s[0] - reference[0], s[1] - reference[1]};
+  return {dot(along, apart), cross(along, apart), s[2] - reference[2]};
+}
+
+inline constexpr float kHeadingShare = 0.2F;  // of a heading's error that a time step removes, where nothing steers
+
+// What removes deviations: speed by a tenth of what lags a time step, heading toward the reference's line, so that
+// what is left of it shrinks within `distance` metres.
+struct Correction {
+  float speed;    // metres a second, to be added
+  float heading;  // radians, by which the heading should change
+};
+
+// Metres: `distance`, or eight time steps' way where that is more, below which tracking would not be stable.
+inline float tracking_distance(float speed, float distance, float dt) {
+  const float way = math::absolute(speed) * dt;
+  return distance > 8.0F * way ? distance : 8.0F * way;
+}
+
+inline Correction correction(const Deviation& from, float speed, float distance, float dt) {
+  constexpr float kShare = 0.1F;
+  const float sideways = from.left / tracking_distance(speed, distance, dt);
+  return {-kShare * from.ahead / dt, (speed < 0.0F ? sideways : -sideways) - from.heading};
+}
+
+}  // namespace krait::detail

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot_check/control.hpp"
+
+#include "robot_check/answers.hpp"
+
+namespace krait::detail::checking {
+namespace {
+
+std::vector<float> steer_of(const Robot& robot, const std::vector<float>& state, const Target& target,
+                            Steering& steering, float fill) {
+  const std::vector<Pose> poses = poses_of(robot, state);
+  std::vector<float> control(static_cast<std::size_t>(robot.control_size()), fill);
+  robot.steer(state.data(), poses.data(), target, steering, control.data());
+  return control;
+}
+
+void check_control(const Case& c, const Sample& at) {
+  for (std::size_t i = 0; i < at.control.size(); ++i) {
+    const RobotRange range = c.ranges.control[i];
+    const float over = at.control[i] > range.high ? at.control[i] - range.high : range.low - at.control[i];
+    if (finite(at.control[i]) && over <= 1e-5F * (range.high - range.low)) continue;
+    c.findings.add("steer", "control", finite(over) ? static_cast<double>(over) : kInfinite,
+                   "component " + std::to_string(i) + " of the control is " +
+                       number(static_cast<double>(at.control[i]), 9) + ", not within " +
+                       number(static_cast<double>(range.low)) + " and " + number(static_cast<double>(range.high)),
+                   at, "Clamp every control; where the target is the position, a direction to it is 0 / 0.");
+  }
+}
+
+void check_steer_repeats(const Case& c, const Sample& at, const Target& target, Steering steering) {
+  const std::vector<float> again = steer_of(c.robot, at.state, target, steering, kFills[1]);
+  if (same_bits(again, at.control)) return;
+  c.findings.add("steer", "pure", kInfinite, "asked again it answers " + list(again), at,
+                 "It must write every component and depend on nothing but its arguments.");
+}
+
+}  // namespace
+
+void check_steer(const Case& c, const Target& target, int steps, SteeredSteps& counted) {
+  Steering steering;
+  Sample at = c.sample;
+  while (steps-- > 0) {
+    const Steering before = steering;
+    at.control = steer_of(c.robot, at.state, target, steering, kFills[0]);
+    check_control(c, at);
+    check_steer_repeats(c, at, target, before);
+    const std::vector<float> next = rounded(integrated(c.robot, at, static_cast<double>(at.dt), 1).back());
+    ++counted.all;
+    if (!c.robot.within_limits(next.data())) {
+      ++counted.leaving;
+      if (c.ranges.leaving > 0) return;
+      c.findings.add("steer", "limits", kInfinite, "it leads beyond the limits, to " + list(next), at,
+                     "Choose controls whose step of target.dt ends within the limits, inside by more than rounding.");
+      return;
+    }
+    at.state = next;
+  }
+}
+
+void check_leaving(Findings& findings, const RobotRanges& ranges, const SteeredSteps& counted) {
+  const double share = counted.all == 0 ? 0 : static_cast<double>(counted.leaving) / counted.all;
+  if (ranges.leaving <= 0 || share <= static_cast<double>(ranges.leaving)) return;
+  findings.add("steer", "leaving",
+               "of " + std::to_string(counted.all) + " steered steps " + number(100 * share) +
+                   " % lead beyond the limits, more than the " + number(100 * static_cast<double>(ranges.leaving)) +
+                   " % of RobotRanges::leaving. Each ends an expansion of the search.");
+}
+
+}  // namespace krait::detail::checking

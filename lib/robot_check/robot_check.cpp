@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "krait/robot_check.hpp"
+
+#include <cmath>
+#include <optional>
+
+#include "krait/status.hpp"
+#include "robot/shape.hpp"
+#include "robot_check/answers.hpp"
+#include "robot_check/bounds.hpp"
+#include "robot_check/control.hpp"
+#include "robot_check/invariance.hpp"
+#include "robot_check/samples.hpp"
+#include "robot_check/steps.hpp"
+
+namespace krait {
+namespace detail::checking {
+namespace {
+
+bool frames_are_finite(const Case& c) {
+  for (const auto& at : c.frames) {
+    for (const Frame& frame : at) {
+      if (!(std::isfinite(frame.x + frame.y) && std::isfinite(frame.sin + frame.cos))) return false;
+    }
+  }
+  return true;
+}
+
+class RobotCheck {
+ public:
+  RobotCheck(const Robot& robot, const RobotRanges& ranges, std::uint64_t seed, RobotReport& report)
+      : robot_(robot), ranges_(ranges), findings_(report), draws_(ranges, seed) {}
+
+  void run(int samples) {
+    if (!usable()) return;
+    for (int i = 0; i < samples; ++i) {
+      findings_.begin_sample();
+      const std::optional<Case> drawn = draw();
+      if (!drawn) return;
+      check(*drawn);
+    }
+    check_leaving(findings_, ranges_, steered_);
+  }
+
+ private:
+  // Whether the robot's sizes and shapes and the ranges can be used at all.
+  bool usable() {
+    const Argument bad = first_bad_of_robot(robot_);
+    if (bad != Argument::none) {
+      findings_.add(
+          "body", to_string(bad),
+          "init refuses the robot: " + std::string(to_string(bad)) +
+              ". robot_dimensions: sound() is false; robot_sizes: a size is beyond its maximum; robot_polygon: a body "
+              "has not 3 to 8 vertices, convex and counter-clockwise.");
+      return false;
+    }
+    const bool fit = ranges_.state.size() == static_cast<std::size_t>(robot_.state_size()) &&
+                     ranges_.control.size() == static_cast<std::size_t>(robot_.control_size()) && !ranges_.dt.empty();
+    if (!fit) {
+      findings_.add("ranges", "sizes",
+                    "RobotRanges has " + std::to_string(ranges_.state.size()) + " ranges of states, " +
+                        std::to_string(ranges_.control.size()) + " of controls and " +
+                        std::to_string(ranges_.dt.size()) + " time steps; the robot has " +
+                        std::to_string(robot_.state_size()) + " and " + std::to_string(robot_.control_size()) +
+                        ", and one time step is needed.");
+    }
+    return fit;
+  }
+
+  // A state within the limits; empty after many in vain.
+  std::vector<float> state_within_limits() {
+    constexpr int kTries = 10'000;
+    for (int i = 0; i < kTries; ++i) {
+      std::vector<float> state = draws_.state();
+      if (robot_.within_limits(state.data())) return state;
+    }
+    findings_.add("within_limits", "ranges",
+                  "of " + std::to_string(kTries) +
+                      " states that were drawn from the ranges none is within the limits: narrow RobotRanges::state, "
+                      "or give RobotRanges::arrange.");
+    return {};
+  }
+
+  std::optional<Case> draw() {
+    Case drawn{robot_, ranges_, findings_, {state_within_limits(), draws_.control(), draws_.dt()}, {}, {}, {}, {}};
+    if (drawn.sample.state.empty()) return std::nullopt;
+    drawn.other = state_within_limits();
+    if (drawn.other.empty()) return std::nullopt;
+    return drawn;
+  }
+
+  // Draws controls until one ends the step within the limits, which is all that travel is asked about. False, and the
+  // motion is unknown, when none does.
+  bool move(Case& c) {
+    constexpr int kTries = 20;
+    for (int i = 0; i < kTries; ++i) {
+      c.motion = fine_motion(robot_, c.sample, static_cast<double>(c.sample.dt));
+      c.next = rounded(c.motion.end());
+      if (robot_.within_limits(c.next.data())) return true;
+      c.sample.control = draws_.control();
+    }
+    c.next.clear();
+    return false;
+  }
+
+  void check(Case c) {
+    check_within_limits(c);
+    check_bodies(c);
+    const bool rates = check_derivative(c);
+    const bool places = check_place(c);
+    if (!rates || !places) return;
+    const Vec2 position{c.sample.state[0], c.sample.state[1]};
+    check_steer(c, draws_.target(position, robot_.reversible(), c.sample.dt), 10, steered_);
+    check_leading(c);
+    check_integration(c);
+    check_fastest_rate(c);
+    check_motion(c);
+  }
+
+  void check_motion(Case& c) {
+    constexpr double kAlmostPi = 3.1;
+    const double angle = static_cast<double>(draws_.even({-1.0F, 1.0F})) * kAlmostPi;
+    if (!move(c)) return;
+    if (!c.motion.resolved) {
+      c.fault("derivative", "smooth", kInfinite, "2,048 Runge-Kutta steps do not tell where it leads",
+              "It must be continuous, and not too fast for the time step.");
+      return;
+    }
+    for (const Numbers& state : c.motion.states) c.frames.push_back(frames_of(robot_, rounded(state)));
+    if (!frames_are_finite(c)) {
+      c.fault("place", "finite", kInfinite, "a frame on the way is not finite", "Every frame must be finite.");
+      return;
+    }
+    check_travel(c);
+    check_quick_bound(c);
+    check_place_follows(c);
+    check_invariance(c, angle);
+  }
+
+  const Robot& robot_;
+  const RobotRanges& ranges_;
+  Findings findings_;
+  Draws draws_;
+  SteeredSteps steered_;
+};
+
+}  // namespace
+}  // namespace detail::checking
+
+RobotReport check_robot(const Robot& robot, const RobotRanges& ranges, int samples, std::uint64_t seed) {
+  RobotReport report;
+  detail::checking::RobotCheck(robot, ranges, seed, report).run(samples);
+  return report;
+}
+
+}  // namespace krait

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// The shortest ways between two poses for something that drives forwards and turns on circles of one radius: L. E.
+// Dubins, On Curves of Minimal Length with a Constraint on Average Curvature, 1957.
+#pragma once
+
+#include "krait/geometry.hpp"
+
+namespace krait::detail {
+
+// A line of arcs and straight pieces, each of which begins where the one before it ends, in its direction.
+class CurvedLine {
+ public:
+  static constexpr int kMostPieces = 4;
+
+  // From a pose on, with arcs of `radius` metres, above 0.
+  CurvedLine() = default;
+  CurvedLine(const Pose& from, float radius) : end_(from), radius_(radius) {}
+
+  // Adds a piece of `length` metres, at least 0, that turns left (1), right (-1) or not (0). Not to kMostPieces.
+  void add(int turn, float length);
+
+  float length() const { return length_; }  // metres
+  const Pose& end() const { return end_; }
+
+  // The pose `arc` metres along the line; beyond its ends on the straight lines that it ends with.
+  Pose at(float arc) const;
+
+ private:
+  struct Piece {
+    Pose from;
+    float length;
+    int turn;
+  };
+
+  Pose along(const Pose& from, int turn, float way) const;
+
+  Piece pieces_[kMostPieces];
+  int count_ = 0;
+  Pose end_{};
+  float radius_ = 1.0F;
+  float length_ = 0.0F;
+};
+
+inline constexpr int kDubinsWords = 6;  // LSL, RSR, LSR, RSL, LRL, RLR
+
+// Makes `line` the word's line from one pose to another, all turns of `radius` metres, above 0. False where the word
+// has none: the poses are too near to each other, or for the last two words too far apart.
+bool dubins(int word, const Pose& from, const Pose& to, float radius, CurvedLine& line);
+
+}  // namespace krait::detail

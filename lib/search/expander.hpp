@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+// Expands the motion tree (Algorithm 2, lines 4 to 15): from a vertex toward a target, step by step, as long as every
+// step is free. Near the goal it brakes, and to a pose it drives the last metres.
+#pragma once
+
+#include "collision/motion_check.hpp"
+#include "decomposition/regions.hpp"
+#include "krait/planner.hpp"
+#include "krait/watch.hpp"
+#include "motion/drive.hpp"
+#include "plan/ending.hpp"
+#include "plan/motion_tree.hpp"
+#include "search/last_metres.hpp"
+#include "search/recent_states.hpp"
+
+namespace krait::detail {
+
+// Who keeps the states to grow from.
+class Keeper {
+ public:
+  Keeper() = default;
+  // Calls search.keep(region, branch, state) of every new state that is not doomed. It may make the state a vertex, and
+  // returns false when the search cannot go on. The search must outlive this.
+  template <class S>
+  explicit Keeper(S& search) : search_(&search), keep_(&keep<S>) {}
+
+  bool operator()(Index region, Branch branch, const float* state) const {
+    return keep_(search_, region, branch, state);
+  }
+
+ private:
+  template <class S>
+  static bool keep(void* search, Index region, Branch branch, const float* state) {
+    return static_cast<S*>(search)->keep(region, branch, state);
+  }
+
+  void* search_ = nullptr;
+  bool (*keep_)(void* search, Index region, Branch branch, const float* state) = nullptr;
+};
+
+// What expansions grow the tree with; all of it must outlive them.
+struct ExpanderTools {
+  Robot robot;
+  const Scene* scene = nullptr;
+  const Parameters* parameters = nullptr;
+  const Regions* regions = nullptr;
+  MotionTree* tree = nullptr;
+  MotionCheck* check = nullptr;
+  const Ending* ending = nullptr;
+  Statistics* statistics = nullptr;
+  Keeper keeper;
+  float robot_length = 1.0F;           // metres, of body 0
+  float goal_depth = 0.0F;             // metres: how deep inside the goal a way ends
+  bool shoots = false;                 // whether the last metres to a pose are driven
+  std::uint32_t spare_expansions = 0;  // that the tree keeps back for what ends a way
+};
+
+enum class Outcome : std::uint8_t { goal_reached, target_reached, target_not_reached, collision, tree_full, goes_on };
+
+struct Expanded {
+  Outcome outcome;
+  Index region;               // of the last state
+  Branch last;                // the last state, when there was a step
+  std::uint32_t crossed = 0;  // how often a step ended in another region than it began in
+};
+
+class Expander {
+ public:
+  // Steps last dt seconds. The robot must outlive this; `recent` has its memory.
+  void set_up(const Robot& robot, float dt, const RecentStates& recent);
+
+  // For a query.
+  void assign(const ExpanderTools& tools);
+
+  // Forgets what goes on: the tree has been emptied.
+  void reset();
+
+  // From a vertex, which lies in `region` (or kNone: not known), toward the target. The tree must have room for an
+  // expansion. At most SearchTuning::max_steps steps; where it goes_on, go_on makes as many more.
+  Expanded expand(Index vertex, Index region, const Target& toward, const Watch& watch);
+  Expanded go_on(const Watch& watch);
+
+  // The last state of an expansion that has reached the goal, that of its brake included.
+  Branch end() const { return braking() ? Branch{braking_, brake_steps_} : expanded_.last; }
+
+  // Ends an expansion whose way to the goal is no plan.
+  void refuse();
+
+  // Puts the robot there without growing the tree.
+  void place(const float* state) { drive_.begin(state); }
+  const float* state() const { return drive_.state(); }
+
+  // For whoever drives while no expansion does.
+  Drive& drive() { return drive_; }
+  Drive& brake() { return brake_; }
+
+ private:
+  static constexpr std::uint32_t kOpen = 1;  // how often an expansion past max_steps may have crossed a portal
+
+  Vec2 position() const { return {drive_.state()[0], drive_.state()[1]}; }
+
+  bool braking() const { return braking_ != kNone; }
+
+  // Whether the expansion waits for what may end the way from its last state.
+  bool aside() const { return braking() || shooting_; }
+
+  Outcome take_turn(const Watch& watch);
+
+  // Whether the expansion continues after this step. Past max_steps it does in the open only, and while each step
+  // decreases the distance to the target.
+  bool continues();
+
+  // One step, and what becomes of it.
+  Outcome grow(const Watch& watch);
+
+  // The next shot from the expansion's last state. False when there is none left.
+  bool begin_shot();
+
+  // One step of a shot. Where none ends in the goal, the expansion goes on from where they began.
+  Outcome shoot(const Watch& watch);
+
+  // Each leg is an expansion of its own, which the tree has slots for.
+  bool begin_shot_leg();
+
+  // What becomes of an expansion whose last state does not end it in the goal.
+  Outcome settle();
+
+  // The brake is an expansion of its own, toward the same target, which the tree has a slot for.
+  void begin_braking();
+
+  // One step of the brake. Where it cannot end in the goal, the expansion goes on from where the brake began.
+  Outcome take_brake_step(const Watch& watch);
+
+  Outcome end_braking();
+
+  // Has the state `back` steps before the last kept, if there is one.
+  bool keep_recent(std::uint32_t back);
+
+  // CONTROLLER, MOTION and COLLISION (lines 5 and 6). False when the step is not free or leaves the robot's limits.
+  bool take_step(Drive& drive);
+
+  // The region of a position; where no triangle contains it (a reference point outside the body may stand on an
+  // obstacle), the last state's.
+  Index region_of(Vec2 at, Index last) const;
+
+  ExpanderTools tools_;
+  Drive drive_;
+  RecentStates recent_;
+  Expanded expanded_{};      // the last expansion
+  float apart_ = kInfinity;  // metres: how far the target of a long one was
+  Index braking_ = kNone;    // the expansion that brakes for the goal; kNone: none does
+  std::uint32_t brake_steps_ = 0;
+  Drive brake_;
+  bool shooting_ = false;        // whether the last metres are driven; braking_ is their last leg
+  std::uint32_t shot_legs_ = 0;  // of this shot
+  LastMetres last_metres_;
+};
+
+}  // namespace krait::detail

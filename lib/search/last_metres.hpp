@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// The last metres to a pose: lines of arcs and straight pieces from where the robot is to the goal, the shortest of
+// which are driven with the controller in the loop, so slowly in the end that the robot comes to rest at the pose.
+#pragma once
+
+#include <cstdint>
+
+#include "collision/sight.hpp"
+#include "krait/goal.hpp"
+#include "krait/robots/model.hpp"
+#include "search/dubins.hpp"
+
+namespace krait::detail {
+
+// What lines must be like for a robot.
+struct Nimbleness {
+  float length;          // metres, of body 0
+  float turning_radius;  // metres
+  float top_speed;       // m/s
+  float half_width;      // metres: the radius of a disc around the position that lies in body 0
+  bool backward;         // whether it may drive a line backwards
+  float dt;              // seconds
+};
+
+class LastMetres {
+ public:
+  static constexpr std::uint32_t kHold = 2;       // steps of a leg
+  static constexpr std::uint32_t kMostLegs = 96;  // of a shot
+  static constexpr std::uint32_t kEvery = 4;      // of so many states of an expansion one shoots
+
+  // For a goal that is a pose; the scene must outlive this.
+  void assign(const Scene& scene, const Goal& goal, const Nimbleness& robot);
+
+  // Whether a position is so near to the goal that it pays to shoot.
+  bool near(Vec2 position) const { return length(position - goal_.center()) <= capture_; }
+
+  // Chooses the shots from a pose of body 0: of all words, radii, straight ends and ways that the goal allows the
+  // shortest few on which a disc in the robot seems to be free. At most 128 looks at a place (Sight::slack) a line.
+  void choose(const Pose& from);
+
+  // Begins the next shot that was chosen, from the same pose. False when there is none left.
+  bool next(const Pose& from);
+
+  // The next leg's target, where body 0 is at `at`, moves at `speed` m/s and would come to rest within `stopping_way`
+  // metres. False when the shot has ended or the robot has left its line.
+  bool aim(const Pose& at, float speed, float stopping_way, Target& target);
+
+ private:
+  static constexpr int kRadii = 3;
+  static constexpr int kMostLeads = 4;
+  static constexpr std::uint32_t kMostShots = 4;
+
+  struct Shot {
+    float length;
+    std::uint8_t word;
+    std::uint8_t radius;
+    std::uint8_t lead;
+    bool backward;
+    bool opposite;  // ends with the heading opposite to the goal's
+  };
+
+  bool draw(const Pose& from, const Shot& shot, CurvedLine& line) const;
+  void consider_leads(const Pose& from, int first, int last);
+  void consider(const Pose& from, Shot shot);
+  bool looks_free(const CurvedLine& line) const;
+
+  const Scene* scene_ = nullptr;
+  Goal goal_ = Goal::named(0);
+  Nimbleness robot_{};
+  Sight sight_;
+  float radii_[kRadii];
+  float leads_[kMostLeads];
+  int lead_count_ = 0;
+  int short_leads_ = 0;  // of the leads, the first
+  float capture_ = 0.0F;
+  Shot shots_[kMostShots];
+  std::uint32_t shot_count_ = 0;
+  std::uint32_t shot_ = 0;   // the one after that which is driven
+  CurvedLine line_;          // that is driven
+  bool backward_ = false;    // how
+  float arc_ = 0.0F;         // metres along it
+  std::uint32_t stops_ = 0;  // legs that only brake
+};
+
+}  // namespace krait::detail

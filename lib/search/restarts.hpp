@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// When a search begins anew. Most searches end soon, some very late, and one that has run long for its kind is better
+// begun again: by Knuth's reluctant doubling its tries last 1, 1, 2, 1, 1, 2, 4, 1, … units, which is within a
+// logarithmic factor of the best that could be known (Luby, Sinclair and Zuckerman 1993).
+#pragma once
+
+#include <cstdint>
+
+namespace krait::detail {
+
+class Restarts {
+ public:
+  // Units are of so many expansions; 0: the first try lasts for ever.
+  void begin(std::uint32_t unit) {
+    unit_ = unit;
+    turn_ = 1;
+    units_ = 1;
+    left_ = unit;
+  }
+
+  // Lets the next expansion begin the next try, if there are tries.
+  void end_try() { left_ = 0; }
+
+  // The last expansion is not to be counted.
+  void uncount() { left_ += unit_ != 0 ? 1 : 0; }
+
+  // Counts an expansion; whether the try was over before it, so that the next one begins.
+  bool due() {
+    if (unit_ == 0) return false;
+    if (left_ > 0) {
+      --left_;
+      return false;
+    }
+    go_on();
+    left_ = std::uint64_t{unit_} * units_ - 1;
+    return true;
+  }
+
+ private:
+  void go_on() {
+    if ((turn_ & (~turn_ + 1)) == units_) {
+      ++turn_;
+      units_ = 1;
+    } else {
+      units_ *= 2;
+    }
+  }
+
+  std::uint32_t unit_ = 0;
+  std::uint32_t turn_ = 1;
+  std::uint32_t units_ = 1;  // of this try
+  std::uint64_t left_ = 0;   // expansions
+};
+
+}  // namespace krait::detail

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: Apache-2.0
+// What every planner shares: its block of memory, the checks of a query, the motion tree, and the plan at the end.
+// Where the tree grows is the planner's own.
+#pragma once
+
+#include "base/arena.hpp"
+#include "base/random.hpp"
+#include "collision/motion_check.hpp"
+#include "decomposition/regions.hpp"
+#include "improve/improver.hpp"
+#include "krait/parameters.hpp"
+#include "krait/plan.hpp"
+#include "krait/planner.hpp"
+#include "krait/robot.hpp"
+#include "krait/watch.hpp"
+#include "plan/ending.hpp"
+#include "plan/motion_tree.hpp"
+#include "plan/plan_proof.hpp"
+#include "search/disc_route.hpp"
+#include "search/expander.hpp"
+#include "search/restarts.hpp"
+
+namespace krait::detail {
+
+// A planner has it as its base, and
+//   bytes_required   counts what is kept here and what it keeps itself
+//   init             check_setup, take_block, and what it keeps itself from arena_
+//   start            usable, then begin
+//   advance          for each iteration drive_plan while driving; else count_expansion, then new_try where new_try_due,
+//                    or else expand or go_on
+//   keep             as Keeper has it
+class Search {
+ public:
+  // A copy would write to the same block.
+  Search(const Search&) = delete;
+  Search& operator=(const Search&) = delete;
+
+  // At most `iterations` more of looking for a plan of fewer steps; plan() and Statistics::plan_steps, plan_length,
+  // plan_duration and hash are then those of the best so far, which was driven and proven as the first one was. Work of
+  // one, which must end in the goal as the first did, so that few are found for a pose: at most max_steps steps, and 16
+  // legs' steps that are not proven, or O(way_legs); the first call after start begins with one Dijkstra. The result
+  // does not depend on how the iterations are cut into calls. Plans and their cursors from before the call end with it.
+  // Returns status() and does nothing where that is not solved or the plan has no steps; bad_argument where
+  // Limits::way_legs is 0.
+  [[nodiscard]] Status improve(std::uint64_t iterations);
+
+  // What init cut the block into: Arena::needed(Pool) bytes a pool.
+  const Arena& arena() const { return arena_; }
+  const MotionTree& tree() const { return tree_; }
+  const Regions& regions() const { return regions_; }
+  // Where the search stands: ready before the first start; before init, bad_argument.
+  [[nodiscard]] Status status() const { return failure_.status; }
+  [[nodiscard]] const Failure& failure() const { return failure_; }
+
+  // After start_in_collision: what the robot is too near to at its start; else Hindrance::none. O(pieces near the robot
+  // + bodies^2).
+  Contact contact();
+
+  // Of a search that ended without a plan: the widest way, which after no_route is too narrow for the robot; all zero
+  // else. Work: at most two Dijkstras for the widest way, two for the costs, and 4,095 distances of a point.
+  Bottleneck bottleneck();
+
+  // Whether a way has reached the goal and is driven once more; the tree does not grow meanwhile.
+  bool driving() const { return driven_ != kNone; }
+
+  // Ends the search as time_used, for a port whose clock says so. No effect once it has ended.
+  void stop_for_time();
+
+  // Empty unless solved. Valid until the next start or improve.
+  Plan plan() const;
+
+  Statistics statistics() const;
+
+ protected:
+  static constexpr std::uint32_t kPatience = 10;  // tries after which half of the gentle share turns gently
+
+  Search() = default;
+  ~Search() = default;
+
+  // Takes from an arena that only counts what is kept here.
+  static void count(Arena& counting, const Scene& scene, const Robot& robot, const Limits& limits);
+
+  // The limits with the most vertices for which required(limits) is at most `bytes`, at least 2. O(1).
+  template <class Required>
+  static Limits limits_within(std::uint64_t bytes, Limits limits, Required required) {
+    std::uint32_t fits = 2;
+    std::uint32_t too_many = MotionTree::kMostExpansions + 1;
+    while (too_many - fits > 1) {
+      limits.vertices = fits + (too_many - fits) / 2;
+      (required(limits) <= bytes ? fits : too_many) = limits.vertices;
+    }
+    limits.vertices = fits;
+    return limits;
+  }
+
+  // The arguments that do not change between queries, copied. The search is not ready from here on.
+  Failure check_setup(const Setup& setup, const Parameters& parameters, const Limits& limits);
+
+  // Begins to cut up the block, of which required(limits) bytes are needed: as many vertices as fit where the limits
+  // state none. The search is ready where it succeeds.
+  template <class Required>
+  Failure take_block(const Setup& setup, Required required) {
+    if (limits_.vertices == 0) limits_ = limits_within(setup.bytes, limits_, required);
+    return take_block(setup.block, setup.bytes, required(limits_));
+  }
+
+  // Whether the search is ready, and its scene is that of init. Where it is not, status() says so.
+  bool usable();
+
+  // Checks the query, finds the heuristic costs and plants the root. searching when the search can begin; solved when a
+  // plan may end with the start.
+  Status begin(const Query& query, const Keeper& keeper);
+
+  // An iteration while driving(): at most max_steps steps of one expansion of the way.
+  void drive_plan();
+
+  // Counts an iteration that is an expansion. False, and the search has ended, when the budget is used.
+  bool count_expansion();
+
+  // Whether a try is over; then new_try forgets all but the start and where the random numbers have got to.
+  bool new_try_due() { return restarts_.due(); }
+  void new_try();
+
+  // Expander::expand, and what it means for the search.
+  Expanded expand(Index vertex, Index region, const Target& toward, const Watch& watch);
+
+  // The next max_steps steps of a long expansion.
+  Expanded go_on(const Watch& watch);
+
+  // The way to a point at a random speed, and in a turn that is gentle the more often, the more often it was tried.
+  Target any_way_to(Vec2 point, std::uint32_t tries);
+
+  // Lets the robot drive to a target in the goal so slowly that it can stop there.
+  void slow_for(Target& target, Index from) const;
+
+  Vec2 random_point_in_bounds();
+
+  Vec2 position(Index vertex) const { return {tree_.state(vertex)[0], tree_.state(vertex)[1]}; }
+
+  Status finish(Status status);
+
+  bool shoots_at_poses_ = true;
+  Robot robot_;
+  const Scene* scene_ = nullptr;
+  Parameters parameters_;
+  Limits limits_;
+  Statistics statistics_;
+  Arena arena_;
+  Regions regions_;
+  MotionTree tree_;
+  Random random_;
+  float robot_length_ = 1.0F;
+
+ private:
+  static constexpr float kLeastCost = 0.05F;   // of an edge, in robot lengths: keeps h + C above h
+  static constexpr float kStartDepth = 1e-4F;  // metres: how deep inside the goal a plan without steps is
+  static constexpr float kDepthKept = 0.1F;    // share of the goal's margin that a plan keeps
+
+  static Failure bad_argument(Argument argument);
+
+  static void take_pools(Arena& arena, const Scene& scene, const Robot& robot, const Limits& limits, Regions& regions,
+                         MotionTree& tree, Improver& improver, MotionCheck& check, RecentStates& recent);
+
+  Failure take_block(void* block, std::uint64_t bytes, std::uint64_t needed);
+
+  Failure check_query(const Query& query);
+
+  // Whether the last metres are driven.
+  bool shoots() const { return ending_.goal().is_pose() && shoots_at_poses_; }
+
+  // Those that end a way: a brake or the legs of a shot, which half of a small tree must do for.
+  std::uint32_t spare_expansions() const;
+
+  void equip_expander(const Keeper& keeper);
+
+  // Resets the edge costs and finds the shortest paths. False when no region belongs to the goal.
+  bool find_paths();
+
+  Status plant(bool fits);
+
+  void keep_root() { (void)keeper_(root_region_, {}, expander_.state()); }
+
+  // Before the first step.
+  Vec2 start_position() const { return {expander_.state()[0], expander_.state()[1]}; }
+
+  DiscRoute disc_route();
+
+  Expanded settle(const Expanded& expanded);
+
+  float tree_clearance() const { return parameters_.clearance + kTreeSlack * robot_length_; }
+
+  void keep_for_tree() { check_.keep(tree_clearance(), longest_tree_step(robot_, parameters_.dt)); }
+
+  // The way to `end` has reached the goal. It is driven once more from the start, expansion by expansion, as the plan's
+  // controls alone would drive the robot, and every step is proven again: what holds is the plan. Until then the tree
+  // is used for nothing else. O(expansions of the way).
+  void begin_plan(Branch end);
+
+  // Ends the search as solved where the way that was driven ends in the goal; as internal where the tree beside it was
+  // not the same as when it grew.
+  void finish_plan();
+
+  void note(const PlanMeasures& measures);
+
+  // Goes on with the search; with its next try, since other ways to the goal would mostly begin as this one did.
+  void refuse_plan();
+
+  void begin_to_improve();
+
+  PlanPath found_path() const { return {tree_, path_}; }
+
+  bool ready_ = false;
+  std::uint32_t fingerprint_ = 0;                    // the scene's at init
+  Failure failure_ = bad_argument(Argument::block);  // until init has one
+  MotionCheck check_;
+  Ending ending_;
+  Keeper keeper_;
+  Expander expander_;
+  Restarts restarts_;
+  float goal_depth_ = 0.0F;  // metres: how deep inside the goal the tree's ways end
+  EndDepth end_depth_;       // and plans
+  Index root_region_ = kNone;
+  Index path_ = kNone;    // the plan's first expansion
+  Index driven_ = kNone;  // the expansion of the way to the goal that is driven next; kNone while the tree grows
+  std::uint32_t steps_left_ = 0;  // of that expansion
+  PlanProof proof_;
+  bool improving_ = false;  // since the first call of improve
+  Improver improver_;
+};
+
+}  // namespace krait::detail

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// How far a target leads before the robot would hit something, as far as a coarse roll-out tells in which bodies are
+// discs.
+#pragma once
+
+#include "base/arena.hpp"
+#include "collision/sight.hpp"
+#include "robot/shape.hpp"
+
+namespace krait::detail {
+
+class Sketcher {
+ public:
+  static constexpr std::uint32_t kSteps = 20;  // at most
+
+  // 36 bytes a body and 4 a component of the state. Uninitialised: assign comes before all else.
+  void take(Arena& arena, const Robot& robot);
+
+  // Robot, of the sizes that memory was taken for, and scene must outlive this. Steps are of dt seconds; a target is
+  // reached within `near` metres.
+  void assign(const Robot& robot, const Scene& scene, float dt, float near);
+
+  // Metres: the radius of the discs around the bodies' middles that lie in all of them.
+  float radius() const { return radius_; }
+
+  // The steps from `state` toward the target after which the discs, a little larger, are still free; kSteps where they
+  // are until the target is reached, too.
+  std::uint32_t free_steps(const float* state, const Target& toward);
+
+ private:
+  static constexpr float kRoom = 1.08F;  // of the disc in a body
+
+  // Where a disc was looked at last, and the square of what it may move from there.
+  struct Look {
+    Vec2 center;
+    float squared_slack;
+  };
+
+  void begin(const float* state);
+
+  bool free();
+
+  Robot robot_;
+  float dt_ = 0.2F;
+  float squared_near_ = 0.0F;
+  float radius_ = 0.0F;
+  Sight sight_;
+  float* state_ = nullptr;
+  // By body.
+  Vec2* centers_ = nullptr;  // in its frame
+  Pose* poses_ = nullptr;
+  Look* looks_ = nullptr;
+  Steering steering_;
+};
+
+}  // namespace krait::detail
