@@ -56,7 +56,7 @@ std::uint64_t runge_kutta(const Board& board, const Robot& robot) {
   float states[2][kMaxState] = {};
   const float control[kMaxControl] = {0.5F, 0.1F};
   const std::uint64_t begin = instructions(board);
-  for (std::uint32_t i = 0; i < kSteps; ++i) propagate(robot, states[i % 2], control, 0.01F, states[1 - i % 2]);
+  for (std::uint32_t i = 0; i < kSteps; ++i) detail::propagate(robot, states[i % 2], control, 0.01F, states[1 - i % 2]);
   return (instructions(board) - begin) / kSteps;
 }
 
@@ -120,9 +120,9 @@ void add_pools(firmware::JsonLine& line, const Board& board, const Robot& robot,
     if (!first) return;
     first = false;
     (void)planner.init({board.arena, block, &scene, robot});
-    for (std::size_t pool = 0; pool < kPoolCount; ++pool) {
-      const std::uint64_t bytes = detail::opened(planner).arena().needed(static_cast<Pool>(pool));
-      if (bytes > 0) line.add(to_string(static_cast<Pool>(pool)), bytes);
+    for (std::size_t pool = 0; pool < detail::kPoolCount; ++pool) {
+      const std::uint64_t bytes = detail::opened(planner).arena().needed(static_cast<detail::Pool>(pool));
+      if (bytes > 0) line.add(to_string(static_cast<detail::Pool>(pool)), bytes);
     }
   });
 }

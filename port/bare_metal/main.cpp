@@ -12,7 +12,7 @@ constexpr std::size_t kMaxLine = 256;  // characters of a command line
 constexpr int kMaxWords = 24;
 
 std::uint64_t clock(void*) { return nanoseconds(ticks()); }
-void math::log(void*, const char* text) { console_write(text); }
+void log(void*, const char* text) { console_write(text); }
 void fault(void*, const char* what) { report_fault(what, nullptr, 0); }
 
 // Cuts the line at its spaces, in place. Gives the number of words, at most kMaxWords.
