@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers of things, and points, frames, boxes and polygons in the plane; metres.
+/// \file
+/// Numbers of things, and points, frames, boxes and polygons in the plane; metres.
 #pragma once
 
 #include <cstdint>
@@ -8,70 +9,82 @@
 
 namespace krait {
 
-// Numbers of triangles, regions, vertices and whatever else stands in an array.
+/// Numbers of triangles, regions, vertices and whatever else stands in an array.
 using Index = std::uint32_t;
-inline constexpr Index kNone = 0xFFFFFFFF;
+inline constexpr Index kNone = 0xFFFFFFFF;  ///< the number of nothing
 
+/// A point or a vector in the plane. Metres; points of the library are in the scene's local coordinates.
 struct Vec2 {
-  float x;
-  float y;
+  float x;  ///< metres
+  float y;  ///< metres
 };
 
+/// The sum of two vectors.
 inline Vec2 operator+(Vec2 a, Vec2 b) { return {a.x + b.x, a.y + b.y}; }
+/// The vector from b to a.
 inline Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
+/// The vector, k times as long.
 inline Vec2 operator*(float k, Vec2 a) { return {k * a.x, k * a.y}; }
+/// The scalar product; square metres.
 inline float dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
+/// Square metres: the area of the parallelogram of a and b, above 0 where b lies to the left of a.
 inline float cross(Vec2 a, Vec2 b) { return a.x * b.y - math::product(a.y, b.x); }
+/// Metres.
 inline float length(Vec2 a) { return std::sqrt(dot(a, a)); }
 
+/// Whether both coordinates are numbers: neither NaN nor infinite.
 inline bool finite(Vec2 a) { return finite(a.x) && finite(a.y); }
 
-// The vector turned by the angle.
+/// The vector turned by the angle.
 inline Vec2 turned(SinCos angle, Vec2 p) {
   return {angle.cos * p.x - math::product(angle.sin, p.y), angle.sin * p.x + math::product(angle.cos, p.y)};
 }
 
-// Sine and cosine of the sum and of the difference of two angles.
+/// Sine and cosine of the sum of two angles.
 inline SinCos operator+(SinCos a, SinCos b) {
   return {a.sin * b.cos + math::product(a.cos, b.sin), a.cos * b.cos - math::product(a.sin, b.sin)};
 }
+/// Sine and cosine of the difference of two angles.
 inline SinCos operator-(SinCos a, SinCos b) {
   return {a.sin * b.cos - math::product(a.cos, b.sin), a.cos * b.cos + math::product(a.sin, b.sin)};
 }
 
-// A frame in the plane: where its origin lies, and the direction of its x axis.
+/// A frame in the plane: where its origin lies, and the direction of its x axis.
 struct Pose {
-  Vec2 position;
-  SinCos heading;
+  Vec2 position;   ///< of the origin, metres
+  SinCos heading;  ///< of the x axis
 };
 
-// Turns `count` frames to as many angles: math::sin_cos of each, bit for bit, several at a time where the processor
-// can.
+/// Turns `count` frames to as many angles in radians: math::sin_cos of each, bit for bit, several at a time where the
+/// processor can. Their positions stay. Both arrays are the caller's. O(count).
 void turn_to(const float* angles, int count, Pose* frames);
 
-// The angle between two directions, in [0, pi].
+/// Radians: the angle between two directions, in [0, pi].
 inline float angle_between(SinCos a, SinCos b) {
   const SinCos apart = a - b;
   return math::absolute(math::atan2(apart.sin, apart.cos));
 }
 
+/// A rectangle along the axes. Metres.
 struct Box {
-  Vec2 min;
-  Vec2 max;
+  Vec2 min;  ///< the corner with the least x and y
+  Vec2 max;  ///< the corner with the largest x and y
 };
 
-inline constexpr int kMinVertices = 3;  // of a convex obstacle piece or a body
-inline constexpr int kMaxVertices = 8;
+inline constexpr int kMinVertices = 3;  ///< the least of a convex obstacle piece or a body
+inline constexpr int kMaxVertices = 8;  ///< the most of a convex obstacle piece or a body
 
-// `count` vertices, counter-clockwise, convex where it stands for an obstacle piece or a body.
+/// `count` vertices, counter-clockwise, convex where it stands for an obstacle piece or a body. It refers to them and
+/// does not own them: whoever gives it out says how long they stay.
 struct Polygon {
-  const Vec2* vertices = nullptr;
-  int count = 0;
+  const Vec2* vertices = nullptr;  ///< metres
+  int count = 0;                   ///< kMinVertices … kMaxVertices for a piece or a body, more for a goal
 
+  /// Vertex i, 0 … count - 1.
   Vec2 operator[](int i) const { return vertices[i]; }
 };
 
-// The smallest box around a polygon's vertices.
+/// The smallest box around a polygon's vertices, of which there must be one. O(vertices).
 inline Box bounding_box(Polygon polygon) {
   Box box{polygon[0], polygon[0]};
   for (int i = 1; i < polygon.count; ++i) {
@@ -82,8 +95,8 @@ inline Box bounding_box(Polygon polygon) {
   return box;
 }
 
-// Writes the four corners, counter-clockwise, of a rectangle whose centre lies `offset` ahead of its frame's origin,
-// its length along the x axis; metres.
+/// Writes the four corners, counter-clockwise, of a rectangle whose centre lies `offset` ahead of its frame's origin,
+/// its length along the x axis; metres. `corners` is the caller's, with room for four.
 inline void rectangle(float length, float width, float offset, Vec2* corners) {
   const float front = offset + 0.5F * length;
   const float back = offset - 0.5F * length;

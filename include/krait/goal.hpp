@@ -1,67 +1,71 @@
 // SPDX-License-Identifier: Apache-2.0
-// The goal of a query: a named polygon of the scene, any disc, or a disc with a heading to end with.
+/// \file
+/// The goal of a query: a named polygon of the scene, any disc, or a disc with a heading to end with.
 #pragma once
 
 #include "krait/scene.hpp"
 
 namespace krait {
 
-// How the bodies must be turned at the end of a plan.
+/// How the bodies must be turned at the end of a plan.
 struct Facing {
-  float heading = 0.0F;       // radians, of body 0, at most kMaxAngle either way
-  float tolerance = 0.1F;     // radians, above 0 and at most pi: how far off the heading may be; pi: any will do
-  bool either_way = false;    // whether the opposite heading will do as well
-  float hitches = kInfinity;  // radians, above 0: every other body's heading is so near to that of the body before it;
-                              // infinite: any hitch angles will do
+  float heading = 0.0F;       ///< radians, of body 0, at most kMaxAngle either way
+  float tolerance = 0.1F;     ///< radians, above 0 and at most pi: how far off the heading may be; pi: any will do
+  bool either_way = false;    ///< whether the opposite heading will do as well
+  float hitches = kInfinity;  ///< radians, above 0: every other body's heading is so near to that of the body before
+                              ///< it; infinite: any hitch angles will do
 };
 
+/// Where a plan ends: a value of its own, which refers to nothing.
 class Goal {
  public:
+  /// The scene's goal of that number, 0 … Scene::goal_count() - 1.
   static Goal named(Index goal) { return {goal, {}, 0.0F}; }
-  // Centre in local coordinates, radius > 0, metres.
+  /// The disc around a point in local coordinates; radius > 0, metres.
   static Goal disc(Vec2 center, float radius) { return {kNone, center, radius}; }
-  // The position within `radius` metres of a point, and the bodies turned as `facing` says.
+  /// The position within `radius` metres of a point, and the bodies turned as `facing` says.
   static Goal pose(Vec2 point, float radius, const Facing& facing) {
     Goal goal = disc(point, radius);
     goal.is_pose_ = true;
     goal.facing_ = facing;
     return goal;
   }
+  /// The same, of body 0's heading alone: within `tolerance` radians of `heading`.
   static Goal pose(Vec2 point, float radius, float heading, float tolerance) {
     return pose(point, radius, Facing{heading, tolerance});
   }
 
-  // Whether it lies around a point: a disc's or a pose's.
+  /// Whether it lies around a point: a disc's or a pose's.
   bool is_disc() const { return index_ == kNone; }
-  // Whether the bodies' headings matter. What follows but for valid() is of the position only.
+  /// Whether the bodies' headings matter. What follows but for valid() is of the position only.
   bool is_pose() const { return is_pose_; }
-  const Facing& facing() const { return facing_; }  // of a pose
-  Index index() const { return index_; }
-  Vec2 center() const { return center_; }
-  float radius() const { return radius_; }
+  const Facing& facing() const { return facing_; }  ///< of a pose
+  Index index() const { return index_; }            ///< of a named goal; kNone of a disc or a pose
+  Vec2 center() const { return center_; }           ///< metres, local coordinates; of a disc or a pose
+  float radius() const { return radius_; }          ///< metres; of a disc or a pose
 
-  // Usable with this scene: the index exists; the disc is finite, has a radius, and its centre lies in the bounds; the
-  // facing's numbers are in their ranges.
+  /// Usable with this scene: the index exists; the disc is finite, has a radius, and its centre lies in the bounds; the
+  /// facing's numbers are in their ranges. O(1).
   bool valid(const Scene& scene) const;
 
-  // Whether p lies inside and at least `depth` metres from the border. O(vertices of the polygon).
+  /// Whether p lies inside and at least `depth` metres, 0 or more, from the border. O(vertices of the polygon).
   bool contains(const Scene& scene, Vec2 p, float depth) const;
 
-  // Whether a triangle belongs to the goal: by its label, or by meeting the disc.
+  /// Whether a triangle belongs to the goal: by its label, or by meeting the disc. O(1).
   bool covers(const Scene& scene, Index triangle) const;
 
-  // False only when every point of the triangle is further than `reach` metres from the goal. O(vertices of the
-  // polygon).
+  /// False only when every point of the triangle is further than `reach` metres from the goal. O(vertices of the
+  /// polygon).
   bool may_reach(const Scene& scene, Index triangle, float reach) const;
 
-  // Whether p lies in the goal or at most `reach` metres away from it. O(vertices of the polygon).
+  /// Whether p lies in the goal or at most `reach` metres away from it. O(vertices of the polygon).
   bool near(const Scene& scene, Vec2 p, float reach) const;
 
-  // The smallest box around the goal. O(vertices of the polygon).
+  /// The smallest box around the goal. O(vertices of the polygon).
   Box box(const Scene& scene) const;
 
-  // Square root of the area, metres: above 0, since Scene::open refuses a goal without area. O(vertices of the
-  // polygon).
+  /// Square root of the area, metres: above 0, since Scene::open refuses a goal without area. O(vertices of the
+  /// polygon).
   float size(const Scene& scene) const;
 
  private:

@@ -1,8 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* krait in C: the adaptive planner, its five robots and your own behind plain structs. Nothing allocates; all memory is
-   the caller's. The program needs no C++ run-time library, and no special compiler flags but for a robot of your own:
-   link krait::c (-lkrait_c -lkrait).
-   Metres, radians, seconds. What a function returns or refuses is that of the C++ member of the same name. */
+/** \file
+    krait in C: the adaptive planner, its five robots and your own behind plain structs. Nothing allocates; all memory
+    is the caller's. The program needs no C++ run-time library, and no special compiler flags but for a robot of your
+    own: link krait::c (-lkrait_c -lkrait).
+
+    Metres, radians, seconds. Positions are in the scene's local coordinates. A pointer that a function takes must not
+    be NULL where nothing else is said, and what lies there is read during the call only. R is the number of the scene's
+    triangles. */
 #ifndef KRAIT_KRAIT_H
 #define KRAIT_KRAIT_H
 
@@ -16,7 +20,7 @@
 extern "C" {
 #endif
 
-/* Whose result must be looked at: the compiler warns where it is thrown away. */
+/** Whose result must be looked at: the compiler warns where it is thrown away. */
 #if defined(__cplusplus)
 #define KRAIT_NODISCARD [[nodiscard]]
 #elif defined(__GNUC__)
@@ -25,143 +29,199 @@ extern "C" {
 #define KRAIT_NODISCARD
 #endif
 
-#define KRAIT_NONE UINT32_MAX
-#define KRAIT_MAX_TRAILERS 25
-#define KRAIT_MAX_STATE 32  /* floats of a state, any robot's */
-#define KRAIT_MAX_CONTROL 8 /* floats of a control, any robot's */
-#define KRAIT_MAX_BODIES 32
-#define KRAIT_CONTROL 2 /* floats of a control of the library's robots */
+#define KRAIT_NONE UINT32_MAX /**< the number of nothing: no goal, no other body, no piece */
+#define KRAIT_MAX_TRAILERS 25 /**< the most that a robot of the library pulls */
+#define KRAIT_MAX_STATE 32    /**< floats of a state, any robot's */
+#define KRAIT_MAX_CONTROL 8   /**< floats of a control, any robot's */
+#define KRAIT_MAX_BODIES 32   /**< bodies, any robot's */
+#define KRAIT_CONTROL 2       /**< floats of a control of the library's robots */
 
-/* ---- Answers: krait/status.hpp says what each means ---- */
+/* ---- Answers ---- */
 
+/** How a call or a search has ended: one of KRAIT_OK to KRAIT_INTERNAL. */
 typedef uint8_t krait_status;
+/** The values of a krait_status. */
 enum {
-  KRAIT_OK,        /* of krait_open and krait_init: done */
-  KRAIT_READY,     /* of a planner since krait_init: call krait_start */
-  KRAIT_SEARCHING, /* not ended: call krait_advance again */
-  KRAIT_SOLVED,
-  KRAIT_NO_ROUTE,
-  KRAIT_BUDGET_USED,
-  KRAIT_TREE_FULL,
-  KRAIT_TIME_USED,
-  KRAIT_BAD_SCENE,
-  KRAIT_BAD_ROBOT,
-  KRAIT_BAD_ARGUMENT,
-  KRAIT_START_OUTSIDE,
-  KRAIT_START_IN_COLLISION,
-  KRAIT_GOAL_IN_OBSTACLE,
-  KRAIT_ARENA_TOO_SMALL,
-  KRAIT_BAD_ARITHMETIC,
-  KRAIT_INTERNAL
+  KRAIT_OK,                 /**< of krait_open and krait_init: done */
+  KRAIT_READY,              /**< of a planner since krait_init: call krait_start */
+  KRAIT_SEARCHING,          /**< not ended: call krait_advance again */
+  KRAIT_SOLVED,             /**< a plan is ready */
+  KRAIT_NO_ROUTE,           /**< no path of regions leads from the start to the goal for a robot of this width */
+  KRAIT_BUDGET_USED,        /**< as many expansions were made as krait_limits' iterations says */
+  KRAIT_TREE_FULL,          /**< no memory for vertices or expansions, and nothing that may be recycled */
+  KRAIT_TIME_USED,          /**< set by krait_stop_for_time */
+  KRAIT_BAD_SCENE,          /**< krait_failure's section and element say where; of krait_start: the scene is no longer
+                                 that of krait_init */
+  KRAIT_BAD_ROBOT,          /**< a dimension, a limit, a body or a size of the robot is unusable */
+  KRAIT_BAD_ARGUMENT,       /**< a parameter, pose or goal is NaN, infinite or out of range; krait_failure's element
+                                 says which */
+  KRAIT_START_OUTSIDE,      /**< the start's position lies outside the scene's bounds */
+  KRAIT_START_IN_COLLISION, /**< a body of the robot is too near to an obstacle, the bounds or another body at the
+                                 start, or its position lies in no triangle: krait_start_contact says which */
+  KRAIT_GOAL_IN_OBSTACLE,   /**< no free part of the goal is left */
+  KRAIT_ARENA_TOO_SMALL,    /**< krait_failure's bytes_needed says how large the block must be */
+  KRAIT_BAD_ARITHMETIC,     /**< floating point contracted, relaxed, rounded otherwise or flushed: build with
+                                 -ffp-contract=off */
+  KRAIT_INTERNAL            /**< the plan's replay did not reproduce it: a bug of krait */
 };
 
-/* What went wrong, where. KRAIT_OK where nothing did. Fields that do not apply are zero. */
+/** What went wrong, where. KRAIT_OK where nothing did. Fields that do not apply are zero. */
 typedef struct krait_failure {
-  krait_status status;
-  uint8_t section;       /* KRAIT_BAD_SCENE: of the file; 255 is its header */
-  uint32_t element;      /* KRAIT_BAD_SCENE: in the section; KRAIT_BAD_ARGUMENT, KRAIT_BAD_ROBOT: krait_argument_name */
-  uint64_t bytes_needed; /* KRAIT_ARENA_TOO_SMALL */
-  float most;            /* KRAIT_BAD_ARGUMENT, dt: the longest time step in seconds that the robot allows */
+  krait_status status;   /**< KRAIT_OK where nothing went wrong */
+  uint8_t section;       /**< KRAIT_BAD_SCENE: of the file, by the table of FORMAT.md; 255 is its header */
+  uint32_t element;      /**< KRAIT_BAD_SCENE: in the section, or an offset in the header; KRAIT_BAD_ARGUMENT,
+                              KRAIT_BAD_ROBOT: which, of krait_argument_name */
+  uint64_t bytes_needed; /**< KRAIT_ARENA_TOO_SMALL: the length of the block that suffices */
+  float most;            /**< KRAIT_BAD_ARGUMENT, dt: the longest time step in seconds that the robot allows */
 } krait_failure;
 
-/* Lower-case names, in static storage. */
+/** The lower-case name of a status, in static storage; "unknown" for any other number. O(1). */
 const char* krait_status_name(krait_status status);
+/** The lower-case name of the argument that krait_failure's element says, in static storage: that of the field in the
+    structs below, or block, scene, start, goal, robot_dimensions (a length or a limit), robot_polygon (a body),
+    robot_sizes; "unknown" for any other number. O(1). */
 const char* krait_argument_name(uint32_t element);
 
 /* ---- The scene ---- */
 
-/* A checked view of a scene file, which stays where it is (in flash). To be filled by krait_open only. */
+/** A checked view of a scene file, which stays where it is (in flash). To be filled by krait_open only; copies are
+    views of the same file. */
 typedef union krait_scene {
-  uint64_t alignment;
-  unsigned char opaque[256 + 32 * sizeof(void*)];
+  uint64_t alignment;                             /**< makes it aligned to 8; not to be used */
+  unsigned char opaque[256 + 32 * sizeof(void*)]; /**< the view; not to be used */
 } krait_scene;
 
-/* Checks the whole file, then views it. `file` is aligned to 4 and must stay for as long as the scene is used.
-   KRAIT_OK or KRAIT_BAD_SCENE. */
+/** Checks the whole file, then views it. `file` is aligned to 4 and must stay, unchanged, for as long as the scene is
+    used. KRAIT_OK, or KRAIT_BAD_SCENE with section and element. Writes to `scene` only. O(file_bytes log l), l the
+    longest list of a bucket. */
 KRAIT_NODISCARD krait_failure krait_open(krait_scene* scene, const void* file, size_t file_bytes);
 
+/** What a scene says of itself. */
 typedef struct krait_scene_facts {
-  const char* name;
-  double origin_x, origin_y; /* world = origin + local; all that follows is local */
-  float min_x, min_y, max_x, max_y;
-  uint32_t goals, starts;
+  const char* name; /**< UTF-8 in the file's bytes, safe to print */
+  double origin_x,  /**< whole metres: world = origin + local; all that follows is local */
+      origin_y;     /**< likewise */
+  float min_x,      /**< metres: the least x of the workspace */
+      min_y,        /**< metres: the least y */
+      max_x,        /**< metres: the largest x */
+      max_y;        /**< metres: the largest y */
+  uint32_t goals,   /**< how many goals it has, numbered from 0; at most 65,535 */
+      starts;       /**< how many starts it has, numbered from 0; at most 65,535 */
 } krait_scene_facts;
+/** Of a scene that krait_open has filled. O(1). */
 krait_scene_facts krait_facts(const krait_scene* scene);
 
-/* A robot's place; `angles` are the headings of its trailers, or NULL for `heading`. */
+/** A robot's place. */
 typedef struct krait_pose {
-  float x, y, heading;
-  const float* angles;
-  uint32_t angle_count; /* 0 with NULL */
+  float x,              /**< metres, local coordinates, of the position */
+      y,                /**< likewise */
+      heading;          /**< radians, of body 0 */
+  const float* angles;  /**< radians: the headings of its trailers, or NULL for `heading`; not owned */
+  uint32_t angle_count; /**< how many they are: all trailers', or 0 for `heading`; 0 with NULL */
 } krait_pose;
-krait_pose krait_start_pose(const krait_scene* scene, uint32_t start); /* start < starts */
+/** A start of the scene, 0 <= start < krait_scene_facts' starts, which is not checked. `angles` lie in the file.
+    O(1). */
+krait_pose krait_start_pose(const krait_scene* scene, uint32_t start);
 
-const char* krait_goal_name(const krait_scene* scene, uint32_t goal); /* goal < goals */
-uint32_t krait_find_goal(const krait_scene* scene, const char* name); /* or KRAIT_NONE */
+/** A goal's name, 0 <= goal < krait_scene_facts' goals, which is not checked: UTF-8 in the file's bytes, safe to print.
+    O(bytes of the names before it). */
+const char* krait_goal_name(const krait_scene* scene, uint32_t goal);
+/** The number of the goal of that name, which ends with NUL; or KRAIT_NONE. O(bytes of the names). */
+uint32_t krait_find_goal(const krait_scene* scene, const char* name);
 
 /* ---- The robot ---- */
 
-/* Snake, truck and car: krait/robots/chain.hpp has the ranges. */
+/** Snake, truck and car: a car with steered front wheels at speed v, turned by psi, that pulls trailers, each hitched
+    to the axle before it. Body 0's frame is the rear axle, trailer i's its own axle, x forward. Defaults are those of
+    krait_snake and krait_truck, and in brackets of krait_car. All numbers are finite. */
 typedef struct krait_chain_parameters {
-  int trailers;
-  float body_length, body_width, body_offset;
-  float wheelbase, hitch_length;
-  float max_speed, min_speed;
-  float max_steering, max_acceleration, max_steering_rate;
-  int self_collision_gap;
-  float max_hitch_angle;
+  int trailers;           /**< 0 to KRAIT_MAX_TRAILERS; a car has none, whatever stands here */
+  float body_length,      /**< metres, > 0; default 0.7 (1.2) */
+      body_width,         /**< metres, > 0; default 0.5 (0.6) */
+      body_offset;        /**< metres: of body 0's centre ahead of the rear axle; default 0; a car's is half the
+                               wheelbase, whatever stands here */
+  float wheelbase,        /**< metres, > 0: rear axle to front axle; default 0.8 */
+      hitch_length;       /**< metres, > 0: axle to axle; default 0.8 */
+  float max_speed,        /**< m/s, > 0: of v; default 2.5 */
+      min_speed;          /**< m/s, <= 0: of v; below 0 the car may reverse; default 0 */
+  float max_steering,     /**< radians, above 0, below pi/2: the most of psi, either way; default 1 */
+      max_acceleration,   /**< m/s^2, > 0: of v, either way; default 5 */
+      max_steering_rate;  /**< rad/s, > 0: of psi, either way; default 4 */
+  int self_collision_gap; /**< >= 1: bodies i and j are tested against each other where |i - j| is at least this;
+                               default 2 */
+  float max_hitch_angle;  /**< radians, above 0, at most pi: the most between the headings of two bodies in a row;
+                               default pi/2 */
 } krait_chain_parameters;
 
-/* krait/robots/unicycle.hpp has the ranges. */
+/** A unicycle, whose speed and turn rate change at once; its body's frame is the axle. All numbers are finite. */
 typedef struct krait_unicycle_parameters {
-  float body_length, body_width;
-  float max_speed, min_speed;
-  float max_turn_rate;
+  float body_length,   /**< metres, > 0; default 0.5 */
+      body_width;      /**< metres, > 0; default 0.4 */
+  float max_speed,     /**< m/s, > 0; default 1 */
+      min_speed;       /**< m/s, <= 0; below 0 it may reverse; default -1 */
+  float max_turn_rate; /**< rad/s, > 0, either way; default 2 */
 } krait_unicycle_parameters;
 
-/* krait/robots/differential_drive.hpp has the ranges. */
+/** A differential drive: two driven wheels on an axle, which is its body's frame. All numbers are finite. */
 typedef struct krait_diff_drive_parameters {
-  float body_length, body_width;
-  float wheel_radius, track_width;
-  float max_wheel_speed, max_wheel_acceleration;
+  float body_length,          /**< metres, > 0; default 0.5 */
+      body_width;             /**< metres, > 0; default 0.4 */
+  float wheel_radius,         /**< metres, > 0; default 0.08 */
+      track_width;            /**< metres, > 0: between the wheels; default 0.36 */
+  float max_wheel_speed,      /**< rad/s, > 0, both ways; default 12 */
+      max_wheel_acceleration; /**< rad/s^2, > 0, both ways; default 24 */
 } krait_diff_drive_parameters;
 
+/** A point in the plane. */
 typedef struct krait_point {
-  float x, y;
+  float x, /**< metres */
+      y;   /**< metres */
 } krait_point;
 
-/* A body's outline in its own frame: 3 to 8 corners, convex, counter-clockwise. */
+/** A body's outline in its own frame: strictly convex, counter-clockwise, within 100 m, no side shorter than 0.1 mm. */
 typedef struct krait_polygon {
-  const krait_point* corners;
-  int count;
+  const krait_point* corners; /**< `count` of them; not owned */
+  int count;                  /**< 3 to 8 */
 } krait_polygon;
 
-/* Where an expansion steers to. */
+/** Where an expansion steers to. */
 typedef struct krait_target {
-  float x, y;
-  float speed; /* share of the top speed in (0, 1]; in [-1, 0): backwards; 0: to rest */
-  float dt;    /* seconds that the control will be held */
-  float turn;  /* share of the sharpest turn in (0, 1] */
+  float x,     /**< metres, local coordinates */
+      y;       /**< likewise */
+  float speed; /**< share of the top speed in (0, 1]; in [-1, 0): backwards; 0: to rest */
+  float dt;    /**< seconds that the control will be held */
+  float turn;  /**< share of the sharpest turn in (0, 1] */
 } krait_target;
 
-/* A body's frame in the workspace: its origin and the sine and cosine of its heading. */
+/** A body's frame in the workspace: its origin and the sine and cosine of its heading. */
 typedef struct krait_frame {
-  float x, y;
-  float sin, cos;
+  float x,   /**< metres, local coordinates */
+      y;     /**< likewise */
+  float sin, /**< -1 to 1 */
+      cos;   /**< -1 to 1 */
 } krait_frame;
 
-/* How a body can have moved during a step: krait/robots/model.hpp says what each bounds. */
+/** How a body can have moved during a step. Of a point of it that is r metres from its frame's origin: it has gone at
+    most path + r turn, and was never further than bend + r twist from the straight line between its places at the
+    step's ends. With accelerations of at most A and angular ones of at most W, bend = A dt^2 / 8 and twist = (W +
+    (turn / dt)^2) dt^2 / 8; path / 2 and turn / 2 are always right. All are 0 or more. */
 typedef struct krait_travel {
-  float path, turn, bend, twist;
+  float path, /**< metres, of the frame's origin */
+      turn,   /**< radians */
+      bend,   /**< metres, of the frame's origin */
+      twist;  /**< radians */
 } krait_travel;
 
-/* The most that a body does at any time of a step, none of it below 0: m/s, rad/s, m/s^2 and rad/s^2, of its frame. */
+/** The most that a body does at any time of a step, none of it below 0. */
 typedef struct krait_body_rates {
-  float speed, turn, acceleration, turn_acceleration;
+  float speed,           /**< m/s, of the frame's origin */
+      turn,              /**< rad/s */
+      acceleration,      /**< m/s^2, of the frame's origin */
+      turn_acceleration; /**< rad/s^2 */
 } krait_body_rates;
 
-/* Whether this file's flags keep float arithmetic as it is written, which the same plan on every machine needs
-   (-ffp-contract=off, no -ffast-math): the member `exact` of your own robot's functions. */
+/** Whether this file's flags keep float arithmetic as it is written, which the same plan on every machine needs
+    (-ffp-contract=off, no -ffast-math): the member `exact` of your own robot's functions. Costs a dozen operations. */
 static inline bool krait_exact(void) {
   const volatile float factor = 1.0F + 0x1p-12F, product = 1.0F + 0x1p-11F, large = 0x1p26F, one = 1.0F, five = 5.0F;
   const volatile float third = 5.0F / 3.0F;
@@ -172,241 +232,358 @@ static inline bool krait_exact(void) {
   return residue == 0.0F && absorbed == 0.0F && five / 3.0F == third;
 }
 
-/* A robot of your own: pure functions of their arguments and of what lies at `self`, which krait_own_robot is given and
-   which must outlive the planner. What each must do is said of the member of its name in krait/robots/model.hpp;
-   on a workstation, check_robot of krait/robot_check.hpp says where one breaks it. State components 0 and 1
-   are the position in metres. */
+/** A robot of your own: pure functions of their arguments and of what lies at `self`, which krait_own_robot is given
+    and which must outlive the planner. Arrays are the caller's: states (s, next, reference, ds) have state_size floats,
+    controls (u) control_size, frames, travel and rates one element a body; what a function writes to it writes in full.
+    State components 0 and 1 are the position in metres, local coordinates. dt is seconds. A planner calls them during
+    its own calls only, derivative most of all. On a workstation, check_robot of krait/robot_check.hpp says where one
+    breaks what is said here. */
 typedef struct krait_functions {
-  bool (*exact)(void); /* krait_exact, of the file that the functions stand in */
-  int state_size;      /* 2 to KRAIT_MAX_STATE */
-  int control_size;    /* 1 to KRAIT_MAX_CONTROL */
-  int body_count;      /* 1 to KRAIT_MAX_BODIES */
+  bool (*exact)(void); /**< krait_exact, of the file that the functions stand in */
+  int state_size;      /**< 2 to KRAIT_MAX_STATE */
+  int control_size;    /**< 1 to KRAIT_MAX_CONTROL */
+  int body_count;      /**< 1 to KRAIT_MAX_BODIES */
 
+  /** Writes the dynamics ds = f(s, u), in units of the state a second. Four times a Runge-Kutta step. */
   void (*derivative)(const void* self, const float* s, const float* u, float* ds);
+  /** Writes the control that steers s toward the target, inside its limits and such that a step of target->dt keeps the
+      state inside its own. Once a time step. */
   void (*steer)(const void* self, const float* s, const krait_target* target, float* u);
+  /** Whether speeds, steering and hitch angles of s are valid. */
   bool (*within_limits)(const void* self, const float* s);
-  krait_polygon (*body)(const void* self, int k); /* 3 to 8 corners, which stay where they are */
+  /** The outline of body k, 0 to body_count - 1, in its own frame, metres; the corners are yours and stay where they
+      are. */
+  krait_polygon (*body)(const void* self, int k);
+  /** Writes the frame of every body in s; body 0's origin is the position. */
   void (*place)(const void* self, const float* s, krait_frame* frames);
 
   /* One of these two: `rates` is asked where `travel` is NULL. */
+  /** Bounds the motion of every body while u is held for dt from s to next, what proves that nothing is jumped over
+      between two states, whatever it writes: false when it is not proven that the limits, which s and next keep, hold
+      all the way. */
   bool (*travel)(const void* self, const float* s, const float* u, float dt, const float* next, krait_travel* travel);
+  /** Stands for travel: writes the most that every body does at any time of that step, and returns what travel
+      returns. */
   bool (*rates)(const void* self, const float* s, const float* u, float dt, const float* next, krait_body_rates* rates);
 
   /* Each of these may be NULL. */
+  /** m/s, at least 0: how fast it moves in s, 0 at rest. A plan then ends at rest, or as slow as krait_parameters'
+      end_speed asks: steer with a target whose speed is 0 must decrease it at every step until it is 0. NULL: a plan
+      ends at any speed. */
   float (*speed)(const void* self, const float* s);
+  /** Metres along body 0's x axis, negative backwards: how far from the position it comes to rest, roughly, when it
+      brakes in s. Used to know where it pays to brake for the goal. NULL: 0. */
   float (*stopping_way)(const void* self, const float* s);
+  /** Metres, at least 0: of the sharpest turn that it drives for long, forwards. Used to find the way to a pose. NULL:
+      the length of body 0. */
   float (*turning_radius)(const void* self);
+  /** m/s, above 0: of the position, straight ahead at a target's speed of 1. Used to come to rest at a pose. NULL: a
+      length of body 0 a second. */
   float (*top_speed)(const void* self);
+  /** 1/s, at least 0: Runge-Kutta steps of at most 0.32 / fastest_rate(dt) seconds end within 0.5 mm and 0.5 mrad of
+      where derivative leads, whatever state and control the limits allow in a time step of dt. NULL: every time step
+      counts as short enough. */
   float (*fastest_rate)(const void* self, float dt);
+  /** Changes u, the control of the state `reference` that s is very near to, to the one that brings s back to the
+      motion of the reference within some time steps of dt, inside the limits as steer's. NULL: u stays, and a plan's
+      error grows with its length. */
   void (*track)(const void* self, const float* s, const float* reference, float dt, float* u);
+  /** Whether s, which is within the limits, is so far within them that a plan, which is driven a little beside the
+      tree, keeps them. NULL: within_limits is all that the tree keeps. */
   bool (*keeps_reserve)(const void* self, const float* s);
+  /** Whether it can drive backwards, at a target's speed below 0. NULL: it cannot. */
   bool (*reversible)(const void* self);
+  /** At least 1: bodies i and j are tested against each other where |i - j| is at least this. NULL: 2. */
   int (*self_collision_gap)(const void* self);
 } krait_functions;
 
-/* krait_own_robot's. */
+/** What krait_own_robot was given; neither is owned, and both must stay. */
 typedef struct krait_own {
-  const krait_functions* functions;
-  const void* self;
+  const krait_functions* functions; /**< of the robot */
+  const void* self;                 /**< what they are called with; may be NULL */
 } krait_own;
 
+/** What the library knows of a model; in static storage, not to be looked at. */
 typedef struct krait_model krait_model;
 
-/* A robot is made by one of the functions below; change its parameters before krait_init. A program contains the models
-   whose functions it calls. */
+/** A robot is made by one of the functions below; change its parameters before krait_init. A program contains the
+    models whose functions it calls. It is a plain value, but for what it points to. */
 typedef struct krait_robot {
-  const krait_model* model;
+  const krait_model* model; /**< set by the function that made it; not to be changed */
+  /** The one that the function that made it names. */
   union {
-    krait_chain_parameters chain;
-    krait_unicycle_parameters unicycle;
-    krait_diff_drive_parameters diff_drive;
-    krait_own own;
+    krait_chain_parameters chain;           /**< of krait_snake, krait_truck and krait_car */
+    krait_unicycle_parameters unicycle;     /**< of krait_unicycle */
+    krait_diff_drive_parameters diff_drive; /**< of krait_diff_drive */
+    krait_own own;                          /**< of krait_own_robot */
   } parameters;
-  const krait_polygon* bodies; /* one a body, that is 1 + trailers; NULL for boxes of body_length by body_width; not
-                                  looked at for a robot of your own */
+  const krait_polygon* bodies; /**< one a body, that is 1 + trailers; NULL for boxes of body_length by body_width; not
+                                    looked at for a robot of your own. krait_init copies them; not owned */
 } krait_robot;
 
-krait_robot krait_snake(
-    int trailers); /* chain; state x y theta0 v psi theta1 ..., control acceleration, steering rate */
-krait_robot krait_truck(int trailers); /* chain; likewise */
-krait_robot krait_car(void);           /* chain; likewise */
-krait_robot krait_unicycle(void);      /* unicycle; state x y theta, control speed, turn rate */
-krait_robot krait_diff_drive(void);    /* diff_drive; state x y theta left right, control wheel accelerations */
+/** `chain`, with the defaults and 0 to KRAIT_MAX_TRAILERS trailers, which slip so that the tail pulls straight. State x
+    y theta0 v psi theta1 ...: metres, radians, m/s of the front wheels, radians of the wheels, a heading a trailer;
+    control acceleration of v, m/s^2, and steering rate, rad/s. O(1). */
+krait_robot krait_snake(int trailers);
+/** `chain`, with the defaults and 0 to KRAIT_MAX_TRAILERS trailers, which roll without slip. State and control as
+    krait_snake's. O(1). */
+krait_robot krait_truck(int trailers);
+/** `chain`, with the defaults, without trailers. State and control as krait_snake's. O(1). */
+krait_robot krait_car(void);
+/** `unicycle`, with the defaults. State x y theta: metres, radians; control speed, m/s, and turn rate, rad/s. O(1). */
+krait_robot krait_unicycle(void);
+/** `diff_drive`, with the defaults. State x y theta left right: metres, radians, rad/s of the wheels; control rad/s^2
+    of the left and the right wheel. O(1). */
+krait_robot krait_diff_drive(void);
 
-/* own; functions and what lies at `self` must stay. krait_init refuses it as KRAIT_BAD_ROBOT where a function that it
-   needs is NULL or a size is out of range, and as KRAIT_BAD_ARITHMETIC where `exact` is not true. */
+/** `own`; functions and what lies at `self` must stay. krait_init refuses it as KRAIT_BAD_ROBOT where a function that
+    it needs is NULL or a size is out of range, and as KRAIT_BAD_ARITHMETIC where `exact` is not true. O(1). */
 krait_robot krait_own_robot(const krait_functions* functions, const void* self);
 
-/* Floats of a state, at most KRAIT_MAX_STATE; 0 where the robot's parameters cannot be used. */
+/** Floats of a state, at most KRAIT_MAX_STATE; 0 where the robot's parameters cannot be used. O(bodies). */
 uint32_t krait_state_size(const krait_robot* robot);
 
-/* Writes the state of the robot standing still there. False, and nothing written, where the robot's parameters cannot
-   be used, or a robot with trailers is given another number of angles; nor for a robot of your own. */
+/** Writes the state of the robot standing still there, krait_state_size floats. False, and nothing written, where the
+    robot's parameters cannot be used, or a robot with trailers is given another number of angles; nor for a robot of
+    your own. O(bodies). */
 KRAIT_NODISCARD bool krait_rest(const krait_robot* robot, krait_pose pose, float* state);
 
 /* ---- Planning ---- */
 
-/* krait/parameters.hpp says what each is for, with its range. */
+/** How the search goes about it. The defaults are measured (bench/ABLATIONS.md), and few programs change them. Ranges
+    include their ends where nothing else is said. */
 typedef struct krait_search_tuning {
-  uint32_t group_sample;
-  float alpha, beta, epsilon;
-  float gamma, cost_length;
-  uint32_t kappa, update_regions;
-  bool raise_goal;
-  uint32_t max_steps, open_steps, path_regions;
-  float near_radius, stray_share, gentle_share;
-  uint32_t sight_tries, candidates, least_sketch;
-  uint32_t doomed_steps, restart_unit;
-  float slowest, reverse_share;
-  bool continuous;
-  uint32_t max_substeps;
-  bool prune_portals;
-  bool plain;
+  uint32_t group_sample; /**< 1 to 65535, default 12: states that a group keeps to grow from, a random sample of all */
+  float alpha,           /**< 1 to 64, default 8: strength of the heuristic */
+      beta,              /**< above 0, below 1, default 0.85: a group's weight shrinks by this with each selection */
+      epsilon;           /**< above 0, up to 1, default 0.01: keeps every weight positive */
+  float gamma,           /**< 0 to 1e6, default 20: how much a failure raises edge costs; 0: costs never change */
+      cost_length;       /**< 0 to 10, default 1, in lengths of body 0: C += gamma l^2 / max(C, l), l this length; 0:
+                              gamma / C */
+  uint32_t kappa,        /**< 1 to 10000, default 10: expansions between updates of the heuristic costs */
+      update_regions;    /**< 0 to 1e6, default 250: and at least one expansion for so many regions of the scene; 0:
+                              none */
+  bool raise_goal;       /**< default false: whether a failure right before the goal raises the goal's edges as well */
+  uint32_t max_steps,    /**< 1 to 1000, default 40: of one expansion */
+      open_steps,        /**< 0 to 1000, default 1000: of one in the open, while it nears its target and crosses one
+                              portal */
+      path_regions;      /**< 1 to 64, default 6: targets come from that many regions after the group's own */
+  float near_radius,     /**< 0 to 10, default 0.7, in lengths of body 0: a target so near is reached */
+      stray_share,       /**< 0 to 1, default 0.1: share of expansions toward a random point of the workspace instead */
+      gentle_share;      /**< 0 to 1, default 0.35: share of expansions from a group that was often selected that turn
+                              gently */
+  uint32_t sight_tries,  /**< 0 to 64, default 16: points drawn for one in sight of the vertex; 0: any point will do */
+      candidates,        /**< 0 to 8, default 4: ways that are sketched before one is driven; 0: any way will do */
+      least_sketch;      /**< 0 to 20, default 8: sketched steps, of 2 dt, below which no way is driven and costs are
+                              raised */
+  uint32_t doomed_steps, /**< 0 to 3, default 2: so many states before a collision are not kept to grow from */
+      restart_unit;      /**< expansions, 0 to 1e9, default 4000: tries last 1, 1, 2, 1, 1, 2, 4, ... of it; 0: one for
+                              ever */
+  float slowest,         /**< 0.05 to 1, default 1: speed set-points are uniform from this share of the top speed to all
+                              of it */
+      reverse_share;     /**< 0 to 1, default 0.2: share of expansions that drive backwards, of a robot that can */
+  bool continuous;       /**< default true: whether whole steps are proven free, or states only */
+  uint32_t max_substeps; /**< 1 to 64, a power of two, default 16: how finely a step is cut to prove it */
+  bool prune_portals;    /**< default true: whether portals too narrow for the robot are removed before the search */
+  bool plain;            /**< default false: whether everything is done the plain way, without what makes it fast: the
+                              same plan; what shortcuts are measured against */
 } krait_search_tuning;
 
+/** What a program says of its robot's motion and of its plans. */
 typedef struct krait_parameters {
-  float dt;          /* seconds, 0.001 to 1: a time step */
-  float clearance;   /* metres, 0 to 10: a plan keeps it between bodies and everything, on top of rounding */
-  float goal_margin; /* metres, 0 to 10, at most a tenth of the goal's size: how deep inside the plan must end */
-  float end_speed;   /* m/s, 0 to INFINITY: a plan ends no faster, to 5 mm/s; 0: at rest; INFINITY: at any speed */
-  krait_search_tuning tuning;
+  float dt;                   /**< seconds, 0.001 to 1, default 0.1: a time step */
+  float clearance;            /**< metres, 0 to 10, default 0.001: a plan keeps it between bodies and everything, on top
+                                   of rounding */
+  float goal_margin;          /**< metres, 0 to 10, at most a tenth of the goal's size, default 0.03: how deep inside
+                                   the plan must end */
+  float end_speed;            /**< m/s, 0 to INFINITY, default 0: a plan ends no faster, to 5 mm/s; 0: at rest;
+                                   INFINITY: at any speed */
+  krait_search_tuning tuning; /**< how the search goes about it */
 } krait_parameters;
+/** All fields with their defaults. O(1). */
 krait_parameters krait_default_parameters(void);
 
-/* What a search does when its memory is full. */
+/** What a search does when its memory is full. */
 enum {
-  KRAIT_RECYCLE, /* drops what helps least, and goes on */
-  KRAIT_STOP     /* ends as KRAIT_TREE_FULL */
+  KRAIT_RECYCLE, /**< drops what helps least, never the start, and goes on */
+  KRAIT_STOP     /**< ends as KRAIT_TREE_FULL */
 };
 
-/* What a search may use. */
+/** What a search may use. Without limits krait_init takes 0 vertices, 0 expansions, a million iterations, KRAIT_RECYCLE
+    and 0 way_legs. */
 typedef struct krait_limits {
-  uint32_t vertices;   /* states kept to grow from, at least 2; 0: as many as the block has room for */
-  uint32_t expansions; /* kept; 0: half as many as vertices */
-  uint64_t iterations; /* expansions made, at least 1 */
-  uint8_t when_full;   /* KRAIT_RECYCLE or KRAIT_STOP; krait_init refuses every other number */
-  uint32_t way_legs;   /* room for krait_improve: 0, or 16 to 1e6, best a third of a plan's steps; 0: none */
+  uint32_t vertices;   /**< states kept to grow from, 2 to 4,192,256; 0: as many as the block has room for */
+  uint32_t expansions; /**< kept, 2 to 4,192,256; 0: half as many as vertices */
+  uint64_t iterations; /**< expansions made, at least 1 */
+  uint8_t when_full;   /**< KRAIT_RECYCLE or KRAIT_STOP; krait_init refuses every other number */
+  uint32_t way_legs;   /**< room for krait_improve: 0, or 16 to 1e6, best a third of a plan's steps; 0: none, no
+                            memory */
 } krait_limits;
 
-/* Lies at the front of the block. */
+/** Lies at the front of the block; to be used by its address only, never copied. Planners in blocks of their own may be
+    used in threads of their own. */
 typedef struct krait_planner krait_planner;
 
-/* Bytes of the block that krait_init needs; no promise for a robot that it would refuse. */
+/** Bytes of the block that krait_init needs, the planner itself among them; 0 vertices count as none; no promise for a
+    robot that it would refuse. O(bodies). */
 uint64_t krait_bytes_required(const krait_scene* scene, const krait_robot* robot, const krait_limits* limits);
 
-/* The limits that spend a block of `bytes` best; likewise. */
+/** The limits that spend a block of `bytes` best: as many vertices as fit, at least 2, and a million iterations; no
+    promise for a robot that krait_init would refuse. Costs some twenty of krait_bytes_required. */
 krait_limits krait_limits_for(uint64_t bytes, const krait_scene* scene, const krait_robot* robot);
 
-/* The same with room for krait_improve. */
+/** The same with room for krait_improve: 0, or 16 to 1e6 legs. */
 krait_limits krait_limits_to_improve(uint64_t bytes, const krait_scene* scene, const krait_robot* robot,
                                      uint32_t way_legs);
 
-/* What a planner is made from. Block, scene and file must outlive it and stay where they are; the robot is copied. */
+/** What a planner is made from. Block, scene and file must outlive it and stay where they are; the robot is copied, and
+    so are its bodies, but for what a robot of your own points to. */
 typedef struct krait_setup {
-  void* block;    /* aligned to 8 */
-  uint64_t bytes; /* of the block */
-  const krait_scene* scene;
-  const krait_robot* robot;
+  void* block;              /**< the caller's, aligned to 8; the planner alone writes to it */
+  uint64_t bytes;           /**< length of the block */
+  const krait_scene* scene; /**< opened */
+  const krait_robot* robot; /**< copied */
 } krait_setup;
 
-/* Makes a planner in the block. Parameters and limits are copied; NULL stands for the defaults, by which as many
-   vertices are kept as the block has room for. `*planner` is NULL where it fails. */
+/** Makes a planner in the block. Parameters and limits are copied; NULL stands for the defaults, by which as many
+    vertices are kept as the block has room for. `*planner` is NULL where it fails: KRAIT_BAD_ARITHMETIC,
+    KRAIT_BAD_ARGUMENT (a scene that was not opened, too), KRAIT_BAD_ROBOT or KRAIT_ARENA_TOO_SMALL. There is nothing to
+    be freed: the block is the caller's again when the planner is used no more. */
 KRAIT_NODISCARD krait_failure krait_init(krait_planner** planner, const krait_setup* setup,
                                          const krait_parameters* parameters, const krait_limits* limits);
 
-/* Where a plan ends. What follows `radius` is for the disc only, and all zero leaves the heading free. */
+/** Where a plan ends. What follows `radius` is for the disc only, and all zero leaves the heading free. */
 typedef struct krait_goal {
-  uint32_t index;          /* of the scene's goals, or KRAIT_NONE for the disc */
-  float x, y, radius;      /* metres, local coordinates; of the position */
-  float heading;           /* radians, -8192 to 8192, of body 0 */
-  float heading_tolerance; /* radians, above 0 and at most pi: how far off the heading may be; 0: the heading is free,
-                              and the two fields below must be zero */
-  float hitch_tolerance;   /* radians: every other body's heading is so near to that of the body before it; 0: free */
-  bool either_way;         /* whether the opposite heading will do as well */
+  uint32_t index;          /**< of the scene's goals, or KRAIT_NONE for the disc */
+  float x,                 /**< metres, local coordinates, in the scene's bounds: of the disc that the position ends
+                                in */
+      y,                   /**< likewise */
+      radius;              /**< metres, > 0; x, y and radius are not looked at for the scene's goals */
+  float heading;           /**< radians, -8192 to 8192, of body 0 */
+  float heading_tolerance; /**< radians, above 0 and at most pi: how far off the heading may be; 0: the heading is free,
+                                and the two fields below must be zero */
+  float hitch_tolerance;   /**< radians, > 0: every other body's heading is so near to that of the body before it; 0:
+                                free */
+  bool either_way;         /**< whether the opposite heading will do as well */
 } krait_goal;
+/** The scene's goal of that number, its heading free. O(1). */
 krait_goal krait_named_goal(uint32_t index);
+/** The disc around a point, metres, local coordinates, its heading free. O(1). */
 krait_goal krait_disc_goal(float x, float y, float radius);
-/* A tolerance of 0 is refused by krait_start, as in C++. */
+/** The disc, body 0 turned to `heading` within `heading_tolerance`, radians. A tolerance of 0 is refused by
+    krait_start, as in C++. O(1). */
 krait_goal krait_pose_goal(float x, float y, float radius, float heading, float heading_tolerance);
 
+/** What a search is to find. */
 typedef struct krait_query {
-  const float* start; /* krait_state_size floats, copied */
-  krait_goal goal;
-  uint64_t seed;
+  const float* start; /**< krait_state_size floats, copied; the position in local coordinates */
+  krait_goal goal;    /**< copied */
+  uint64_t seed;      /**< any; the same seed, the same plan */
 } krait_query;
 
-/* Begins a search, ending any other. KRAIT_SEARCHING, or how it has ended at once: KRAIT_BAD_SCENE where the file or
-   the scene is found to be another than at krait_init. */
+/** Begins a search, ending any other and its plan. KRAIT_SEARCHING, or how it has ended at once: KRAIT_SOLVED where a
+    plan may end with the start; KRAIT_NO_ROUTE, KRAIT_GOAL_IN_OBSTACLE, KRAIT_START_OUTSIDE, KRAIT_START_IN_COLLISION,
+    KRAIT_BAD_ARGUMENT; KRAIT_BAD_SCENE where the file or the scene is found to be another than at krait_init. Work: a
+    Dijkstra over the scene's triangles, O(R log R), and 2,730 distances. */
 KRAIT_NODISCARD krait_status krait_start(krait_planner* planner, const krait_query* query);
 
-/* At most `iterations` expansions more. The plan does not depend on how a search is cut into calls. */
+/** At most `iterations` expansions more; returns at once when the search has ended. Work of one: max_steps steps of the
+    robot, each with its collision check, and now and then an update of the costs. Driving a way that has reached the
+    goal once more counts as one for every max_steps steps, but not in krait_statistics and krait_limits. The plan does
+    not depend on how a search is cut into calls. */
 KRAIT_NODISCARD krait_status krait_advance(krait_planner* planner, uint64_t iterations);
 
-/* At most `iterations` more of looking for a plan of fewer steps: the plan is then the best so far, and krait_next
-   begins again with its first state. The plan does not depend on how the iterations are cut into calls. KRAIT_SOLVED;
-   where there is no plan, the search's status; KRAIT_BAD_ARGUMENT where krait_limits has no way_legs. */
+/** At most `iterations` more of looking for a plan of fewer steps: the plan is then the best so far, and krait_next
+    begins again with its first state. The plan does not depend on how the iterations are cut into calls. KRAIT_SOLVED;
+    where there is no plan, the search's status; KRAIT_BAD_ARGUMENT where krait_limits has no way_legs. Work of one: at
+    most max_steps steps and 16 legs' steps that are not proven, or O(way_legs); the first call after krait_start begins
+    with a Dijkstra. */
 KRAIT_NODISCARD krait_status krait_improve(krait_planner* planner, uint64_t iterations);
 
-/* Ends a search as KRAIT_TIME_USED, for a program whose clock says so. */
+/** Ends a search as KRAIT_TIME_USED, for a program whose clock says so. No effect once it has ended. O(1). */
 void krait_stop_for_time(krait_planner* planner);
 
-/* The last answer, with its details. */
+/** The last answer of krait_init, krait_start or the search, with its details. O(1). */
 KRAIT_NODISCARD krait_failure krait_last_failure(const krait_planner* planner);
 
-/* What a start lies against: krait/why.hpp says what each is. */
-enum { KRAIT_NO_CONTACT, KRAIT_WITH_OBSTACLE, KRAIT_WITH_BOUNDS, KRAIT_WITH_BODY, KRAIT_WITH_GROUND };
+/** What a start lies against. */
+enum {
+  KRAIT_NO_CONTACT,    /**< nothing */
+  KRAIT_WITH_OBSTACLE, /**< a piece of the scene */
+  KRAIT_WITH_BOUNDS,   /**< the bounds of the workspace */
+  KRAIT_WITH_BODY,     /**< another one of the robot's own bodies */
+  KRAIT_WITH_GROUND    /**< the position lies in no triangle of the scene */
+};
 
+/** What a body is too near to, and where. */
 typedef struct krait_contact {
-  uint8_t with;
-  uint32_t body;  /* of the robot */
-  uint32_t other; /* the obstacle's piece, or the robot's other body; KRAIT_NONE */
-  float distance; /* metres; 0 where they overlap */
-  float needed;   /* metres that they must keep */
-  float x, y;     /* where, local coordinates */
+  uint8_t with;   /**< KRAIT_NO_CONTACT to KRAIT_WITH_GROUND */
+  uint32_t body;  /**< of the robot, from 0 */
+  uint32_t other; /**< the obstacle's piece, or the robot's other body; KRAIT_NONE */
+  float distance; /**< metres; 0 where they overlap */
+  float needed;   /**< metres that they must keep: the clearance, and what rounding needs */
+  float x,        /**< metres, local coordinates: the middle between their nearest points, or a point of both */
+      y;          /**< likewise */
 } krait_contact;
 
-/* After KRAIT_START_IN_COLLISION; KRAIT_NO_CONTACT elsewhere. */
+/** After KRAIT_START_IN_COLLISION; KRAIT_NO_CONTACT elsewhere. O(pieces near the robot + bodies^2). */
 krait_contact krait_start_contact(krait_planner* planner);
 
-/* The widest way to the goal at its narrowest place; krait/decomposition/bottleneck.hpp. Metres, local coordinates. */
+/** The widest of all ways from the start to the goal, at its narrowest place. */
 typedef struct krait_bottleneck {
-  float width; /* 0 where no way leads to the goal at all */
-  float needed;
-  float x, y;
-  bool at_goal; /* the place is the roomiest of the goal itself */
+  float width;  /**< metres, of a disc that passes there; 0 where no way leads to the goal at all */
+  float needed; /**< metres, of the disc that lies in body 0, with the clearance on both sides */
+  float x,      /**< metres, local coordinates: the place, where there is a way */
+      y;        /**< likewise */
+  bool at_goal; /**< whether the place is the roomiest of the goal itself: the robot cannot stand in it */
 } krait_bottleneck;
 
-/* Of a search that ended without a plan; all zero elsewhere. After KRAIT_NO_ROUTE it is too narrow. It lasts as long as
-   krait_start. */
+/** Of a search that ended without a plan; all zero elsewhere. After KRAIT_NO_ROUTE it is too narrow. It lasts as long
+    as krait_start: at most four Dijkstras and 4,095 distances of a point. */
 krait_bottleneck krait_bottleneck_of(krait_planner* planner);
 
-/* Where a search that has started has made most of its expansions, as a rule in vain. */
+/** Where a search that has started has made most of its expansions, as a rule in vain. */
 typedef struct krait_effort {
-  float x, y;     /* local coordinates */
-  uint32_t tries; /* 0: none */
+  float x,        /**< metres, local coordinates: the middle of a triangle of the scene */
+      y;          /**< likewise */
+  uint32_t tries; /**< expansions from there since the search last began anew; 0: none */
 } krait_effort;
+/** Of a search that has started, the first place among equals. O(R). */
 krait_effort krait_effort_of(const krait_planner* planner);
 
+/** What a search has done so far. */
 typedef struct krait_statistics {
-  uint64_t iterations, restarts, vertices, recycled, collision_checks, dijkstra_runs, regions_repaired, plans_refused;
-  uint64_t bytes_used, bytes_given; /* of the block behind the planner itself: `krait plan --memory bytes_given` on the
-                                       workstation finds the same plan */
-  uint32_t plan_steps;
-  float plan_length;     /* metres */
-  float plan_duration;   /* seconds */
-  float plan_end_speed;  /* m/s */
-  uint64_t hash;         /* of the plan */
-  uint64_t improvements; /* better plans that krait_improve has found */
+  uint64_t iterations,   /**< expansions; of a long one every max_steps steps */
+      restarts,          /**< tries after the first (krait_search_tuning's restart_unit) */
+      vertices,          /**< that the motion tree grew by */
+      recycled,          /**< of those kept to grow from, given up for want of memory */
+      collision_checks,  /**< placements of the whole robot that were tested */
+      dijkstra_runs,     /**< shortest paths of all regions found anew */
+      regions_repaired,  /**< shortest paths that changed by a repair in place of a run */
+      plans_refused;     /**< ways to the goal that did not hold as driven */
+  uint64_t bytes_used,   /**< of the block behind the planner itself: tables, and what vertices and expansions took at
+                              most */
+      bytes_given;       /**< of the block behind the planner itself: `krait plan --memory bytes_given` on the
+                              workstation finds the same plan */
+  uint32_t plan_steps;   /**< controls of the plan, each held for a time step */
+  float plan_length;     /**< metres */
+  float plan_duration;   /**< seconds */
+  float plan_end_speed;  /**< m/s, of the last state; 0 of a robot whose states have no speed */
+  uint64_t hash;         /**< of the plan: FNV-1a 64 over its states and controls; 0 without a plan */
+  uint64_t improvements; /**< better plans that krait_improve has found */
 } krait_statistics;
+/** Of the search that started last. O(1). */
 krait_statistics krait_statistics_of(const krait_planner* planner);
 
 /* ---- The plan ---- */
 
-/* Writes the next state of a solved plan, from the first on, and the KRAIT_CONTROL floats that are held for `dt` from
-   it on: zeros with the last state. False, and nothing written, behind it, or without a plan. */
+/** Writes the next state of a solved plan, from the first on, and the control that is held for `dt` from it on: zeros
+    with the last state. `state` has room for krait_state_size floats, `control` for KRAIT_CONTROL, or a robot of your
+    own's control_size. False, and nothing written, behind the last state, or without a plan. Work: that of a time
+    step's motion, and O(legs of the plan). */
 bool krait_next(krait_planner* planner, float* state, float* control);
 
-/* Lets krait_next begin again with the first state, as krait_start does. */
+/** Lets krait_next begin again with the first state, as krait_start does. O(1). */
 void krait_rewind(krait_planner* planner);
 
 #ifdef __cplusplus

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// krait: kinodynamic, region-guided, adaptive, in-place tree search. Everything that a firmware needs.
+/// \file
+/// krait: kinodynamic, region-guided, adaptive, in-place tree search. Everything that a firmware needs.
 #pragma once
 
 #include "krait/planner.hpp"

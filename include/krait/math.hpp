@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Float arithmetic that has the same bits on every target: only IEEE-754 + - * / sqrt, comparisons and
-// conversions whose range is checked. No libm trigonometry, no fused operations, no double. Refuses compilers and
-// machines that change float arithmetic.
+/// \file
+/// Float arithmetic that has the same bits on every target: only IEEE-754 + - * / sqrt, comparisons and
+/// conversions whose range is checked. No libm trigonometry, no fused operations, no double. Refuses compilers and
+/// machines that change float arithmetic.
 #pragma once
 
 #include <bit>
@@ -20,27 +21,31 @@
 #error "krait: build for a target that evaluates float as float (on x86: -mfpmath=sse)"
 #endif
 
+/// The library: a planner, its robots and its scenes. Metres, radians and seconds, unless something else is said;
+/// nothing allocates or throws, but for krait/robot_check.hpp.
 namespace krait {
 
-inline constexpr float kPi = 3.14159265358979F;
-inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
-inline constexpr float kMaxAngle = 8192.0F;  // radians
-inline constexpr float kSmallAngle = 0.7F;
+inline constexpr float kPi = 3.14159265358979F;                             ///< pi, rounded to a float
+inline constexpr float kInfinity = std::numeric_limits<float>::infinity();  ///< positive infinity
+inline constexpr float kMaxAngle = 8192.0F;  ///< radians: the most, either way, of which there is a sine
+inline constexpr float kSmallAngle = 0.7F;   ///< radians: the most, either way, that math::small_sin_cos takes
 
+/// The sine and cosine of an angle, and so a direction: of a float, or of several, one a lane.
 template <class Real>
 struct SinCosOf {
-  Real sin;
-  Real cos;
+  Real sin;  ///< -1 … 1
+  Real cos;  ///< -1 … 1
 };
-using SinCos = SinCosOf<float>;
+using SinCos = SinCosOf<float>;  ///< of one angle
 
-// False for NaN.
+/// Whether x is a number: false for NaN and infinities.
 inline bool finite(float x) { return x - x == 0.0F; }
 
+/// Arithmetic that has the same bits on every target. Everything here is O(1) and has no state.
 namespace math {
 
-// a * b, rounded. Where a sum and a difference of products stand side by side, GCC makes one vector instruction of them
-// that does not round the products (vfmaddsub), even with -ffp-contract=off: one of them is hidden from it.
+/// a * b, rounded. Where a sum and a difference of products stand side by side, GCC makes one vector instruction of
+/// them that does not round the products (vfmaddsub), even with -ffp-contract=off: one of them is hidden from it.
 inline float product(float a, float b) {
   float result = a * b;
 #if defined(__FMA__) && defined(__GNUC__) && !defined(__clang__)
@@ -49,22 +54,24 @@ inline float product(float a, float b) {
   return result;
 }
 
+/// |x|; NaN stays NaN.
 inline float absolute(float x) { return std::fabs(x); }
 
-// NaN passes neither comparison and becomes `low`.
+/// x, or the end of [low, high] that is nearer to it. NaN passes neither comparison and becomes `low`.
 inline float clamp(float x, float low, float high) {
   if (!(x > low)) return low;
   return x < high ? x : high;
 }
 
-// An angle less the nearest multiple of pi/2, by Cody and Waite's three parts of it: of a float, or of one a lane.
+/// Radians: an angle less the nearest multiple of pi/2, by Cody and Waite's three parts of it: of a float, or of one a
+/// lane. `quarter_turns` is that multiple, a whole number.
 template <class Real>
 inline Real reduced_angle(Real x, Real quarter_turns) {
   return ((x - quarter_turns * 1.5703125F) - quarter_turns * 4.837512969970703125e-4F) -
          quarter_turns * 7.54978995489188216e-8F;
 }
 
-// Sine and cosine of r on [-pi/4, pi/4]: minimax polynomials (Cephes sinf, cosf).
+/// Sine and cosine of r radians on [-pi/4, pi/4]: minimax polynomials (Cephes sinf, cosf).
 template <class Real>
 inline SinCosOf<Real> reduced_sin_cos(Real r) {
   const Real z = r * r;
@@ -72,10 +79,10 @@ inline SinCosOf<Real> reduced_sin_cos(Real r) {
           ((2.443315711809948e-5F * z - 1.388731625493765e-3F) * z + 4.166664568298827e-2F) * z * z - 0.5F * z + 1.0F};
 }
 
-inline constexpr float kQuarterTurns = 0.636619772367581F;  // in a radian
-inline constexpr float kQuarterShift = 8192.0F;             // a multiple of 4 above the most quarter turns
+inline constexpr float kQuarterTurns = 0.636619772367581F;  ///< quarter turns in a radian
+inline constexpr float kQuarterShift = 8192.0F;             ///< a multiple of 4 above the most quarter turns
 
-// Sine and cosine, error below 8e-8 for |x| <= kMaxAngle; NaN beyond and for NaN.
+/// Sine and cosine of x radians, error below 8e-8 for |x| <= kMaxAngle; NaN beyond and for NaN.
 inline SinCos sin_cos(float x) {
   if (!(x * x <= kMaxAngle * kMaxAngle)) [[unlikely]] {
     const float nan = std::numeric_limits<float>::quiet_NaN();
@@ -89,8 +96,8 @@ inline SinCos sin_cos(float x) {
   return {(quadrant & 2) != 0 ? -sine : sine, ((quadrant + 1) & 2) != 0 ? -cosine : cosine};
 }
 
-// Sine and cosine of a small angle, or of one a lane, error below 1.1e-7 for |x| <= kSmallAngle: the first terms of
-// their series, the last two adjusted to the range.
+/// Sine and cosine of a small angle in radians, or of one a lane, error below 1.1e-7 for |x| <= kSmallAngle: the first
+/// terms of their series, the last two adjusted to the range.
 template <class Real>
 inline SinCosOf<Real> small_sin_cos(Real x) {
   const Real z = x * x;
@@ -98,17 +105,18 @@ inline SinCosOf<Real> small_sin_cos(Real x) {
   return {sine, 1.0F + z * (-0.5F + z * (4.166325879e-2F - z * 1.370074570e-3F))};
 }
 
-// Angle of the vector (x, y) in [-pi, pi], error below 4e-7; 0 for the zero vector.
+/// Radians: the angle of the vector (x, y), in [-pi, pi], error below 4e-7; 0 for the zero vector.
 float atan2(float y, float x);
 
-// Natural logarithm of a positive normal number, error below 2 units in the last place near 1 and 3e-7 relative
-// elsewhere; -infinity for 0 and below, NaN for NaN.
+/// Natural logarithm of a positive normal number, error below 2 units in the last place near 1 and 3e-7 relative
+/// elsewhere; -infinity for 0 and below, NaN for NaN.
 float log(float x);
 
-// The same direction in [-pi, pi]; for |x| <= kMaxAngle.
+/// The same direction as that of x radians, in [-pi, pi]; for |x| <= kMaxAngle. NaN where x has more than kMaxAngle
+/// turns, and for NaN.
 float wrap_angle(float x);
 
-// A value that the compiler does not know.
+/// `value`, of which the compiler does not know what it is. Costs a store and a load.
 template <class T>
 [[gnu::always_inline]] inline T unknown(T value) {
   const volatile T hidden = value;
@@ -118,7 +126,7 @@ template <class T>
 // Inlined into each planner, whose copies' branches would count anew; tests/arithmetic takes both sides of every one,
 // in programs built with other options or run in other modes. GCOVR_EXCL_BR_START
 
-// Each of these has another value when the compiler fuses, reorders or simplifies.
+/// Whether the code around the call neither fuses, reorders nor simplifies float operations.
 [[gnu::always_inline]] inline bool operations_as_written() {
   const float a = unknown(1.0F + 0x1p-12F);
   const float residue = a * a - unknown(1.0F + 0x1p-11F);  // 2^-24 by a fused multiply-add
@@ -130,19 +138,21 @@ template <class T>
          std::bit_cast<std::uint32_t>(zero) == 0;
 }
 
+/// Whether the floating-point unit rounds to nearest, ties to even.
 [[gnu::always_inline]] inline bool rounds_to_nearest() {
   const float one = unknown(1.0F);
   return one + 0x1p-25F == one && one - 0x1p-26F == one;
 }
 
+/// Whether the floating-point unit neither flushes denormal results nor takes denormal operands for 0.
 [[gnu::always_inline]] inline bool keeps_denormals() {
   const float least_normal = unknown(0x1p-126F);
   const float half = least_normal * 0.5F;
   return half + half == least_normal;
 }
 
-// Whether the code around the call, and the floating-point unit, compute as the library was written. All of it is
-// inlined: a copy from a file with other flags must not answer.
+/// Whether the code around the call, and the floating-point unit, compute as the library was written. All of it is
+/// inlined: a copy from a file with other flags must not answer. Costs a dozen operations.
 [[gnu::always_inline]] inline bool exact_arithmetic() {
   return operations_as_written() && rounds_to_nearest() && keeps_denormals();
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numbers that steer a search. Defaults first; `paper()` returns the paper's own.
+/// \file
+/// The numbers that steer a search. Defaults first; `paper()` returns the paper's own.
 #pragma once
 
 #include <cstdint>
@@ -9,89 +10,91 @@
 
 namespace krait {
 
-// As large as a group's sample of the states that reached its region can be.
+/// The largest SearchTuning::group_sample: as large as a group's sample of the states that reached its region can be.
 inline constexpr std::uint32_t kUnboundedSample = 65535;
 
-// How the search goes about it. The defaults are measured (bench/ABLATIONS.md), and few programs change them.
+/// How the search goes about it. The defaults are measured (bench/ABLATIONS.md), and few programs change them.
 struct SearchTuning {
-  static constexpr std::uint32_t kMostSteps = 1000;  // of an expansion
-  static constexpr std::uint32_t kMostDoomedSteps = 3;
-  static constexpr std::uint32_t kMostCandidates = 8;
+  static constexpr std::uint32_t kMostSteps = 1000;     ///< the most max_steps and open_steps
+  static constexpr std::uint32_t kMostDoomedSteps = 3;  ///< the most doomed_steps
+  static constexpr std::uint32_t kMostCandidates = 8;   ///< the most candidates
 
   // Eqns 5 and 6.
-  std::uint32_t group_sample = 12;  // 1 … 65535: states that a group keeps to grow from, a random sample of all
+  std::uint32_t group_sample = 12;  ///< 1 … 65535: states that a group keeps to grow from, a random sample of all
   // Eqn 7.
-  float alpha = 8.0F;     // 1 … 64: strength of the heuristic
-  float beta = 0.85F;     // above 0, below 1: a group's weight shrinks by this with each selection
-  float epsilon = 0.01F;  // above 0, up to 1: keeps every weight positive
+  float alpha = 8.0F;     ///< 1 … 64: strength of the heuristic
+  float beta = 0.85F;     ///< above 0, below 1: a group's weight shrinks by this with each selection
+  float epsilon = 0.01F;  ///< above 0, up to 1: keeps every weight positive
   // Eqn 9.
-  float gamma = 20.0F;       // 0 … 1e6: how much a failure raises edge costs; 0: costs never change
-  float cost_length = 1.0F;  // 0 … 10, in lengths of body 0: C += gamma l^2 / max(C, l), l this length; 0: gamma / C
-  std::uint32_t kappa = 10;  // 1 … 10000: expansions between updates of the heuristic costs
-  std::uint32_t update_regions = 250;  // 0 … 1e6: and at least one expansion for so many regions of the scene; 0: none
-  bool raise_goal = false;             // whether a failure right before the goal raises the goal's edges as well
+  float gamma = 20.0F;       ///< 0 … 1e6: how much a failure raises edge costs; 0: costs never change
+  float cost_length = 1.0F;  ///< 0 … 10, in lengths of body 0: C += gamma l^2 / max(C, l), l this length; 0: gamma / C
+  std::uint32_t kappa = 10;            ///< 1 … 10000: expansions between updates of the heuristic costs
+  std::uint32_t update_regions = 250;  ///< 0 … 1e6: and at least one expansion for so many of the scene's regions; 0:
+                                       ///< none
+  bool raise_goal = false;             ///< whether a failure right before the goal raises the goal's edges as well
   // Algorithm 2.
-  std::uint32_t max_steps = 40;     // 1 … 1000: of one expansion
-  std::uint32_t open_steps = 1000;  // 0 … 1000: of one in the open, while it nears its target and crosses one portal
-  std::uint32_t path_regions = 6;   // 1 … 64: targets come from that many regions after the group's own
-  float near_radius = 0.7F;         // 0 … 10, in lengths of body 0: a target so near is reached
-  float stray_share = 0.1F;         // 0 … 1: share of expansions toward a random point of the workspace instead
-  float gentle_share = 0.35F;      // 0 … 1: share of expansions from a group that was often selected that turn gently
-  std::uint32_t sight_tries = 16;  // 0 … 64: points drawn for one in sight of the vertex; 0: any point will do
-  std::uint32_t candidates = 4;    // 0 … 8: ways that are sketched before one is driven; 0: any way will do
-  std::uint32_t least_sketch = 8;  // 0 … 20: sketched steps, of 2 dt, below which no way is driven and costs are raised
-  std::uint32_t doomed_steps = 2;     // 0 … 3: so many states before a collision are not kept to grow from
-  std::uint32_t restart_unit = 4000;  // expansions, 0 … 1e9: tries last 1, 1, 2, 1, 1, 2, 4, … of it; 0: one for ever
-  float slowest = 1.0F;        // 0.05 … 1: speed set-points are uniform from this share of the top speed to all of it
-  float reverse_share = 0.2F;  // 0 … 1: share of expansions that drive backwards, of a robot that can
+  std::uint32_t max_steps = 40;     ///< 1 … 1000: of one expansion
+  std::uint32_t open_steps = 1000;  ///< 0 … 1000: of one in the open, while it nears its target and crosses one portal
+  std::uint32_t path_regions = 6;   ///< 1 … 64: targets come from that many regions after the group's own
+  float near_radius = 0.7F;         ///< 0 … 10, in lengths of body 0: a target so near is reached
+  float stray_share = 0.1F;         ///< 0 … 1: share of expansions toward a random point of the workspace instead
+  float gentle_share = 0.35F;  ///< 0 … 1: share of expansions from a group that was often selected that turn gently
+  std::uint32_t sight_tries = 16;  ///< 0 … 64: points drawn for one in sight of the vertex; 0: any point will do
+  std::uint32_t candidates = 4;    ///< 0 … 8: ways that are sketched before one is driven; 0: any way will do
+  std::uint32_t least_sketch = 8;  ///< 0 … 20: steps of a sketch, of 2 dt, below which no way is driven and costs rise
+  std::uint32_t doomed_steps = 2;  ///< 0 … 3: so many states before a collision are not kept to grow from
+  std::uint32_t restart_unit = 4000;  ///< expansions, 0 … 1e9: tries last 1, 1, 2, 1, 1, 2, 4, … of it; 0: one for ever
+  float slowest = 1.0F;  ///< 0.05 … 1: speed set-points are uniform from this share of the top speed to all of it
+  float reverse_share = 0.2F;  ///< 0 … 1: share of expansions that drive backwards, of a robot that can
   // Collision.
-  bool continuous = true;           // whether whole steps are proven free, or states only
-  std::uint32_t max_substeps = 16;  // 1 … 64, a power of two: how finely a step is cut to prove it
-  bool prune_portals = true;        // whether portals too narrow for the robot are removed before the search
-  // Whether everything is done the plain way: Dijkstra for all regions each time, every group's weight anew for each
-  // choice, Box2D for every body and every pair of bodies, without the scene's tables. The same plan; what shortcuts
-  // are measured against.
+  bool continuous = true;           ///< whether whole steps are proven free, or states only
+  std::uint32_t max_substeps = 16;  ///< 1 … 64, a power of two: how finely a step is cut to prove it
+  bool prune_portals = true;        ///< whether portals too narrow for the robot are removed before the search
+  /// Whether everything is done the plain way: Dijkstra for all regions each time, every group's weight anew for each
+  /// choice, Box2D for every body and every pair of bodies, without the scene's tables. The same plan; what shortcuts
+  /// are measured against.
   bool plain = false;
 };
 
-// What a program says of its robot's motion and of its plans.
+/// What a program says of its robot's motion and of its plans.
 struct Parameters {
-  float dt = 0.1F;            // 0.001 … 1 s: a time step
-  float clearance = 1e-3F;    // 0 … 10 m: a plan keeps it between bodies and everything, on top of rounding
-  float goal_margin = 0.03F;  // 0 … 10 m, at most a tenth of the goal's size: how deep inside the plan must end
-  float end_speed = 0.0F;  // m/s, 0 … infinity: a plan ends no faster, to 5 mm/s; 0: at rest; infinity: at any speed
-  SearchTuning tuning;
+  float dt = 0.1F;            ///< 0.001 … 1 s: a time step
+  float clearance = 1e-3F;    ///< 0 … 10 m: a plan keeps it between bodies and everything, on top of rounding
+  float goal_margin = 0.03F;  ///< 0 … 10 m, at most a tenth of the goal's size: how deep inside the plan must end
+  float end_speed = 0.0F;  ///< m/s, 0 … infinity: a plan ends no faster, to 5 mm/s; 0: at rest; infinity: at any speed
+  SearchTuning tuning;     ///< how the search goes about it
 
-  // Algorithms 1 and 2 with the paper's constants: discrete collision checks, no pruning, Eqn 9 as printed.
+  /// Algorithms 1 and 2 with the paper's constants: discrete collision checks, no pruning, Eqn 9 as printed.
   static Parameters paper();
 
-  // Argument::none, or the first parameter that is NaN or out of its range.
+  /// Argument::none, or the first parameter that is NaN or out of its range. O(1).
   Argument first_bad() const;
 };
 
-// In lengths of body 0: how much more than Parameters::clearance the tree keeps, so that a plan, which is driven a
-// little beside the tree, keeps that clearance.
+/// In lengths of body 0: how much more than Parameters::clearance the tree keeps, so that a plan, which is driven a
+/// little beside the tree, keeps that clearance.
 inline constexpr float kTreeSlack = 2e-3F;
 
-// What a search does when the memory for vertices or expansions is full.
+/// What a search does when the memory for vertices or expansions is full.
 enum class WhenFull : std::uint8_t {
-  recycle,  // drops the vertices of the group that helps least, never the start, and goes on
-  stop      // ends as tree_full
+  recycle,  ///< drops the vertices of the group that helps least, never the start, and goes on
+  stop      ///< ends as tree_full
 };
 
-// What a search may use.
+/// What a search may use. lib/MEMORY.md says what each takes of the block.
 struct Limits {
-  static constexpr std::uint32_t kMost = (1U << 22U) - 2048;  // vertices, expansions
+  static constexpr std::uint32_t kMost = (1U << 22U) - 2048;  ///< the most vertices, and the most expansions
 
-  std::uint32_t vertices = 0;            // states kept to grow from, 2 … kMost; 0: as many as the block has room for
-  std::uint32_t expansions = 0;          // kept, 2 … kMost; 0: half as many as vertices
-  std::uint64_t iterations = 1'000'000;  // expansions made, at least 1
-  WhenFull when_full = WhenFull::recycle;
-  std::uint32_t way_legs = 0;  // 0, or 16 … 1e6: room for improve, best a third of a plan's steps; 0: none, no memory
+  std::uint32_t vertices = 0;    ///< states kept to grow from, 2 … kMost; 0: as many as the block has room for
+  std::uint32_t expansions = 0;  ///< kept, 2 … kMost; 0: half as many as vertices
+  std::uint64_t iterations = 1'000'000;    ///< expansions made, at least 1
+  WhenFull when_full = WhenFull::recycle;  ///< what it does when one of these is used up
+  std::uint32_t way_legs = 0;  ///< 0, or 16 … 1e6: room for improve, best a third of a plan's steps; 0: none, no memory
 
+  /// The number that `expansions` stands for. O(1).
   std::uint32_t kept_expansions() const { return expansions != 0 ? expansions : vertices / 2 + 1; }
 
-  // Argument::none, or the first limit that is out of its range.
+  /// Argument::none, or the first limit that is out of its range. O(1).
   Argument first_bad() const;
 };
 

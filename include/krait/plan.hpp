@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A solved plan: driven again from the start by a cursor in O(1) memory, or copied.
+/// \file
+/// A solved plan: driven again from the start by a cursor in O(1) memory, or copied.
 #pragma once
 
 #include <cstddef>
@@ -38,27 +39,28 @@ class PlanPath {
 
 }  // namespace detail
 
-// Walks along a plan: s0 u0 s1 u1 … sL. Its memory is its own.
+/// Walks along a plan: s0 u0 s1 u1 … sL. Its memory, about a kilobyte, is its own; the robot and the planner must
+/// outlive it, and the planner's next start, improve or init ends it.
 class PlanCursor {
  public:
-  // At the end of no plan, without a state.
+  /// At the end of no plan, without a state.
   PlanCursor();
-  // `start` is robot.state_size() floats.
+  /// For the library: Plan::cursor makes them. `start` is robot.state_size() floats, which must stay.
   PlanCursor(const Robot& robot, const detail::PlanPath& path, const float* start, float dt);
 
-  int state_size() const;
-  int control_size() const;
+  int state_size() const;    ///< floats of a state
+  int control_size() const;  ///< floats of a control
 
-  // Whether this is the last state.
+  /// Whether this is the last state.
   bool done() const;
-  // state_size() floats, valid until the next advance.
+  /// state_size() floats of the cursor's own, valid until the next advance.
   const float* state() const;
-  // control_size() floats, held for dt from this state on; not when done.
+  /// control_size() floats of the cursor's own, held for dt from this state on; not when done.
   const float* control() const;
-  // The state that the control leads to; not when done.
+  /// The state that the control leads to, of the cursor's own, too; not when done.
   const float* next() const;
 
-  // On to the next state; not when done. Work: one control and the Runge-Kutta steps of a time step.
+  /// On to the next state; not when done. Work: one control and the Runge-Kutta steps of a time step.
   void advance();
 
  private:
@@ -68,30 +70,30 @@ class PlanCursor {
   alignas(std::uint64_t) std::byte walk_[kWalkBytes];
 };
 
-// What a search found, in the planner's memory: valid until its next start or improve.
+/// What a search found, in the planner's memory: valid until its next start or improve.
 class Plan {
  public:
-  Plan() = default;
-  // `start` is robot.state_size() floats.
+  Plan() = default;  ///< an empty one
+  /// For the library: Planner::plan makes them. `start` is robot.state_size() floats, which must stay. O(legs).
   Plan(const Robot& robot, const detail::PlanPath& path, const float* start, float dt);
 
-  bool empty() const { return start_ == nullptr; }
-  std::uint32_t steps() const { return steps_; }
-  int state_size() const { return empty() ? 0 : robot_.state_size(); }
-  int control_size() const { return empty() ? 0 : robot_.control_size(); }
-  float dt() const { return dt_; }                                     // seconds
-  float duration() const { return dt_ * static_cast<float>(steps_); }  // seconds
+  bool empty() const { return start_ == nullptr; }                          ///< whether there is no plan
+  std::uint32_t steps() const { return steps_; }                            ///< controls, each held for dt()
+  int state_size() const { return empty() ? 0 : robot_.state_size(); }      ///< floats of a state; 0 for no plan
+  int control_size() const { return empty() ? 0 : robot_.control_size(); }  ///< floats of a control; likewise
+  float dt() const { return dt_; }                                          ///< seconds, a time step
+  float duration() const { return dt_ * static_cast<float>(steps_); }       ///< seconds
 
-  // From the first state; of an empty plan one that is done and has no state.
+  /// From the first state; of an empty plan one that is done and has no state.
   PlanCursor cursor() const { return empty() ? PlanCursor() : PlanCursor(robot_, path_, start_, dt_); }
 
-  // Metres, of the line through the positions; 0 for no plan. O(steps).
+  /// Metres, of the line through the positions; 0 for no plan. O(steps).
   float length() const;
 
-  // FNV-1a 64 over s0, u0, s1, u1, …, sL; 0 for no plan. O(steps).
+  /// FNV-1a 64 over s0, u0, s1, u1, …, sL; 0 for no plan. O(steps).
   std::uint64_t hash() const;
 
-  // (steps() + 1) * state_size() and steps() * control_size() floats into the caller's arrays. O(steps).
+  /// (steps() + 1) * state_size() and steps() * control_size() floats into the caller's arrays. O(steps).
   void copy(float* states, float* controls) const;
 
  private:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A robot of any model, as the planner sees it.
+/// \file
+/// A robot of any model, as the planner sees it.
 #pragma once
 
 #include <concepts>
@@ -8,13 +9,17 @@
 
 namespace krait {
 
-// Refers to a robot that must outlive it, or to none; made by whatever takes one from any robot. Its sizes are those at
-// that time.
-// What a member does is said of the one of its name in robots/model.hpp; states have state_size() floats, controls
-// control_size().
+/// Refers to a robot that must outlive it, or to none; made by whatever takes one from any robot. Its sizes are those
+/// at that time. It owns nothing, and copies refer to the same robot.
+///
+/// States (s, next, reference, ds, d, errors) are arrays of state_size() floats, controls (u) of control_size(), poses,
+/// travel and rates of one a body; all of them are the caller's. Each member costs a call through a pointer and what
+/// the robot's own function of its name does, or what stands for it where the robot has none (RobotModel says which).
+/// Of a Robot that refers to none only the default constructor, the sizes, fits, sound and exact may be used.
 class Robot {
  public:
-  Robot() = default;
+  Robot() = default;  ///< of none: every size is 0
+  /// Refers to `robot`, which must stay where it is. O(1).
   template <RobotModel R>
   Robot(const R& robot)  // NOLINT(google-explicit-constructor): a planner is made for any robot by its name
       : functions_(&detail::FunctionsOf<R>::kTable),
@@ -24,76 +29,103 @@ class Robot {
         body_count_(robot.body_count()),
         leading_size_(detail::leading_size(robot)) {}
   template <RobotModel R>
-  Robot(const R&&) = delete;  // would not outlive this
+  Robot(const R&&) = delete;  ///< would not outlive this
 
-  int state_size() const { return state_size_; }
-  int leading_size() const { return leading_size_; }
-  int control_size() const { return control_size_; }
-  int body_count() const { return body_count_; }
+  int state_size() const { return state_size_; }      ///< floats of a state, 2 … kMaxState where it fits
+  int leading_size() const { return leading_size_; }  ///< how many of the first components depend on no others
+  int control_size() const { return control_size_; }  ///< floats of a control, 1 … kMaxControl where it fits
+  int body_count() const { return body_count_; }      ///< 1 … kMaxBodies where it fits
+  /// Bodies i and j are tested against each other where |i - j| is at least this.
   int self_collision_gap() const { return functions_->self_collision_gap(self_); }
+  /// Whether dimensions and limits can be used; true for none.
   bool sound() const { return functions_ == nullptr || functions_->sound(self_); }
+  /// Whether the robot can drive backwards.
   bool reversible() const { return functions_->reversible(self_); }
+  /// Body k's outline in its own frame, 0 … body_count() - 1; metres. Its vertices are the robot's.
   Polygon body(int k) const { return functions_->body(self_, k); }
 
-  // Whether the sizes are within the model's.
+  /// Whether the sizes are within the model's.
   bool fits() const {
     return functions_ != nullptr && state_size_ >= 2 && state_size_ <= functions_->max_state && control_size_ >= 1 &&
            control_size_ <= functions_->max_control && body_count_ >= 1 && body_count_ <= functions_->max_bodies;
   }
-  bool leads() const { return functions_->leads; }
-  bool has_speed() const { return functions_->has_speed; }
-  // Whether the robot was compiled with the library's arithmetic.
+  bool leads() const { return functions_->leads; }          ///< whether leading components are integrated first
+  bool has_speed() const { return functions_->has_speed; }  ///< whether the robot says how fast it moves
+  /// Whether the robot was compiled with the library's arithmetic.
   bool exact() const { return functions_ == nullptr || functions_->exact(self_); }
-  bool answers_proven() const { return functions_->answers_proven; }
+  bool answers_proven() const { return functions_->answers_proven; }  ///< kAnswersProven of its class
 
+  /// Writes the frame of every body in s.
   void place(const float* s, Pose* poses) const { functions_->place(self_, s, state_size_, poses); }
-  // Body 0's frame, by the leading components.
+  /// Writes body 0's frame, by the leading components of s alone.
   void place_lead(const float* s, Pose* poses) const { functions_->place(self_, s, leading_size_, poses); }
+  /// Writes the dynamics ds = f(s, u), in units of the state a second.
   void derivative(const float* s, const float* u, float* ds) const {
     functions_->derivative(self_, s, state_size_, u, ds);
   }
-  // Of the leading components, by them.
+  /// Writes ds of the leading components, by them alone.
   void lead_rates(const float* s, const float* u, float* ds) const {
     functions_->derivative(self_, s, leading_size_, u, ds);
   }
-  // Of all components that are integrated first: the leading ones, or all.
+  /// Writes to d what dt seconds under u add to those components of s that are integrated first: the leading ones, or
+  /// all. `poses` are the frames in s; `lead` is filled for integrate_rest. As much as four derivatives, at most.
   void integrate_lead(const float* s, const Pose* poses, const float* u, float dt, detail::Lead& lead, float* d) const {
     functions_->integrate_lead(self_, s, state_size_, poses, u, dt, lead, d);
   }
-  // The same of a state that has no others than the leading components.
+  /// The same of a state that has no others than the leading components; `poses` is body 0's frame.
   void integrate_lead_alone(const float* s, const Pose* poses, const float* u, float dt, detail::Lead& lead,
                             float* d) const {
     functions_->integrate_lead(self_, s, leading_size_, poses, u, dt, lead, d);
   }
+  /// Writes to d what the same step adds to the components that integrate_lead has left out.
   void integrate_rest(const float* s, const Pose* poses, float dt, const detail::Lead& lead, float* d) const {
     if (functions_->leads) functions_->integrate_rest(self_, s, poses, dt, lead, d);
   }
 
+  /// Writes the control that steers s, whose frames are `poses`, toward the target.
   void steer(const float* s, const Pose* poses, const Target& target, Steering& steering, float* u) const {
     functions_->steer(self_, s, poses, target, steering, u);
   }
+  /// Changes u, the control of `reference`, which s is very near to, so that the robot comes back to the reference's
+  /// motion within some time steps of dt seconds.
   void track(const float* s, const float* reference, float dt, float* u) const {
     functions_->track(self_, s, reference, dt, u);
   }
+  /// Carries the errors of a state's components over a time step of dt seconds; returns the metres that a body may be
+  /// off then.
   float carry_errors(const float* s, const Pose* poses, const float* u, float dt, float* errors) const {
     return functions_->carry_errors(self_, s, poses, u, dt, errors);
   }
+  /// Whether s is within the robot's limits.
   bool within_limits(const float* s) const { return functions_->within_limits(self_, s); }
+  /// Whether s is so far within them that the tree may keep it.
   bool keeps_reserve(const float* s) const { return functions_->keeps_reserve(self_, s); }
+  /// Writes what bounds the motion of every body while u is held for dt seconds from s to next; false where the limits
+  /// are not proven to hold all the way.
   bool travel(const float* s, const float* u, float dt, const float* next, Travel* travel) const {
     return functions_->travel(self_, s, u, dt, next, travel);
   }
+  /// What can be said of the same step at little cost; nothing, for a robot that does not.
   QuickBound quick_bound(const float* s, const float* u, float dt, const float* next) const {
     return functions_->quick_bound(self_, s, u, dt, next);
   }
+  /// Moves s and its frames by dt seconds under u, roughly; false where that leaves the limits.
   bool sketch(float* s, Pose* poses, const float* u, float dt) const {
     return functions_->sketch(self_, s, poses, u, dt);
   }
+  /// 1/s: how fast the dynamics can change within a time step of dt seconds; 0 where the robot does not say.
   float fastest_rate(float dt) const { return functions_->fastest_rate(self_, dt); }
+  /// m/s, at least 0; 0 where the robot does not say.
   float speed(const float* s) const { return functions_->speed(self_, s); }
+  /// Metres along body 0's x axis, negative backwards; 0 where the robot does not say.
   float stopping_way(const float* s) const { return functions_->stopping_way(self_, s); }
+  /// Metres, of the sharpest turn that it drives for long; `length` where the robot does not say.
   float turning_radius(float length) const { return functions_->turning_radius(self_, length); }
+  /// m/s, straight ahead; `length` metres a second where the robot does not say.
   float top_speed(float length) const { return functions_->top_speed(self_, length); }
+  /// Writes to s the state of standing still there: metres, radians; `angles` are `count` headings of the bodies after
+  /// the first, none: they have `heading`. False, and nothing is written, where the robot has no such function or
+  /// another number of bodies.
   bool rest(Vec2 position, float heading, const float* angles, std::uint32_t count, float* s) const {
     return functions_->rest(self_, position, heading, angles, count, s);
   }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Holds a robot of one's own to what the RobotModel concept asks of it (krait/robots/model.hpp), before it plans:
-// against its own derivative, integrated finely in double precision. For hosts: not part of krait.hpp, with the
-// standard library, in an archive of its own (krait::robot_check).
+/// \file
+/// Holds a robot of one's own to what the RobotModel concept asks of it (krait/robots/model.hpp), before it plans:
+/// against its own derivative, integrated finely in double precision. For hosts: not part of krait.hpp, with the
+/// standard library, in an archive of its own (krait::robot_check).
 #pragma once
 
 #include <cstdint>
@@ -13,51 +14,54 @@
 
 namespace krait {
 
-// A promise that a function of a robot does not keep, in the worst case that was found.
+/// A promise that a function of a robot does not keep, in the worst case that was found. It owns its texts.
 struct RobotFault {
-  std::string function;  // travel
-  std::string promise;   // path
-  std::string message;   // what, by how much, at which state and control, and what to do
-  double by = 0;         // in the promise's own unit
-  int samples = 0;       // in how many it was found
+  std::string function;  ///< the name of the function, such as travel
+  std::string promise;   ///< a short name of what it promises, such as path
+  std::string message;   ///< what, by how much, at which state and control, and what to do
+  double by = 0;         ///< how far off it is, in the promise's own unit; infinite where there is no telling
+  int samples = 0;       ///< in how many it was found
 };
 
+/// What check_robot has found. It owns everything in it.
 struct RobotReport {
-  std::vector<RobotFault> faults;
-  int samples = 0;  // that were looked at
+  std::vector<RobotFault> faults;  ///< one a broken promise; empty where none was found
+  int samples = 0;                 ///< that were looked at
 
+  /// Whether no broken promise was found.
   bool ok() const { return faults.empty(); }
 
-  // A line for each fault; empty where there is none.
+  /// A line for each fault; empty where there is none.
   std::string text() const;
 };
 
+/// From low to high, both included.
 struct RobotRange {
-  float low;
-  float high;
+  float low;   ///< in the component's own unit
+  float high;  ///< likewise, not below low
 };
 
-// Where a robot's states and controls lie, in its own units, and what holds of it.
+/// Where a robot's states and controls lie, in its own units, and what holds of it.
 struct RobotRanges {
-  std::vector<RobotRange> state;    // one a component; drawn evenly, but for the position now and then at the ends
-  std::vector<RobotRange> control;  // one a component: the limits that steer keeps to; drawn likewise
-  std::vector<float> dt = {0.1F};   // seconds: the time steps to be tried
-  // The components of the state that are headings, in radians: turning the robot adds to them and changes nothing else
-  // but the position. Whether it moves alike in every direction is checked where there are any.
+  std::vector<RobotRange> state;    ///< one a component; drawn evenly, but for the position now and then at the ends
+  std::vector<RobotRange> control;  ///< one a component: the limits that steer keeps to; drawn likewise
+  std::vector<float> dt = {0.1F};   ///< seconds: the time steps to be tried
+  /// The components of the state that are headings, in radians: turning the robot adds to them and changes nothing else
+  /// but the position. Whether it moves alike in every direction is checked where there are any.
   std::vector<int> headings = {};
-  bool anywhere = true;  // whether it moves alike wherever it stands, which is checked then
-  float leaving = 0.0F;  // 0 … 1: share of steered steps that may leave the limits, as where hitches fold
+  bool anywhere = true;  ///< whether it moves alike wherever it stands, which is checked then
+  float leaving = 0.0F;  ///< 0 … 1: share of steered steps that may leave the limits, as where hitches fold
   // A Runge-Kutta step of step_rate / fastest_rate(dt) seconds, and at most dt, is to be accurate to step_error, in
-  // metres and radians: as the library makes them while the tree grows (lib/DESIGN.md, "Integration"). 0: not checked.
-  float step_rate = 0.32F;
-  float step_error = 5e-4F;
-  // Makes a state of the numbers that were drawn, where components depend on each other; none: they are the state.
+  // metres and radians: as the library makes them while the tree grows (lib/DESIGN.md, "Integration").
+  float step_rate = 0.32F;   ///< 0 or more, without a unit; 0: not checked
+  float step_error = 5e-4F;  ///< metres and radians, 0 or more
+  /// Makes a state of the numbers that were drawn, where components depend on each other; none: they are the state.
   std::function<void(std::vector<float>& state)> arrange = {};
 };
 
-// Draws so many states and controls from the ranges and names every promise of the concept that the robot breaks at
-// one, in the worst case found. The same for the same seed. What it does not find is not proven: samples are no proof.
-// Work: some thousand derivatives a sample.
+/// Draws so many states and controls from the ranges and names every promise of the concept that the robot breaks at
+/// one, in the worst case found. The same for the same seed. What it does not find is not proven: samples are no proof.
+/// Work: some thousand derivatives a sample.
 RobotReport check_robot(const Robot& robot, const RobotRanges& ranges, int samples = 1000, std::uint64_t seed = 1);
 
 }  // namespace krait

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A checked, read-only view of a scene file, used in place (it may lie in flash). scene/FORMAT.md is the bytes.
+/// \file
+/// A checked, read-only view of a scene file, used in place (it may lie in flash). FORMAT.md beside this file is the
+/// bytes.
 #pragma once
 
 #include <cstddef>
@@ -17,12 +19,14 @@ namespace detail {
 class SceneChecker;
 }
 
-// Integers of the file's index width.
+/// Integers of the file's index width, in place: it refers to the file's bytes.
 class IndexArray {
  public:
-  IndexArray() = default;
+  IndexArray() = default;  ///< of nothing
+  /// The integers from `data` on, each of 4 bytes if `wide`, else of 2, and aligned to that; they must stay.
   IndexArray(const std::byte* data, bool wide) : data_(data), wide_(wide) {}
 
+  /// Integer i, or kNone; unchecked.
   Index operator[](std::size_t i) const {
     if (wide_) return reinterpret_cast<const std::uint32_t*>(data_)[i];
     const Index index = reinterpret_cast<const std::uint16_t*>(data_)[i];
@@ -34,22 +38,24 @@ class IndexArray {
   bool wide_ = false;
 };
 
+/// A cell of a CellGrid.
 struct Cell {
-  std::int32_t column;
-  std::int32_t row;
+  std::int32_t column;  ///< 0 … CellGrid::columns - 1, in the direction of x
+  std::int32_t row;     ///< 0 … CellGrid::rows - 1, in the direction of y
 };
 
-// Square cells over the bounds.
+/// Square cells over the bounds.
 struct CellGrid {
-  Vec2 origin{};
-  float per_metre = 1;
-  std::int32_t columns = 0;
-  std::int32_t rows = 0;
+  Vec2 origin{};             ///< metres, local coordinates: the least corner of cell (0, 0)
+  float per_metre = 1;       ///< cells in a metre
+  std::int32_t columns = 0;  ///< cells in the direction of x
+  std::int32_t rows = 0;     ///< cells in the direction of y
 
-  // The cell that contains p, clamped to the grid; any finite p.
+  /// The cell that contains p, clamped to the grid; any finite p. O(1).
   Cell cell(Vec2 p) const {
     return {clamped((p.x - origin.x) * per_metre, columns), clamped((p.y - origin.y) * per_metre, rows)};
   }
+  /// The number of a cell of the grid, by rows.
   std::size_t index(Cell c) const {
     return static_cast<std::size_t>(c.row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(c.column);
   }
@@ -61,10 +67,11 @@ struct CellGrid {
   }
 };
 
-// A lower bound of the distance to the nearest obstacle or bound, by place.
+/// A lower bound of the distance to the nearest obstacle or bound, by place. It refers to the file's bytes.
 class ClearanceGrid {
  public:
-  ClearanceGrid() = default;
+  ClearanceGrid() = default;  ///< 0 everywhere
+  /// Of the cells of a file with this header, from `origin` on, local metres; the bytes must stay.
   ClearanceGrid(Vec2 origin, const format::Header& header, const std::uint8_t* cells)
       : origin_(origin),
         per_metre_(1.0F / header.clearance_cell),
@@ -74,7 +81,7 @@ class ClearanceGrid {
         stride_(header.clearance_columns),
         cells_(cells) {}
 
-  // At most the distance from p to the nearest obstacle or bound, metres; 0 where p lies near one or outside.
+  /// At most the distance from p to the nearest obstacle or bound, metres; 0 where p lies near one or outside. O(1).
   float at(Vec2 p) const {
     const float column = (p.x - origin_.x) * per_metre_;
     const float row = (p.y - origin_.y) * per_metre_;
@@ -94,100 +101,121 @@ class ClearanceGrid {
   const std::uint8_t* cells_ = nullptr;
 };
 
-// A start of the scene, in its local coordinates, and the trailers' headings where it has them. Metres, radians.
+/// A start of the scene, in its local coordinates, and the trailers' headings where it has them. Metres, radians.
 struct ScenePose {
-  Vec2 position;
-  float heading;
-  const float* angles;
-  std::uint32_t angle_count;
+  Vec2 position;              ///< local metres, of the robot's position
+  float heading;              ///< radians, of body 0
+  const float* angles;        ///< radians: angle_count of them, in the file's bytes
+  std::uint32_t angle_count;  ///< how many trailers' headings there are; 0: every trailer has the heading
 };
 
+/// A view of a scene file that was checked. It refers to the file's bytes, which must stay, unchanged, for as long as
+/// it is used; copies are views of the same bytes. Every function of it takes O(1), but where it says more. Of one that
+/// was not opened only bytes, fingerprint, inside_bounds and the counts may be asked.
 class Scene {
  public:
-  static constexpr std::uint8_t kHeaderSection = 255;  // Failure::section for the header
+  static constexpr std::uint8_t kHeaderSection = 255;  ///< Failure::section for the header; the element is an offset
 
-  // Checks every byte that the core later relies on, then views them; the bytes must stay, unchanged, for as long
-  // as the scene is used. Reads only [bytes, bytes + size); writes and allocates nothing. `bytes` is aligned to 4.
-  // Returns bad_scene with section and element, or ok. O(size log l), l the longest list of a bucket.
+  /// Checks every byte that the core later relies on, then views them; the bytes must stay, unchanged, for as long
+  /// as the scene is used. Reads only [bytes, bytes + size); writes and allocates nothing. `bytes` is aligned to 4.
+  /// Returns bad_scene with section and element, or ok. O(size log l), l the longest list of a bucket.
   [[nodiscard]] static Failure open(const void* bytes, std::size_t size, Scene& scene);
 
-  std::uint32_t bytes() const { return header_.total_bytes; }
+  std::uint32_t bytes() const { return header_.total_bytes; }  ///< length of the file; 0 of one that was not opened
 
-  // A check sum of the bytes as they are now, by which a planner finds at each start that they are no longer those of
-  // its init: of the header, whose CRC tells one file from another, and of up to 256 words spread evenly over the rest.
-  // So it sees another file, and any run of changed bytes longer than a 256th of this one and a word; of a single
-  // changed word elsewhere only open tells. 0 for a scene that was not opened. Work: reads 310 words at most.
+  /// A check sum of the bytes as they are now, by which a planner finds at each start that they are no longer those of
+  /// its init: of the header, whose CRC tells one file from another, and of up to 256 words spread evenly over the
+  /// rest. So it sees another file, and any run of changed bytes longer than a 256th of this one and a word; of a
+  /// single changed word elsewhere only open tells. 0 for a scene that was not opened. Work: reads 310 words at most.
   std::uint32_t fingerprint() const;
 
-  const format::Header& header() const { return header_; }
+  const format::Header& header() const { return header_; }  ///< a copy of the file's, which this view owns
+  /// The workspace, local metres.
   Box bounds() const {
     return {{header_.bounds_min_x, header_.bounds_min_y}, {header_.bounds_max_x, header_.bounds_max_y}};
   }
+  /// Whether p, local metres, lies in the bounds or on them; false for NaN.
   bool inside_bounds(Vec2 p) const {
     return p.x >= header_.bounds_min_x && p.x <= header_.bounds_max_x && p.y >= header_.bounds_min_y &&
            p.y <= header_.bounds_max_y;
   }
 
   // The decomposition. Edge i of a triangle goes from its vertex i to vertex (i + 1) % 3.
-  Index triangle_count() const { return header_.triangles; }
-  Index portal_count() const { return header_.portals; }
+  Index triangle_count() const { return header_.triangles; }  ///< triangles, numbered from 0
+  Index portal_count() const { return header_.portals; }      ///< edges between two triangles, numbered from 0
+  /// Corner i, 0 … 2, of a triangle, counter-clockwise, local metres.
   Vec2 corner(Index triangle, int i) const { return vertices_[triangle_vertices_[edge_at(triangle, i)]]; }
+  /// The middle of a triangle, local metres.
   Vec2 centroid(Index triangle) const {
     return (1.0F / 3.0F) * (corner(triangle, 0) + corner(triangle, 1) + corner(triangle, 2));
   }
+  /// The triangle across edge 0 … 2, or kNone at obstacles and bounds.
   Index neighbor(Index triangle, int edge) const { return triangle_neighbors_[edge_at(triangle, edge)]; }
+  /// The portal of edge 0 … 2, or kNone where there is no neighbour.
   Index portal(Index triangle, int edge) const { return triangle_portals_[edge_at(triangle, edge)]; }
+  /// Metres, 0 … 8000: twice the largest clearance along the portal, rounded up.
   float portal_width(Index portal) const {
     KRAIT_ASSERT(portal < portal_count());
     return portal_widths_[portal];
   }
+  /// The goal that a triangle lies in, or kNone.
   Index goal_of(Index triangle) const {
     KRAIT_ASSERT(triangle < triangle_count());
     const std::uint16_t goal = triangle_goals_[triangle];
     return goal == format::kNone16 ? kNone : goal;
   }
 
-  Index goal_count() const { return header_.goals; }
-  const char* name() const { return names_; }
+  Index goal_count() const { return header_.goals; }  ///< goals, numbered from 0
+  const char* name() const { return names_; }         ///< of the scene: UTF-8 in the file's bytes, safe to print
+  /// The name of a goal: UTF-8 in the file's bytes, safe to print. O(bytes of the names before it).
   const char* goal_name(Index goal) const {
     KRAIT_ASSERT(goal < goal_count());
     return nth_name(1 + goal);
   }
+  /// A goal's polygon in the file's bytes, counter-clockwise, of 3 vertices or more; local metres.
   Polygon goal_polygon(Index goal) const {
     KRAIT_ASSERT(goal < goal_count());
     const std::uint32_t first = goal_offsets_[goal];
     return {goal_vertices_ + first, static_cast<int>(goal_offsets_[goal + 1] - first)};
   }
-  // The goal's index, or kNone.
+  /// The goal of that name, or kNone. O(bytes of the names).
   Index find_goal(const char* goal) const;
 
-  Index start_count() const { return header_.starts; }
+  Index start_count() const { return header_.starts; }  ///< starts, numbered from 0
+  /// The name of a start: UTF-8 in the file's bytes, safe to print. O(bytes of the names before it).
   const char* start_name(Index start) const {
     KRAIT_ASSERT(start < start_count());
     return nth_name(1 + header_.goals + start);
   }
+  /// A start of the scene.
   ScenePose start(Index start) const;
 
   // Obstacles.
-  Index piece_count() const { return header_.pieces; }
+  Index piece_count() const { return header_.pieces; }  ///< convex obstacle pieces, numbered from 0
+  /// A piece in the file's bytes: 3 to 8 vertices, strictly convex, counter-clockwise, local metres.
   Polygon piece(Index piece) const {
     KRAIT_ASSERT(piece < piece_count());
     const std::uint32_t first = piece_offsets_[piece];
     return {piece_vertices_ + first, static_cast<int>(piece_offsets_[piece + 1] - first)};
   }
+  /// The smallest box around a piece, local metres.
   Box piece_box(Index piece) const {
     KRAIT_ASSERT(piece < piece_count());
     return piece_boxes_[piece];
   }
 
-  // Buckets: triangles and pieces by place.
-  const CellGrid& buckets() const { return buckets_; }
+  // Buckets: triangles and pieces by place. A bucket's list ends where that of the next one begins.
+  const CellGrid& buckets() const { return buckets_; }  ///< a bucket's number is CellGrid::index
+  /// Where the list of a bucket's triangles begins; `bucket` is at most the number of buckets.
   std::uint32_t bucket_triangles_begin(std::size_t bucket) const { return bucket_triangle_offsets_[bucket]; }
+  /// Entry i of all buckets' lists of triangles: a triangle that meets the bucket, ascending in each.
   Index bucket_triangle(std::uint32_t i) const { return bucket_triangles_[i]; }
+  /// Where the list of a bucket's pieces begins; `bucket` is at most the number of buckets.
   std::uint32_t bucket_pieces_begin(std::size_t bucket) const { return bucket_piece_offsets_[bucket]; }
+  /// Entry i of all buckets' lists of pieces: a piece whose box meets the bucket, ascending in each.
   Index bucket_piece(std::uint32_t i) const { return bucket_pieces_[i]; }
 
-  const ClearanceGrid& clearance() const { return clearance_grid_; }
+  const ClearanceGrid& clearance() const { return clearance_grid_; }  ///< how far obstacles and bounds are, at least
 
  private:
   static std::size_t at(Index triangle, int i) { return std::size_t{triangle} * 3 + static_cast<std::size_t>(i); }

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// A second-order car: the chain without trailers, its body centred on the middle of the wheelbase.
+/// \file
+/// A second-order car: the chain without trailers, its body centred on the middle of the wheelbase.
 #pragma once
 
 #include "krait/robots/truck.hpp"
 
 namespace krait {
 
+/// A car: a truck without trailers. Its members are the chain's.
 class Car : public Truck {
  public:
+  /// Copies the parameters, but for trailers, which are none, and body_offset, which is half the wheelbase.
   explicit Car(const ChainParameters& parameters) : Truck(centred(parameters)) {}
 
+  /// Those of a car of 1.2 m by 0.6 m; else the chain's.
   static ChainParameters defaults() {
     ChainParameters parameters;
     parameters.body_length = 1.2F;
@@ -25,6 +29,7 @@ class Car : public Truck {
   }
 };
 
+/// Its answers need no second look.
 template <>
 inline constexpr bool kAnswersProven<Car> = true;
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What snake, truck and car share: a car with steered front wheels that pulls N trailers, each hitched to the axle
-// before it. State (x, y, theta0, v, psi, theta1 … thetaN), control (acceleration, steering rate). Body 0's frame is
-// the rear axle, trailer i's its own axle, x forward.
+/// \file
+/// What snake, truck and car share: a car with steered front wheels that pulls N trailers, each hitched to the axle
+/// before it. State (x, y, theta0, v, psi, theta1 … thetaN), control (acceleration, steering rate). Body 0's frame is
+/// the rear axle, trailer i's its own axle, x forward.
 #pragma once
 
 #include <cstdint>
@@ -10,90 +11,108 @@
 
 namespace krait {
 
-inline constexpr int kMaxTrailers = 25;
+inline constexpr int kMaxTrailers = 25;  ///< the most that a robot of the library pulls
 
-// Metres, radians, seconds.
+/// Of a snake, a truck or a car. Metres, radians, seconds; all numbers finite.
 struct ChainParameters {
-  int trailers = 0;                    // 0 … kMaxTrailers
-  float body_length = 0.7F;            // > 0
-  float body_width = 0.5F;             // > 0
-  float body_offset = 0.0F;            // of body 0's centre ahead of the rear axle
-  float wheelbase = 0.8F;              // L > 0
-  float hitch_length = 0.8F;           // d > 0, axle to axle
-  float max_speed = 2.5F;              // of v, > 0
-  float min_speed = 0.0F;              // of v, <= 0; below 0 the car may reverse
-  float max_steering = 1.0F;           // |psi| <= this < pi/2
-  float max_acceleration = 5.0F;       // > 0
-  float max_steering_rate = 4.0F;      // > 0
-  int self_collision_gap = 2;          // >= 1
-  float max_hitch_angle = 1.5707963F;  // |theta(i-1) - theta(i)| <= this <= pi
+  int trailers = 0;                ///< 0 … kMaxTrailers
+  float body_length = 0.7F;        ///< metres, > 0
+  float body_width = 0.5F;         ///< metres, > 0
+  float body_offset = 0.0F;        ///< metres, any: of body 0's centre ahead of the rear axle
+  float wheelbase = 0.8F;          ///< metres, > 0: rear axle to front axle
+  float hitch_length = 0.8F;       ///< metres, > 0: axle to axle
+  float max_speed = 2.5F;          ///< m/s, > 0: of v, the front wheels' speed
+  float min_speed = 0.0F;          ///< m/s, <= 0: of v; below 0 the car may reverse
+  float max_steering = 1.0F;       ///< radians, above 0, below pi/2: the most of the steering angle psi, either way
+  float max_acceleration = 5.0F;   ///< m/s^2, > 0, either way
+  float max_steering_rate = 4.0F;  ///< rad/s, > 0, either way
+  int self_collision_gap = 2;  ///< >= 1: bodies i and j are tested against each other where |i - j| is at least this
+  float max_hitch_angle = 1.5707963F;  ///< radians, above 0, at most pi: the most of theta(i-1) - theta(i), either way
 };
 
+/// A car with steered front wheels and its trailers: what Snake, Truck and Car are. It owns its parameters and polygons
+/// and allocates nothing: 2 KB. Its members are those that RobotModel says; every one that takes a state is
+/// O(trailers), but for those of the car alone: steer, track, speed, stopping_way and integrate_lead, which are O(1).
 class Chain {
  public:
-  static constexpr int kCarState = 5;  // the car moves as if it pulled nothing
-  static constexpr int kMaxState = kCarState + kMaxTrailers;
-  static constexpr int kMaxControl = 2;
-  static constexpr int kMaxBodies = 1 + kMaxTrailers;
+  static constexpr int kCarState = 5;  ///< floats of the car's state, which moves as if it pulled nothing
+  static constexpr int kMaxState = kCarState + kMaxTrailers;  ///< floats of a state, at most
+  static constexpr int kMaxControl = 2;                       ///< floats of a control
+  static constexpr int kMaxBodies = 1 + kMaxTrailers;         ///< the car and its trailers, at most
 
-  // How the trailers follow: `slip` with s = v (the paper's snake), else with the rear axle's speed s = v cos psi. A
-  // number of trailers that is out of range becomes -1, which no size overflows by and sound() refuses.
+  /// How the trailers follow: `slip` with s = v (the paper's snake), else with the rear axle's speed s = v cos psi. A
+  /// number of trailers that is out of range becomes -1, which no size overflows by and sound() refuses. Every body is
+  /// a box of body_length by body_width until set_body. O(kMaxTrailers).
   Chain(const ChainParameters& parameters, bool slip);
 
-  const ChainParameters& parameters() const { return parameters_; }
-  int state_size() const { return kCarState + parameters_.trailers; }
-  int leading_size() const { return kCarState; }
-  int control_size() const { return 2; }
-  int body_count() const { return 1 + parameters_.trailers; }
-  int self_collision_gap() const { return parameters_.self_collision_gap; }
-  bool reversible() const { return parameters_.min_speed < 0.0F; }
-  bool sound() const;
+  const ChainParameters& parameters() const { return parameters_; }          ///< its own copy
+  int state_size() const { return kCarState + parameters_.trailers; }        ///< floats: x y theta0 v psi theta1 …
+  int leading_size() const { return kCarState; }                             ///< floats of the car's part of a state
+  int control_size() const { return 2; }                                     ///< floats: m/s^2 of v, rad/s of psi
+  int body_count() const { return 1 + parameters_.trailers; }                ///< the car and its trailers
+  int self_collision_gap() const { return parameters_.self_collision_gap; }  ///< of ChainParameters
+  bool reversible() const { return parameters_.min_speed < 0.0F; }           ///< whether it can drive backwards
+  bool sound() const;  ///< whether every parameter is in its range; O(1)
 
-  // Replaces body k's polygon: 3 to 8 vertices, convex, counter-clockwise, in its frame; copied. Of more it keeps none,
-  // which init refuses as bad_robot.
+  /// Replaces the polygon of body k, 0 … kMaxTrailers: metres, 3 to 8 vertices, convex, counter-clockwise, in its
+  /// frame; copied. Of more it keeps none, which init refuses as bad_robot.
   void set_body(int k, Polygon polygon);
+  /// Body k's polygon, 0 … kMaxTrailers, in its frame; metres. The vertices are this robot's.
   Polygon body(int k) const { return {bodies_[k].vertices, bodies_[k].count}; }
 
-  // Standing straight and still: writes state_size() floats. `angles`: trailer headings, or null for `heading`.
+  /// Standing straight and still: writes state_size() floats. Metres, radians; `angles`: one heading a trailer, or null
+  /// for `heading`. O(trailers).
   void rest(Vec2 position, float heading, const float* angles, float* state) const;
 
+  /// Steers body 0 toward the target's point by PID control, and its speed to the target's share of the top speed; a
+  /// truck's trailers bound how far the wheels turn.
   void steer(StateView s, const Target& target, Steering& steering, ControlRef u) const;
+  /// The same, knowing body 0's frame.
   void steer(StateView s, const Pose* poses, const Target& target, Steering& steering, ControlRef u) const;
+  /// Brings the car back to its reference's line within half a dozen wheelbases. The trailers follow.
   void track(StateView s, StateView reference, float dt, ControlRef u) const;
-  // Errors of the trailers' headings: they fade while trailers are pulled and grow while they are pushed.
+  /// Metres: how far a body may be off by the errors of the trailers' headings, radians, which it carries over dt
+  /// seconds: they fade while trailers are pulled and grow while they are pushed.
   float carry_errors(StateView s, const Pose* poses, ControlView u, float dt, float* errors) const;
-  // Of the front wheels.
+  /// m/s, of the front wheels.
   float speed(StateView s) const { return math::absolute(s[3]); }
+  /// Metres, negative backwards: of the rear axle, with the steering angle held.
   float stopping_way(StateView s) const;
-  // Of body 0: as far as the wheels steer, but no tighter than a snake's hitch or a truck's trailers follow.
+  /// Metres, of body 0: as far as the wheels steer, but no tighter than a snake's hitch or a truck's trailers follow.
   float turning_radius() const;
-  float top_speed() const { return parameters_.max_speed; }
+  float top_speed() const { return parameters_.max_speed; }  ///< m/s
+  /// Whether speed, steering and hitch angles keep their limits and the position is finite.
   bool within_limits(StateView s) const;
-  // Whether also the hitch angles stay 2 mrad below their limit.
+  /// Whether also the hitch angles stay 2 mrad below their limit.
   bool keeps_reserve(StateView s) const;
+  /// Body 0's frame is the rear axle, trailer i's its own axle.
   void place(StateView s, Pose* poses) const;
+  /// By the lemmas of lib/robot/CHAIN.md.
   bool travel(StateView s, ControlView u, float dt, StateView next, Travel* travel) const;
+  /// The bounds of travel for all bodies alike, by lemmas 10 to 13 of lib/robot/CHAIN.md.
   QuickBound quick_bound(StateView s, ControlView u, float dt, StateView next) const;
 
-  // 1/s: the largest of speed over the shorter of wheelbase and hitch, the root of acceleration over that, and three
-  // quarters of the steering rate; as much of acceleration and steering rate as a time step of dt has room for.
+  /// 1/s: the largest of speed over the shorter of wheelbase and hitch, the root of acceleration over that, and three
+  /// quarters of the steering rate; as much of acceleration and steering rate as a time step of dt has room for.
   float fastest_rate(float dt) const;
 
-  // Eqn 1 with the hitch angle's sine as in LaValle, Planning Algorithms, 13.1.2.3: the trailers move with speed v if
-  // they slip, else with v cos psi.
+  /// Eqn 1 with the hitch angle's sine as in LaValle, Planning Algorithms, 13.1.2.3: the trailers move with speed v if
+  /// they slip, else with v cos psi.
   void derivative(StateView s, ControlView u, StateRef ds) const;
 
-  // A rough step; of the trailers' headings in s it moves the first only.
+  /// A rough step; of the trailers' headings in s it moves the first only.
   bool sketch(StateRef s, Pose* poses, ControlView u, float dt) const;
 
-  // What the trailers' part of a Runge-Kutta step must know of the body ahead, by stage.
+  /// What the trailers' part of a Runge-Kutta step must know of the body ahead, by stage.
   struct Lead {
-    static constexpr int kStages = 4;
-    float turn[kStages];  // radians, since the step began
-    float pull[kStages];  // radians a second: its speed along itself, by the hitch's length
-    bool little;          // whether no angle changes by more than kSmallAngle
+    static constexpr int kStages = 4;  ///< derivatives of a step
+    float turn[kStages];               ///< radians, since the step began
+    float pull[kStages];               ///< radians a second: its speed along itself, by the hitch's length
+    bool little;                       ///< whether no angle changes by more than kSmallAngle
   };
+  /// The car's part of a Runge-Kutta step, and what the trailers must know of it.
   void integrate_lead(StateView s, const Pose* poses, ControlView u, float dt, Lead& lead, float* d) const;
+  /// The trailers' part.
   void integrate_rest(StateView s, const Pose* poses, float dt, const Lead& lead, float* d) const;
 
  private:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands for the functions that a robot may have (model.hpp) where it has none.
+/// \file
+/// What stands for the functions that a robot may have (model.hpp) where it has none.
 #pragma once
 
 #include "krait/robots/model.hpp"

@@ -1,36 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
-// Differential drive: state (x, y, theta, left and right wheel speed), control their accelerations.
+/// \file
+/// Differential drive: state (x, y, theta, left and right wheel speed), control their accelerations.
 #pragma once
 
 #include "krait/robots/planar.hpp"
 
 namespace krait {
 
-// Metres, radians, seconds.
+/// Metres, radians, seconds; all numbers finite.
 struct DifferentialDriveParameters {
-  float body_length = 0.5F;              // > 0
-  float body_width = 0.4F;               // > 0
-  float wheel_radius = 0.08F;            // > 0
-  float track_width = 0.36F;             // > 0, between the wheels
-  float max_wheel_speed = 12.0F;         // rad/s, > 0, both ways
-  float max_wheel_acceleration = 24.0F;  // rad/s^2, > 0
+  float body_length = 0.5F;              ///< metres, > 0
+  float body_width = 0.4F;               ///< metres, > 0
+  float wheel_radius = 0.08F;            ///< metres, > 0
+  float track_width = 0.36F;             ///< metres, > 0, between the wheels
+  float max_wheel_speed = 12.0F;         ///< rad/s, > 0, both ways
+  float max_wheel_acceleration = 24.0F;  ///< rad/s^2, > 0
 };
 
+/// Two driven wheels on an axle, each with an acceleration of its own. It owns its parameters; its members are those
+/// that RobotModel says, and take O(1).
 class DifferentialDrive : public PlanarBody {
  public:
-  static constexpr int kMaxState = 5;
-  static constexpr int kMaxControl = 2;
+  static constexpr int kMaxState = 5;    ///< floats of a state
+  static constexpr int kMaxControl = 2;  ///< floats of a control
 
+  /// Copies the parameters; sound() says whether they can be used.
   explicit DifferentialDrive(const DifferentialDriveParameters& parameters)
       : PlanarBody(parameters.body_length, parameters.body_width), parameters_(parameters) {}
 
-  const DifferentialDriveParameters& parameters() const { return parameters_; }
-  int state_size() const { return 5; }
-  int control_size() const { return 2; }
-  bool reversible() const { return true; }
-  bool sound() const;
+  const DifferentialDriveParameters& parameters() const { return parameters_; }  ///< its own copy
+  int state_size() const { return 5; }      ///< floats: x y theta left right; metres, radians, rad/s of the wheels
+  int control_size() const { return 2; }    ///< floats: rad/s^2 of the left and the right wheel
+  bool reversible() const { return true; }  ///< it can drive backwards
+  bool sound() const;                       ///< whether every parameter is in its range
 
-  // Writes state_size() floats.
+  /// Writes state_size() floats. Metres, radians.
   void rest(Vec2 position, float heading, float* state) const {
     state[0] = position.x;
     state[1] = position.y;
@@ -39,6 +43,7 @@ class DifferentialDrive : public PlanarBody {
     state[4] = 0.0F;
   }
 
+  /// Rolls without slip, as its wheels turn.
   void derivative(StateView s, ControlView u, StateRef ds) const {
     const SinCos heading = math::sin_cos(s[2]);
     const float speed = 0.5F * parameters_.wheel_radius * (s[3] + s[4]);
@@ -48,21 +53,28 @@ class DifferentialDrive : public PlanarBody {
     ds[3] = u[0];
     ds[4] = u[1];
   }
+  /// Wanted speed and turn rate become wheel speeds; where a wheel would be too fast, speed yields to turning.
   void steer(StateView s, const Target& target, Steering& steering, ControlRef u) const;
+  /// Brings it back to its reference's line within some body lengths.
   void track(StateView s, StateView reference, float dt, ControlRef u) const;
-  // Of the faster wheel's rim.
+  /// m/s, of the faster wheel's rim.
   float speed(StateView s) const {
     const float left = math::absolute(s[3]);
     const float right = math::absolute(s[4]);
     return parameters_.wheel_radius * (left > right ? left : right);
   }
+  /// Metres, negative backwards: the mean of what the two wheels roll, each of which stops by itself.
   float stopping_way(StateView s) const;
-  float turning_radius() const { return 0.0F; }
+  float turning_radius() const { return 0.0F; }  ///< metres: it turns on the spot
+  /// m/s, with both wheels at their top speed.
   float top_speed() const { return parameters_.wheel_radius * parameters_.max_wheel_speed; }
+  /// Whether the wheels keep their top speed, and position and heading are finite and the heading is at most kMaxAngle
+  /// either way.
   bool within_limits(StateView s) const;
+  /// By the faster of each wheel's two speeds; always true.
   bool travel(StateView s, ControlView u, float dt, StateView next, Travel* travel) const;
-  // 1/s: half the largest turn rate, or the root of half the largest angular acceleration, as much of it as a time step
-  // of dt has room for.
+  /// 1/s: half the largest turn rate, or the root of half the largest angular acceleration, as much of it as a time
+  /// step of dt has room for.
   float fastest_rate(float dt) const;
 
  private:
@@ -71,6 +83,7 @@ class DifferentialDrive : public PlanarBody {
   DifferentialDriveParameters parameters_;
 };
 
+/// Its answers need no second look.
 template <>
 inline constexpr bool kAnswersProven<DifferentialDrive> = true;
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the planner asks of a robot: a class of pure functions over its state and control vectors.
+/// \file
+/// What the planner asks of a robot: a class of pure functions over its state and control vectors.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,64 +15,65 @@
 
 namespace krait {
 
-// States and controls are float vectors of the robot's run-time size, viewed in place.
+// States and controls are float vectors of the robot's run-time size, viewed in place: none of these owns its floats.
 // State components 0 and 1 are the position (x, y) in metres.
-using StateView = Eigen::Map<const Eigen::VectorXf>;
-using StateRef = Eigen::Map<Eigen::VectorXf>;
-using ControlView = Eigen::Map<const Eigen::VectorXf>;
-using ControlRef = Eigen::Map<Eigen::VectorXf>;
+using StateView = Eigen::Map<const Eigen::VectorXf>;    ///< a state that is read; components 0 and 1 are metres
+using StateRef = Eigen::Map<Eigen::VectorXf>;           ///< a state that is written; likewise
+using ControlView = Eigen::Map<const Eigen::VectorXf>;  ///< a control that is read
+using ControlRef = Eigen::Map<Eigen::VectorXf>;         ///< a control that is written
 
-// What any robot may have at most: components of a state and of a control, and bodies.
-inline constexpr int kMaxState = 32;
-inline constexpr int kMaxControl = 8;
-inline constexpr int kMaxBodies = 32;
+inline constexpr int kMaxState = 32;   ///< the most components of a state, of any robot
+inline constexpr int kMaxControl = 8;  ///< the most components of a control, of any robot
+inline constexpr int kMaxBodies = 32;  ///< the most bodies, of any robot
 
+/// Metres: components 0 and 1 of a state.
 inline Vec2 position(const StateView& state) { return {state[0], state[1]}; }
 
-// Where an expansion steers to.
+/// Where an expansion steers to.
 struct Target {
-  Vec2 point = {};
-  float speed = 1.0F;  // share of the robot's top speed in (0, 1]; in [-1, 0): of its top speed backwards; 0: to rest
-  float dt = 0.1F;     // seconds that the control will be held
-  float turn = 1.0F;   // share of the robot's sharpest turn in (0, 1], for one whose turns cost it room
+  Vec2 point = {};     ///< local metres
+  float speed = 1.0F;  ///< share of the robot's top speed in (0, 1]; in [-1, 0): of its top speed backwards; 0: to rest
+  float dt = 0.1F;     ///< seconds that the control will be held
+  float turn = 1.0F;   ///< share of the robot's sharpest turn in (0, 1], for one whose turns cost it room
 };
 
-// How a body can have moved during a step. Of a point of it that is r metres from its frame's origin: it has gone at
-// most path + r turn, and was never further than bend + r twist from the straight line between its places at the step's
-// ends. With accelerations of at most A and angular ones of at most W, bend = A dt^2 / 8 and
-// twist = (W + (turn / dt)^2) dt^2 / 8; path / 2 and turn / 2 are always right.
+/// How a body can have moved during a step. Of a point of it that is r metres from its frame's origin: it has gone at
+/// most path + r turn, and was never further than bend + r twist from the straight line between its places at the
+/// step's ends. With accelerations of at most A and angular ones of at most W, bend = A dt^2 / 8 and twist = (W +
+/// (turn / dt)^2) dt^2 / 8; path / 2 and turn / 2 are always right.
 struct Travel {
-  float path;   // metres, of the frame's origin
-  float turn;   // radians
-  float bend;   // metres, of the frame's origin
-  float twist;  // radians
+  float path;   ///< metres, of the frame's origin
+  float turn;   ///< radians
+  float bend;   ///< metres, of the frame's origin
+  float twist;  ///< radians
 };
 
-// What can be said of a whole robot's step at little cost. Where it suffices nobody asks for more.
+/// What can be said of a whole robot's step at little cost. Where it suffices nobody asks for more.
 struct QuickBound {
-  bool limits_kept = false;  // whether its limits are proven to hold throughout; the rest counts only then
-  float separation = 0.0F;   // between the origins of two bodies that are tested against each other, metres
-  Travel most = {};          // no body's is more
+  bool limits_kept = false;  ///< whether its limits are proven to hold throughout; the rest counts only then
+  float separation = 0.0F;   ///< between the origins of two bodies that are tested against each other, metres
+  Travel most = {};          ///< no body's travel is more
 };
 
-// The most that a body does at any time of a step, none of it below 0.
+/// The most that a body does at any time of a step, none of it below 0.
 struct BodyRates {
-  float speed;              // m/s, of the frame's origin
-  float turn;               // rad/s
-  float acceleration;       // m/s^2, of the frame's origin
-  float turn_acceleration;  // rad/s^2
+  float speed;              ///< m/s, of the frame's origin
+  float turn;               ///< rad/s
+  float acceleration;       ///< m/s^2, of the frame's origin
+  float turn_acceleration;  ///< rad/s^2
 };
 
-// Of a PID controller in discrete time.
+/// Of a PID controller in discrete time, in units of its output for the error's unit.
 struct PidGains {
-  float proportional;
-  float integral;
-  float derivative;
+  float proportional;  ///< output for an error of 1
+  float integral;      ///< output for an error of 1 that has lasted a second
+  float derivative;    ///< output for an error that grows by 1 a second
 };
 
+/// A PID controller in discrete time; its memory is its own.
 class Pid {
  public:
-  // The output for an error held over dt seconds.
+  /// The output for an error held over dt seconds, dt > 0. O(1).
   float operator()(const PidGains& gains, float error, float dt) {
     sum_ = sum_ + error * dt;
     const float slope = fresh_ ? 0.0F : (error - last_) / dt;
@@ -86,83 +88,88 @@ class Pid {
   bool fresh_ = true;
 };
 
-// The controller's memory; fresh at the start of an expansion.
+/// The controller's memory; fresh at the start of an expansion.
 struct Steering {
-  Pid heading;
-  Pid speed;
+  Pid heading;  ///< for a heading's error, radians
+  Pid speed;    ///< for a speed's error, m/s
 };
 
-// How a robot bounds its motion.
+/// A robot that bounds its motion by Travel.
 template <class R>
 concept StatesTravel = requires(const R& robot, StateView s, ControlView u, float dt, Travel* travel) {
   { robot.travel(s, u, dt, s, travel) } -> std::same_as<bool>;
 };
+/// A robot that bounds its motion by BodyRates.
 template <class R>
 concept StatesRates = requires(const R& robot, StateView s, ControlView u, float dt, BodyRates* rates) {
   { robot.rates(s, u, dt, s, rates) } -> std::same_as<bool>;
 };
 
-// A robot is a value with these members, none of which has side effects or depends on anything but its arguments;
-// check_robot (krait/robot_check.hpp) tells where one breaks what is said here.
-//   kMaxState, kMaxControl, kMaxBodies   compile-time limits of the sizes below; kMaxBodies is at most 32
-//   state_size(), control_size(), body_count()
-//   derivative(s, u, ds)         the dynamics ds = f(s, u) (Eqn 2)
-//   steer(s, target, steering, u)  the control that steers s toward the target, inside its limits and such
-//                                that a step of target.dt keeps the state inside its own
-//   within_limits(s)             speeds, steering and hitch angles are valid
-//   body(k)                      convex polygon of 3 to 8 vertices, counter-clockwise, in body k's frame, metres
-//   place(s, poses)              writes the frame of every body; body 0's origin is the position
-//   travel(s, u, dt, next, travel)  bounds the motion of every body while u is held for dt from s to next, what proves
-//                                that nothing is jumped over between two states, whatever it writes: false when it is
-//                                not proven that the limits, which s and next keep, hold all the way
-//   rates(s, u, dt, next, rates)  stands for travel where the robot has none: writes the BodyRates of every body while
-//   u
-//                                is held for dt from s to next, and returns what travel returns
-// It may also have the following, each of which a function below calls or replaces:
-//   speed(s)                     m/s, at least 0: how fast it moves in s, 0 at rest. A plan then ends at rest, or as
-//                                slow as Parameters::end_speed asks: steer with a target whose speed is 0 must
-//                                decrease it at every step until it is 0. Without it a plan ends at any speed
-//   stopping_way(s)              metres along body 0's x axis, negative backwards: how far from the position it comes
-//                                to rest, roughly, when it brakes in s. Used to know where it pays to brake for the
-//                                goal; without it, 0
-//   turning_radius()             metres, at least 0: of the sharpest turn that it drives for long, forwards. Used to
-//                                find the way to a pose; without it, the length of body 0
-//   top_speed()                  m/s, above 0: of the position, straight ahead at a target's speed of 1. Used to come
-//                                to rest at a pose; without it, a length of body 0 a second
-//   fastest_rate(dt)             1/s, at least 0: Runge-Kutta steps of h seconds with h fastest_rate(dt) <= kStepRate
-//                                (rk4.hpp) are accurate to its bounds, whatever state and control the limits allow in
-//                                a time step of dt. Without it, every time step counts as short enough
-//   track(s, reference, dt, u)   changes u, the control of the state `reference` that s is very near to, to the one
-//                                that brings s back to the motion of the reference within some time steps of dt,
-//                                inside the limits as steer's. Without it, u stays, and a plan's error grows with its
-//                                length
-//   carry_errors(s, poses, u, dt, errors)
-//                                errors has an estimate of how far each component of s is from where the plan's
-//                                controls led in exact arithmetic, on the side where it is; makes it the same after a
-//                                time step of dt under u, with what the step itself rounds, and returns how far that
-//                                puts a body aside, metres. A plan keeps that away from obstacles, and ends nowhere
-//                                where an error has grown past 2e-3. Without it, errors count as covered by the margin
-//                                of every plan, which is so unless the motion multiplies them, as that of pushed
-//                                trailers does
-//   exact()                      whether its functions compute floats as written. Without it, as the file does that
-//                                names the robot to the planner
-//   keeps_reserve(s)             s is within the limits, and so far that a plan, which is driven a little beside the
-//                                tree, keeps them; without it, within_limits is all that the tree keeps
-//   steer(s, poses, target, steering, u)
-//                                returns the same control to the bit and knows the frames of s; called instead
-//   leading_size()               how many of the first components, the position among them, depend on no others;
-//                                place and derivative then also accept states of so many, and place writes body 0 only
-//   Lead, integrate_lead(s, poses, u, dt, lead, d), integrate_rest(s, poses, dt, lead, d)
-//                                know the frames of s and write to d, as many floats as s has, what a Runge-Kutta step
-//                                of dt under u adds to s: that by derivative but for rounding, at less cost; called
-//                                instead of derivative throughout. First the leading components, which body 0 is
-//                                checked by, then the rest by what the first left in lead, a plain struct. The first
-//                                also accepts states of leading_size()
-//   rest(position, heading, s), or rest(position, heading, angles, s)
-//                                writes to s the state in which it stands still there; `angles` has the headings of
-//                                all bodies but the first, or is null where they are that of the first, too
-//   sketch(s, poses, u, dt)      moves s, as far as steer looks at it, and the frames by dt under u, roughly; false
-//                                where that leaves the limits. Used to look ahead, instead of derivative
+/// A robot is a value with these members, none of which has side effects or depends on anything but its arguments;
+/// check_robot (krait/robot_check.hpp) tells where one breaks what is said here. Arrays are the caller's: states have
+/// state_size() floats, controls control_size(), poses, travel and rates one element a body.
+/// - `kMaxState`, `kMaxControl`, `kMaxBodies`: compile-time limits of the sizes below, at most krait::kMaxState and so
+///   on
+/// - `state_size()`, `control_size()`, `body_count()`: at least 2, 1 and 1; the same at every call
+/// - `derivative(s, u, ds)`: the dynamics ds = f(s, u) (Eqn 2), in units of the state a second. Called most of all
+/// - `steer(s, target, steering, u)`: the control that steers s toward the target, inside its limits and such that a
+///   step of target.dt keeps the state inside its own. Called once a time step
+/// - `within_limits(s)`: speeds, steering and hitch angles are valid
+/// - `body(k)`: strictly convex polygon of 3 to 8 vertices, counter-clockwise, in body k's frame, metres: within 100 m,
+///   no side shorter than 0.1 mm. The vertices are the robot's and stay where they are
+/// - `place(s, poses)`: writes the frame of every body; body 0's origin is the position
+/// - `travel(s, u, dt, next, travel)`: bounds the motion of every body while u is held for dt seconds from s to next,
+///   what proves that nothing is jumped over between two states, whatever it writes: false when it is not proven that
+///   the limits, which s and next keep, hold all the way
+/// - `rates(s, u, dt, next, rates)`: stands for travel where the robot has none: writes the BodyRates of every body
+///   while u is held for dt seconds from s to next, and returns what travel returns
+///
+/// It may also have the following, each of which a function of the library calls or replaces:
+/// - `sound()`: whether its dimensions and limits can be used; init refuses it as bad_robot where they cannot. Without
+///   it, they can
+/// - `reversible()`: whether it can drive backwards, at a target's speed below 0. Without it, it cannot
+/// - `self_collision_gap()`: at least 1: bodies i and j are tested against each other where |i - j| is at least this.
+///   Without it, 2
+/// - `speed(s)`: m/s, at least 0: how fast it moves in s, 0 at rest. A plan then ends at rest, or as slow as
+///   Parameters::end_speed asks: steer with a target whose speed is 0 must decrease it at every step until it is 0.
+///   Without it a plan ends at any speed
+/// - `stopping_way(s)`: metres along body 0's x axis, negative backwards: how far from the position it comes to rest,
+///   roughly, when it brakes in s. Used to know where it pays to brake for the goal; without it, 0
+/// - `turning_radius()`: metres, at least 0: of the sharpest turn that it drives for long, forwards. Used to find the
+///   way to a pose; without it, the length of body 0
+/// - `top_speed()`: m/s, above 0: of the position, straight ahead at a target's speed of 1. Used to come to rest at a
+///   pose; without it, a length of body 0 a second
+/// - `fastest_rate(dt)`: 1/s, at least 0: Runge-Kutta steps of h seconds with h fastest_rate(dt) <= kStepRate (rk4.hpp)
+///   are accurate to its bounds, whatever state and control the limits allow in a time step of dt. Without it, every
+///   time step counts as short enough
+/// - `track(s, reference, dt, u)`: changes u, the control of the state `reference` that s is very near to, to the one
+///   that brings s back to the motion of the reference within some time steps of dt, inside the limits as steer's.
+///   Without it, u stays, and a plan's error grows with its length
+/// - `carry_errors(s, poses, u, dt, errors)`: errors has an estimate of how far each component of s is from where the
+///   plan's controls led in exact arithmetic, on the side where it is; makes it the same after a time step of dt under
+///   u, with what the step itself rounds, and returns how far that puts a body aside, metres. A plan keeps that away
+///   from obstacles, and ends nowhere where an error has grown past 2e-3. Without it, errors count as covered by the
+///   margin of every plan, which is so unless the motion multiplies them, as that of pushed trailers does
+/// - `exact()`: whether its functions compute floats as written. Without it, as the file does that names the robot to
+///   the planner
+/// - `keeps_reserve(s)`: s is within the limits, and so far that a plan, which is driven a little beside the tree,
+///   keeps them; without it, within_limits is all that the tree keeps
+/// - `quick_bound(s, u, dt, next)`: a QuickBound of the same step as travel's, at less cost. Without it, travel alone
+///   is asked
+/// - `steer(s, poses, target, steering, u)`: returns the same control to the bit and knows the frames of s; called
+///   instead
+/// - `leading_size()`: how many of the first components, the position among them, depend on no others; place and
+///   derivative then also accept states of so many, and place writes body 0 only
+/// - `Lead`, `integrate_lead(s, poses, u, dt, lead, d)`, `integrate_rest(s, poses, dt, lead, d)`: know the frames of s
+///   and write to d, as many floats as s has, what a Runge-Kutta step of dt under u adds to s: that by derivative but
+///   for rounding, at less cost; called instead of derivative throughout. First the leading components, which body 0 is
+///   checked by, then the rest by what the first left in lead, a plain struct of at most 64 bytes. The first also
+///   accepts states of leading_size()
+/// - `rest(position, heading, s)`, or `rest(position, heading, angles, s)`: writes to s the state in which it stands
+///   still there; `angles` has the headings of all bodies but the first, or is null where they are that of the first,
+///   too
+/// - `sketch(s, poses, u, dt)`: moves s, as far as steer looks at it, and the frames by dt under u, roughly; false
+///   where that leaves the limits. Used to look ahead, instead of derivative
 template <class R>
 concept RobotModel = (StatesTravel<R> || StatesRates<R>)&&requires(const R& robot, StateView s, StateRef ds,
                                                                    ControlView u, ControlRef control,
@@ -181,7 +188,7 @@ concept RobotModel = (StatesTravel<R> || StatesRates<R>)&&requires(const R& robo
   {robot.place(s, poses)};
 };
 
-// One that integrates its leading components first.
+/// One that integrates its leading components first.
 template <class R>
 concept LeadingRobot = RobotModel<R> && requires(const R& robot, StateView s, const Pose* poses, ControlView u,
                                                  float dt, typename R::Lead& lead, float* d) {
@@ -190,9 +197,10 @@ concept LeadingRobot = RobotModel<R> && requires(const R& robot, StateView s, co
   {robot.integrate_rest(s, poses, dt, lead, d)};
 };
 
-// Whether the answers of the class R, and of none derived from it, need no second look: within_limits refuses every
-// state that is not finite, and at any other it lets pass controls and frames are finite and no bound is NaN or
-// negative; keeps_reserve refuses what within_limits refuses. True of the library's models, which the tests hold to it.
+/// Whether the answers of the class R, and of none derived from it, need no second look: within_limits refuses every
+/// state that is not finite, and at any other it lets pass controls and frames are finite and no bound is NaN or
+/// negative; keeps_reserve refuses what within_limits refuses. True of the library's models, which the tests hold to
+/// it.
 template <class R>
 inline constexpr bool kAnswersProven = false;
 

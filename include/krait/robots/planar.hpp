@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What unicycle and differential drive share: one box on an axle, state (x, y, theta, …).
+/// \file
+/// What unicycle and differential drive share: one box on an axle, state (x, y, theta, …).
 #pragma once
 
 #include "krait/geometry.hpp"
@@ -7,29 +8,33 @@
 
 namespace krait {
 
+/// One body on an axle. It owns its polygon. Every function of it takes O(1).
 class PlanarBody {
  public:
-  static constexpr int kMaxBodies = 1;
+  static constexpr int kMaxBodies = 1;  ///< the body
 
+  /// A box of that length and width in metres, centred on the axle.
   PlanarBody(float body_length, float body_width) {
     rectangle(body_length, body_width, 0.0F, vertices_);
     count_ = 4;
   }
 
-  int body_count() const { return 1; }
+  int body_count() const { return 1; }  ///< one
+  /// In the axle's frame, metres; the vertices are this robot's.
   Polygon body(int) const { return {vertices_, count_}; }
 
-  // Replaces the polygon: 3 to 8 vertices, convex, counter-clockwise, in the axle's frame; copied. Of more it keeps
-  // none, which init refuses as bad_robot.
+  /// Replaces the polygon: metres, 3 to 8 vertices, convex, counter-clockwise, in the axle's frame; copied. Of more it
+  /// keeps none, which init refuses as bad_robot.
   void set_body(int, Polygon polygon) {
     count_ = polygon.count <= kMaxVertices ? polygon.count : 0;
     for (int i = 0; i < count_; ++i) vertices_[i] = polygon[i];
   }
 
+  /// The axle's middle, and the heading.
   void place(StateView s, Pose* poses) const { poses[0] = {position(s), math::sin_cos(s[2])}; }
 
  protected:
-  // Heading error to the target in radians, of the rear when driving backwards.
+  /// Heading error to the target in radians, of the rear when driving backwards.
   static float heading_error(StateView s, const Target& target) {
     const SinCos heading = math::sin_cos(s[2]);
     const Vec2 to{target.point.x - s[0], target.point.y - s[1]};

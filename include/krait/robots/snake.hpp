@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// The paper's robot (Eqn 1): trailers follow with s = v, the speed of the front wheel, so that the tail pulls straight.
+/// \file
+/// The paper's robot (Eqn 1): trailers follow with s = v, the speed of the front wheel, so that the tail pulls
+/// straight.
 #pragma once
 
 #include "krait/robots/chain.hpp"
 
 namespace krait {
 
+/// The paper's robot: a chain whose trailers slip. Its members are the chain's.
 class Snake : public Chain {
  public:
+  /// Copies the parameters; sound() says whether they can be used.
   explicit Snake(const ChainParameters& parameters) : Chain(parameters, true) {}
 };
 
+/// Its answers need no second look.
 template <>
 inline constexpr bool kAnswersProven<Snake> = true;
 

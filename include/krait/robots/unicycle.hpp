@@ -1,61 +1,71 @@
 // SPDX-License-Identifier: Apache-2.0
-// First-order unicycle: state (x, y, theta), control (speed, turn rate).
+/// \file
+/// First-order unicycle: state (x, y, theta), control (speed, turn rate).
 #pragma once
 
 #include "krait/robots/planar.hpp"
 
 namespace krait {
 
-// Metres, radians, seconds.
+/// Metres, radians, seconds; all numbers finite.
 struct UnicycleParameters {
-  float body_length = 0.5F;    // > 0
-  float body_width = 0.4F;     // > 0
-  float max_speed = 1.0F;      // > 0
-  float min_speed = -1.0F;     // <= 0
-  float max_turn_rate = 2.0F;  // > 0
+  float body_length = 0.5F;    ///< metres, > 0
+  float body_width = 0.4F;     ///< metres, > 0
+  float max_speed = 1.0F;      ///< m/s, > 0
+  float min_speed = -1.0F;     ///< m/s, <= 0; below 0 it may reverse
+  float max_turn_rate = 2.0F;  ///< rad/s, > 0, either way
 };
 
+/// A unicycle, whose speed and turn rate change at once. It owns its parameters; its members are those that RobotModel
+/// says, and take O(1).
 class Unicycle : public PlanarBody {
  public:
-  static constexpr int kMaxState = 3;
-  static constexpr int kMaxControl = 2;
+  static constexpr int kMaxState = 3;    ///< floats of a state
+  static constexpr int kMaxControl = 2;  ///< floats of a control
 
+  /// Copies the parameters; sound() says whether they can be used.
   explicit Unicycle(const UnicycleParameters& parameters)
       : PlanarBody(parameters.body_length, parameters.body_width), parameters_(parameters) {}
 
-  const UnicycleParameters& parameters() const { return parameters_; }
-  int state_size() const { return 3; }
-  int control_size() const { return 2; }
-  bool reversible() const { return parameters_.min_speed < 0.0F; }
-  bool sound() const;
+  const UnicycleParameters& parameters() const { return parameters_; }  ///< its own copy
+  int state_size() const { return 3; }                                  ///< floats: x y theta; metres, radians
+  int control_size() const { return 2; }                                ///< floats: m/s, rad/s
+  bool reversible() const { return parameters_.min_speed < 0.0F; }      ///< whether it can drive backwards
+  bool sound() const;                                                   ///< whether every parameter is in its range
 
-  // Writes state_size() floats.
+  /// Writes state_size() floats. Metres, radians.
   void rest(Vec2 position, float heading, float* state) const {
     state[0] = position.x;
     state[1] = position.y;
     state[2] = heading;
   }
 
+  /// Rolls along its heading and turns, as the control says.
   void derivative(StateView s, ControlView u, StateRef ds) const {
     const SinCos heading = math::sin_cos(s[2]);
     ds[0] = u[0] * heading.cos;
     ds[1] = u[0] * heading.sin;
     ds[2] = u[1];
   }
+  /// Turns on the spot until the target lies ahead, then drives, slower the further it lies to the side.
   void steer(StateView s, const Target& target, Steering& steering, ControlRef u) const;
+  /// Brings it back to its reference's line within some body lengths.
   void track(StateView s, StateView reference, float dt, ControlRef u) const;
-  float turning_radius() const { return 0.0F; }
-  float top_speed() const { return parameters_.max_speed; }
-  // It is at rest where its controls end: its state has no speed.
+  float turning_radius() const { return 0.0F; }              ///< metres: it turns on the spot
+  float top_speed() const { return parameters_.max_speed; }  ///< m/s
+  /// Whether position and heading are finite and the heading is at most kMaxAngle either way. It is at rest where its
+  /// controls end: its state has no speed.
   bool within_limits(StateView s) const;
+  /// By the control alone; always true.
   bool travel(StateView s, ControlView u, float dt, StateView next, Travel* travel) const;
-  // 1/s: half the largest turn rate; the position alone has an error, of four orders above that of a chain.
+  /// 1/s: half the largest turn rate; the position alone has an error, of four orders above that of a chain.
   float fastest_rate(float) const { return 0.5F * parameters_.max_turn_rate; }
 
  private:
   UnicycleParameters parameters_;
 };
 
+/// Its answers need no second look.
 template <>
 inline constexpr bool kAnswersProven<Unicycle> = true;
 
