@@ -53,7 +53,6 @@ class Improver {
   static constexpr std::uint32_t kMeasured = 15;  // the last ones of which are measured
   static constexpr float kReach = 2.4F;           // units: how far on along a route the robot's place is looked for
 
-
   Way& current() { return ways_[here_]; }
   Way& trial() { return ways_[1 - here_]; }
   Route& route() { return routes_[here_of_routes_]; }

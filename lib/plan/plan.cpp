@@ -16,13 +16,12 @@ using detail::PlanWalk;
 PlanWalk& walk_of(std::byte* bytes) { return *std::launder(reinterpret_cast<PlanWalk*>(bytes)); }
 const PlanWalk& walk_of(const std::byte* bytes) { return *std::launder(reinterpret_cast<const PlanWalk*>(bytes)); }
 
-detail::PlanMeasures measures_of(const Plan& plan) {
+detail::PlanMeasures measured(PlanWalk at) {
   detail::PlanMeter meter;
-  PlanCursor at = plan.cursor();
   for (; !at.done(); at.advance()) {
-    meter.add(at.state(), plan.state_size(), at.control(), plan.control_size(), at.next());
+    meter.add(at.state(), at.state_size(), at.control(), at.control_size(), at.next());
   }
-  return meter.end(at.state(), plan.state_size());
+  return meter.end(at.state(), at.state_size());
 }
 
 }  // namespace
@@ -56,9 +55,9 @@ Plan::Plan(const Robot& robot, const detail::PlanPath& path, const float* start,
   for (Index leg = path.first(); leg != kNone; leg = path.next(leg)) steps_ += path.steps(leg);
 }
 
-float Plan::length() const { return empty() ? 0.0F : measures_of(*this).length; }
+float Plan::length() const { return empty() ? 0.0F : measured({robot_, path_, start_, dt_}).length; }
 
-std::uint64_t Plan::hash() const { return empty() ? 0 : measures_of(*this).hash; }
+std::uint64_t Plan::hash() const { return empty() ? 0 : measured({robot_, path_, start_, dt_}).hash; }
 
 void Plan::copy(float* states, float* controls) const {
   if (empty()) return;

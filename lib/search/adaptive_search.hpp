@@ -8,36 +8,15 @@
 
 namespace krait::detail {
 
+// What a Planner is made of.
 class AdaptiveSearch : public GroupedSearch {
  public:
-  // Bytes of the block that init needs. The same on every target. O(1).
+  // As the members of Planner (krait/planner.hpp).
   static std::uint64_t bytes_required(const Scene& scene, const Robot& robot, const Limits& limits);
-
-  // The limits that spend a block of `bytes` best: as many vertices and expansions as fit beside `way_legs` legs, at
-  // least 2. O(1).
   static Limits limits_for(std::uint64_t bytes, const Scene& scene, const Robot& robot, std::uint32_t way_legs = 0);
-
-  // Cuts the block up: as many vertices as fit where the limits state none. Copies parameters and limits. Returns ok,
-  // or why not: bad_arithmetic, bad_argument (a scene that was not opened, too), bad_robot, arena_too_small. May be
-  // called again.
   [[nodiscard]] Failure init(const Setup& setup, const Parameters& parameters = {}, const Limits& limits = {});
-
-  // Begins a search, ending any other. Returns searching; or solved, when a plan may end with the start; or no_route,
-  // goal_in_obstacle, start_outside, start_in_collision, bad_argument; bad_scene, when the scene is found to be another
-  // than at init (Scene::fingerprint); after an init that failed, what that one returned. Work: a Dijkstra, 2,730
-  // distances.
   [[nodiscard]] Status start(const Query& query);
-
-  // At most `iterations` expansions more; returns at once when the search has ended. Where an expansion comes so near
-  // to the goal that braking may end there, it brakes, and from every fourth state near a pose it drives the shortest
-  // few of at most 216 lines to it (last_metres.hpp); such steps count as steps of the expansion for the work of a
-  // call, and it goes on where they lead to nothing. A way that has reached the goal is driven once more before it is
-  // returned as a plan: up to max_steps steps of it count as one of `iterations` here, but not in Statistics and
-  // Limits. The result does not depend on how a search is cut into calls.
   [[nodiscard]] Status advance(std::uint64_t iterations) { return advance(iterations, Watch()); }
-
-  // The same, and calls watch(from, to), states, for every step that the tree grows by; before an expansion
-  // watch.expands(vertex, target), where there is such a member.
   [[nodiscard]] Status advance(std::uint64_t iterations, const Watch& watch);
 
  private:

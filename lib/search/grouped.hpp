@@ -11,11 +11,8 @@ class GroupedSearch : public Search {
  public:
   const Groups& groups() const { return groups_; }
 
-  // Where a search that has started has made most of its expansions, the first among equals. O(R).
+  // As the members of Planner.
   Effort effort() const;
-
-  // The least cost h of the regions that a search has reached since it last began anew, metres; infinite where it has
-  // not started. O(R).
   float cost_to_go() const;
 
  protected:

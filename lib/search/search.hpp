@@ -22,6 +22,9 @@
 
 namespace krait::detail {
 
+// Copied from flash, which takes less of it than code that writes each.
+inline constexpr Parameters kDefaults;
+
 // A planner has it as its base, and
 //   bytes_required   counts what is kept here and what it keeps itself
 //   init             check_setup, take_block, and what it keeps itself from arena_
@@ -35,41 +38,25 @@ class Search {
   Search(const Search&) = delete;
   Search& operator=(const Search&) = delete;
 
-  // At most `iterations` more of looking for a plan of fewer steps; plan() and Statistics::plan_steps, plan_length,
-  // plan_duration and hash are then those of the best so far, which was driven and proven as the first one was. Work of
-  // one, which must end in the goal as the first did, so that few are found for a pose: at most max_steps steps, and 16
-  // legs' steps that are not proven, or O(way_legs); the first call after start begins with one Dijkstra. The result
-  // does not depend on how the iterations are cut into calls. Plans and their cursors from before the call end with it.
-  // Returns status() and does nothing where that is not solved or the plan has no steps; bad_argument where
-  // Limits::way_legs is 0.
+  // As Planner::improve.
   [[nodiscard]] Status improve(std::uint64_t iterations);
 
   // What init cut the block into: Arena::needed(Pool) bytes a pool.
   const Arena& arena() const { return arena_; }
   const MotionTree& tree() const { return tree_; }
   const Regions& regions() const { return regions_; }
-  // Where the search stands: ready before the first start; before init, bad_argument.
+
+  // As the members of Planner.
   [[nodiscard]] Status status() const { return failure_.status; }
   [[nodiscard]] const Failure& failure() const { return failure_; }
-
-  // After start_in_collision: what the robot is too near to at its start; else Hindrance::none. O(pieces near the robot
-  // + bodies^2).
   Contact contact();
-
-  // Of a search that ended without a plan: the widest way, which after no_route is too narrow for the robot; all zero
-  // else. Work: at most two Dijkstras for the widest way, two for the costs, and 4,095 distances of a point.
   Bottleneck bottleneck();
+  void stop_for_time();
+  Plan plan() const;
+  Statistics statistics() const;
 
   // Whether a way has reached the goal and is driven once more; the tree does not grow meanwhile.
   bool driving() const { return driven_ != kNone; }
-
-  // Ends the search as time_used, for a port whose clock says so. No effect once it has ended.
-  void stop_for_time();
-
-  // Empty unless solved. Valid until the next start or improve.
-  Plan plan() const;
-
-  Statistics statistics() const;
 
  protected:
   static constexpr std::uint32_t kPatience = 10;  // tries after which half of the gentle share turns gently
@@ -142,7 +129,7 @@ class Search {
   bool shoots_at_poses_ = true;
   Robot robot_;
   const Scene* scene_ = nullptr;
-  Parameters parameters_;
+  Parameters parameters_ = kDefaults;
   Limits limits_;
   Statistics statistics_;
   Arena arena_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The functions of a model of robot by their addresses, so that the planner is compiled once for all models.
+/// \file
+/// The functions of a model of robot by their addresses, so that the planner is compiled once for all models.
 #pragma once
 
 #include <cstddef>
@@ -15,12 +16,12 @@ struct alignas(8) Lead {
   std::byte bytes[64];
 };
 
-// Each function is asked of the robot at `self`, and does what the member of its name does (robot_model.hpp) or, where
+// Each function is asked of the robot at `self`, and does what the member of its name does (model.hpp) or, where
 // a model has none, the function that stands for it. Arrays have as many elements as the robot's sizes say.
 struct RobotFunctions {
-  int max_state;
-  int max_control;
-  int max_bodies;
+  std::uint8_t max_state;
+  std::uint8_t max_control;
+  std::uint8_t max_bodies;
   bool leads;           // whether the leading components are integrated first
   bool has_speed;       // whether the robot says how fast it moves
   bool answers_proven;  // kAnswersProven

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "host/run/robots.hpp"
 #include "krait/robots/defaults.hpp"
@@ -71,9 +72,10 @@ double steering_of(const RobotSpec& robot, double sine) {
 }
 
 // The largest first_sine of a steady turn. With q the first sine, the sine of hitch angle i is q over the root of
-// 1 - (i - 1) q^2, since each body is pulled by what the cosine of the hitch angle leaves; the last one is the largest.
+// 1 - (i - 1) q^2, since each body is pulled by what the cosine of the hitch angle leaves; the last one is the largest,
+// and none of a steady turn is above a right angle.
 double largest_first_sine(const RobotSpec& robot) {
-  const double sine = std::sin(parameter(robot, "max_hitch_angle"));
+  const double sine = std::sin(std::min(parameter(robot, "max_hitch_angle"), 0.5 * std::numbers::pi));
   return sine / std::sqrt(1 + (robot.links - 1) * sine * sine);
 }
 

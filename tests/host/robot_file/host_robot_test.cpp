@@ -135,6 +135,15 @@ TEST(Robot, ParametersOutOfRangeAreNamed) {
   EXPECT_EQ(error(R"("min_speed": -1)"), "");
 }
 
+// As in the library.
+TEST(Robot, HitchesFoldUpToPi) {
+  const auto text = [](const char* angle) {
+    return std::string(R"({"model": "truck", "links": 1, "parameters": {"max_hitch_angle": )") + angle + "}}";
+  };
+  EXPECT_EQ(read(text("3.1415926")).parameters.at("max_hitch_angle"), 3.1415926);
+  EXPECT_THAT(read_error(text("3.1416")), HasSubstr("parameters.max_hitch_angle"));
+}
+
 TEST(Robot, GivenBodiesBecomeCounterClockwise) {
   const RobotSpec robot = read(R"({"model": "unicycle", "bodies": [{"polygon": [[0, 1], [1, 0], [0, -1], [-1, 0]]}]})");
   const Ring& ring = robot.bodies[0];

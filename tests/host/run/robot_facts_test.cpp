@@ -51,6 +51,13 @@ TEST(RobotFacts, WhatTurnsOnTheSpotSweepsADisc) {
   }
 }
 
+// No trailer follows at more than a right angle, whatever folding is allowed.
+TEST(RobotFacts, FoldingFurtherThanARightAngleAllowsNoTighterTurn) {
+  const RobotSpec right = with(parse_robot("truck:2"), {{"max_hitch_angle", 1.5707963}});
+  const RobotSpec further = with(parse_robot("truck:2"), {{"max_hitch_angle", 3.0}});
+  EXPECT_NEAR(facts(further).tightest.radius, facts(right).tightest.radius, 1e-6);
+}
+
 // Drives the core's robot with its steering held until no hitch angle changes any more.
 std::vector<double> driven_hitch_angles(const RobotSpec& spec, double radius) {
   return CoreRobot(spec).visit([&](const auto& robot) {
