@@ -32,8 +32,7 @@ inline constexpr std::uint8_t kMaxClearance = 255;      ///< the largest byte of
 inline constexpr int kClearanceUnits = 8;  ///< times Header::clearance_unit is the side of a clearance cell
 inline constexpr int kCellMargin = 4;      ///< grid steps by which cells are widened: readers find them in float
 inline constexpr std::uint32_t kMaxCells = 65536;  ///< the most buckets, and the most clearance cells
-inline constexpr std::uint32_t kMostLooks = 16;    ///< clearance cells, at most, in and around all pieces, a byte of
-                                                   ///< file
+inline constexpr std::uint32_t kMostLooks = 16;    ///< the most clearance cells at pieces, a byte of the file
 
 /// Sections follow the header in this order, each at the next multiple of 4 bytes. "index" is an unsigned
 /// integer of Header::index_width bytes. The number of a section is Failure::section of bad_scene.

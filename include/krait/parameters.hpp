@@ -29,8 +29,7 @@ struct SearchTuning {
   float gamma = 20.0F;       ///< 0 … 1e6: how much a failure raises edge costs; 0: costs never change
   float cost_length = 1.0F;  ///< 0 … 10, in lengths of body 0: C += gamma l^2 / max(C, l), l this length; 0: gamma / C
   std::uint32_t kappa = 10;            ///< 1 … 10000: expansions between updates of the heuristic costs
-  std::uint32_t update_regions = 250;  ///< 0 … 1e6: and at least one expansion for so many of the scene's regions; 0:
-                                       ///< none
+  std::uint32_t update_regions = 250;  ///< 0 … 1e6: and at least one expansion for so many regions of a scene; 0: none
   bool raise_goal = false;             ///< whether a failure right before the goal raises the goal's edges as well
   // Algorithm 2.
   std::uint32_t max_steps = 40;     ///< 1 … 1000: of one expansion

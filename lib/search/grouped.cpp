@@ -26,6 +26,7 @@ bool GroupedSearch::keep(Index region, Branch branch, const float* state) {
 
 Effort GroupedSearch::effort() const {
   Effort most;
+  if (!started()) return most;
   for (Index region = 0; region < scene_->triangle_count(); ++region) {
     const std::uint32_t tries = groups_.selections(region);
     if (tries > most.tries) most = {scene_->centroid(region), tries};
@@ -35,6 +36,7 @@ Effort GroupedSearch::effort() const {
 
 float GroupedSearch::cost_to_go() const {
   float least = kInfinity;
+  if (!started()) return least;
   for (Index region = 0; region < scene_->triangle_count(); ++region) {
     const float cost = regions_.cost(region);
     if (groups_.reached(region) > 0 && cost < least) least = cost;

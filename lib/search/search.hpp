@@ -94,6 +94,9 @@ class Search {
   // Whether the search is ready, and its scene is that of init. Where it is not, status() says so.
   bool usable();
 
+  // Whether a search has started since init, so that the arrays in the block have been written.
+  bool started() const { return ready_ && status() != Status::ready && status() != Status::bad_scene; }
+
   // Checks the query, finds the heuristic costs and plants the root. searching when the search can begin; solved when a
   // plan may end with the start.
   Status begin(const Query& query, const Keeper& keeper);

@@ -195,6 +195,28 @@ TEST(PlannerWhy, AChainThatStartsFoldedOntoItself) {
   EXPECT_LT(length(contact.at - poses[contact.other].position), 0.5F);
 }
 
+// Whatever stands in the block, which is not zero here.
+TEST(PlannerWhy, WithoutASearchThereIsNoEffortAndNoCost) {
+  Bench<Unicycle> bench(walled({}), small_unicycle());
+  const auto expect_none = [&](const char* when) {
+    EXPECT_EQ(bench.planner.effort().tries, 0U) << when;
+    EXPECT_EQ(bench.planner.cost_to_go(), kInfinity) << when;
+  };
+  expect_none("before init");
+  ASSERT_EQ(bench.init(1000).status, Status::arena_too_small);
+  expect_none("after an init that failed");
+  ASSERT_TRUE(bench.init().ok());
+  expect_none("before a start");
+  ASSERT_EQ(bench.planner.start({kStart}), Status::searching);
+  ASSERT_EQ(bench.planner.advance(3), Status::searching);
+  EXPECT_GT(bench.planner.effort().tries, 0U);
+  EXPECT_LT(bench.planner.cost_to_go(), kInfinity);
+  ASSERT_TRUE(bench.init().ok());
+  expect_none("after another init");
+  EXPECT_EQ(bench.planner.init({}).status, Status::bad_argument);
+  expect_none("after an init without a scene");
+}
+
 TEST(PlannerWhy, TheEffortIsWhereMostExpansionsGrewFrom) {
   Bench<Unicycle> bench(two_rooms(0.41), small_unicycle());  // a door that is hard to meet
   bench.limits.iterations = 300;
