@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "decomposition/locate.hpp"
+
 namespace krait::bench {
 namespace {
 
@@ -40,7 +42,7 @@ double TriangleDecomposition::getRegionVolume(int region) {
 }
 
 int TriangleDecomposition::locateRegion(const ob::State* state) const {
-  const Index triangle = locate(problem_.scene, peer(state).position());
+  const Index triangle = detail::locate(problem_.scene, peer(state).position());
   return triangle == kNone ? -1 : static_cast<int>(triangle);
 }
 

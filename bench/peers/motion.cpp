@@ -3,6 +3,10 @@
 
 #include <algorithm>
 
+#include "krait/math.hpp"
+#include "motion/rk4.hpp"
+#include "robot/shape.hpp"
+
 namespace krait::bench {
 namespace {
 
@@ -13,7 +17,7 @@ constexpr float kLimitRounding = 1e-5F;  // relative: how far inside its limits 
 // The rate nearest to `wanted` that keeps a value within its limits for a step.
 float saturated(float wanted, float value, float low, float high, float dt) {
   const float slack = kLimitRounding * (high - low);
-  return clamp(wanted, (low + slack - value) / dt, (high - slack - value) / dt);
+  return math::clamp(wanted, (low + slack - value) / dt, (high - slack - value) / dt);
 }
 
 void random_control(const PeerProblem& problem, const float* state, const double* values, float* held) {
@@ -21,8 +25,8 @@ void random_control(const PeerProblem& problem, const float* state, const double
   const float dt = problem.parameters.dt;
   const float acceleration = saturated(static_cast<float>(values[0]), state[3], p.min_speed, p.max_speed, dt);
   const float rate = saturated(static_cast<float>(values[1]), state[4], -p.max_steering, p.max_steering, dt);
-  held[0] = clamp(acceleration, -p.max_acceleration, p.max_acceleration);
-  held[1] = clamp(rate, -p.max_steering_rate, p.max_steering_rate);
+  held[0] = math::clamp(acceleration, -p.max_acceleration, p.max_acceleration);
+  held[1] = math::clamp(rate, -p.max_steering_rate, p.max_steering_rate);
 }
 
 // The controller starts afresh in every step: OMPL's propagators are functions of state and control.
@@ -61,7 +65,7 @@ void PeerMotion::take_step(const PeerState& from, const ompl::control::Control* 
     last_.target_distance = length(target - from.position());
   }
   robot_control(problem_, last_.from, control, last_.held);
-  propagate(problem_.robot, last_.from, last_.held, problem_.parameters.dt, to.values);
+  detail::propagate(problem_.robot, last_.from, last_.held, problem_.parameters.dt, to.values);
   to.origin = ++last_.number;
 }
 
@@ -80,7 +84,7 @@ bool PeerMotion::at_rest_valid(const PeerState& state) {
 
 bool PeerMotion::ended_before_last_step() const {
   if (stop_ == Stop::never) return false;
-  const float near = problem_.parameters.tuning.near_radius * robot_length(problem_.robot);
+  const float near = problem_.parameters.tuning.near_radius * detail::robot_length(problem_.robot);
   return (stop_ == Stop::at_target && last_.target_distance <= near) ||
          in_goal(problem_, {last_.from[0], last_.from[1]});
 }

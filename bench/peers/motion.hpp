@@ -53,8 +53,8 @@ class PeerPropagator : public ompl::control::StatePropagator {
   PeerPropagator(const ompl::control::SpaceInformationPtr& space, PeerMotion& motion)
       : StatePropagator(space), motion_(motion) {}
 
-  void detail::propagate(const ompl::base::State* state, const ompl::control::Control* control, double duration,
-                         ompl::base::State* result) const override;
+  void propagate(const ompl::base::State* state, const ompl::control::Control* control, double duration,
+                 ompl::base::State* result) const override;
   bool canPropagateBackward() const override { return false; }
 
  private:

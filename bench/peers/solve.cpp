@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "host/run/query.hpp"
+#include "motion/rk4.hpp"
 #include "peers/controls.hpp"
 #include "peers/motion.hpp"
 #include "peers/space.hpp"
@@ -87,7 +88,7 @@ class PeerSearch {
       for (long step = 0; step < steps && !in_goal(problem_, {state[0], state[1]}); ++step) {
         robot_control(problem_, state.data(), path.getControl(static_cast<unsigned int>(i)), held.data());
         std::vector<float> next(size);
-        propagate(problem_.robot, state.data(), held.data(), problem_.parameters.dt, next.data());
+        detail::propagate(problem_.robot, state.data(), held.data(), problem_.parameters.dt, next.data());
         state = next;
         plan.controls.push_back(held);
         plan.states.push_back(state);

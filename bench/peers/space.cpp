@@ -4,6 +4,9 @@
 #include <cmath>
 #include <cstring>
 
+#include "krait/math.hpp"
+#include "robot/shape.hpp"
+
 namespace krait::bench {
 namespace {
 
@@ -34,8 +37,8 @@ class StraightSampler : public ob::StateSampler {
  private:
   void place(Vec2 low, Vec2 high, ob::State* state) {
     Vec2 at;
-    at.x = clamp(uniform(rng_, low.x, high.x), bounds_.min.x, bounds_.max.x);
-    at.y = clamp(uniform(rng_, low.y, high.y), bounds_.min.y, bounds_.max.y);
+    at.x = math::clamp(uniform(rng_, low.x, high.x), bounds_.min.x, bounds_.max.x);
+    at.y = math::clamp(uniform(rng_, low.y, high.y), bounds_.min.y, bounds_.max.y);
     const float heading = uniform(rng_, -kPi, kPi);
     place_straight(problem_, at, heading, uniform(rng_, 0.0F, 1.0F), peer(state));
   }
@@ -51,7 +54,7 @@ class PositionProjection : public ob::ProjectionEvaluator {
 
   unsigned int getDimension() const override { return 2; }
   void defaultCellSizes() override {
-    cellSizes_.assign(2, static_cast<double>(robot_length(problem_.robot)));
+    cellSizes_.assign(2, static_cast<double>(detail::robot_length(problem_.robot)));
     const Box bounds = problem_.scene.bounds();
     bounds_.resize(2);
     bounds_.low = {static_cast<double>(bounds.min.x), static_cast<double>(bounds.min.y)};
