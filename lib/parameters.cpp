@@ -11,7 +11,7 @@ namespace {
 
 bool within(std::uint32_t x, std::uint32_t low, std::uint32_t high) { return x >= low && x <= high; }
 
-// From low to high, both included.
+// Where a parameter lies, and what it may be: from low to high, both included. Each range stands here only.
 template <class Number>
 struct Range {
   std::uint16_t offset;  // of the parameter
@@ -63,6 +63,14 @@ Argument first_outside(const Parameters& parameters, const Range<Number> (&range
   return Argument::none;
 }
 
+// Leaves `range` as it is where none of the ranges is the argument's.
+template <class Number, std::size_t count>
+void find_range(Argument argument, const Range<Number> (&ranges)[count], ParameterRange& range) {
+  for (const Range<Number>& one : ranges) {
+    if (one.argument == argument) range = {static_cast<float>(one.low), static_cast<float>(one.high)};
+  }
+}
+
 }  // namespace
 
 Parameters Parameters::paper() {
@@ -94,6 +102,13 @@ Argument Parameters::first_bad() const {
   if (bad == Argument::none) bad = first_outside(*this, kCounts);
   if (bad != Argument::none) return bad;
   return std::has_single_bit(tuning.max_substeps) ? Argument::none : Argument::max_substeps;
+}
+
+ParameterRange Parameters::range(Argument argument) {
+  ParameterRange range;
+  find_range(argument, kNumbers, range);
+  find_range(argument, kCounts, range);
+  return range;
 }
 
 Argument Limits::first_bad() const {

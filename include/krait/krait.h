@@ -144,7 +144,7 @@ typedef struct krait_chain_parameters {
       hitch_length;       /**< metres, > 0: axle to axle; default 0.8 */
   float max_speed,        /**< m/s, > 0: of v; default 2.5 */
       min_speed;          /**< m/s, <= 0: of v; below 0 the car may reverse; default 0 */
-  float max_steering,     /**< radians, above 0, below pi/2: the most of psi, either way; default 1 */
+  float max_steering,     /**< radians, above 0, up to 1.57: the most of psi, either way; default 1 */
       max_acceleration,   /**< m/s^2, > 0: of v, either way; default 5 */
       max_steering_rate;  /**< rad/s, > 0: of psi, either way; default 4 */
   int self_collision_gap; /**< >= 1: bodies i and j are tested against each other where |i - j| is at least this;

@@ -55,6 +55,12 @@ struct SearchTuning {
   bool plain = false;
 };
 
+/// What a parameter may be: from least to most, both included.
+struct ParameterRange {
+  float least = 0.0F;  ///< in the parameter's unit
+  float most = 0.0F;   ///< in the parameter's unit; infinity where it has no end
+};
+
 /// What a program says of its robot's motion and of its plans.
 struct Parameters {
   float dt = 0.1F;            ///< 0.001 … 1 s: a time step
@@ -68,6 +74,8 @@ struct Parameters {
 
   /// Argument::none, or the first parameter that is NaN or out of its range. O(1).
   Argument first_bad() const;
+  /// The range of a number of these or of the tuning; {0, 0} for every other argument. O(1).
+  static ParameterRange range(Argument argument);
 };
 
 /// In lengths of body 0: how much more than Parameters::clearance the tree keeps, so that a plan, which is driven a

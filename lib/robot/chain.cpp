@@ -11,6 +11,7 @@ using detail::correction;
 using detail::Correction;
 using detail::deviation;
 using detail::farthest;
+using detail::positive;
 using detail::tracking_distance;
 
 namespace {
@@ -18,7 +19,6 @@ namespace {
 constexpr PidGains kHeadingGains{4.0F, 0.05F, 0.05F};  // radians of steering per radian of heading error
 constexpr PidGains kSpeedGains{10.0F, 0.1F, 0.1F};     // m/s^2 per m/s
 constexpr float kInside = 1.0F - 1e-5F;                // keeps rounding from carrying a state across its limit
-constexpr float kTurnReserve = 1.1F;                   // truck: how much wider than the tightest steady turn
 constexpr float kUnfoldRate = 2.0F;                    // truck, 1/s: how fast a hitch may close in on its bound
 constexpr float kFoldBound = 1.2F;                     // truck, radians: the hitch angle that steering keeps clear of
 
@@ -51,8 +51,6 @@ float exponential(float x) {
   for (int squaring = 0; squaring < 5; ++squaring) power = power * power;
   return power;
 }
-
-bool positive(float x) { return x > 0.0F && finite(x); }
 
 // Rarely wanted, so not inlined.
 [[gnu::noinline]] SinCos any_sin_cos(float angle) { return math::sin_cos(angle); }
@@ -159,9 +157,10 @@ bool Chain::sound() const {
   const ChainParameters& p = parameters_;
   return p.trailers >= 0 && p.trailers <= kMaxTrailers && positive(p.body_length) && positive(p.body_width) &&
          finite(p.body_offset) && positive(p.wheelbase) && positive(p.hitch_length) && positive(p.max_speed) &&
-         finite(p.min_speed) && p.min_speed <= 0.0F && positive(p.max_steering) && p.max_steering < 0.5F * kPi &&
-         positive(p.max_acceleration) && positive(p.max_steering_rate) && p.self_collision_gap >= 1 &&
-         positive(p.max_hitch_angle) && p.max_hitch_angle <= kPi;
+         finite(p.min_speed) && p.min_speed <= 0.0F && positive(p.max_steering) &&
+         p.max_steering <= ChainParameters::kMostSteering && positive(p.max_acceleration) &&
+         positive(p.max_steering_rate) && p.self_collision_gap >= 1 && positive(p.max_hitch_angle) &&
+         p.max_hitch_angle <= ChainParameters::kMostHitch;
 }
 
 void Chain::rest(Vec2 position, float heading, const float* angles, float* state) const {
@@ -410,7 +409,7 @@ bool Chain::changes_little(const float* s, const float* u, float dt) const {
               : integrate_by_bodies<false>(headings, trailers, poses, dt, lead, turns);
 }
 
-// CHAIN.md: the car by lemmas 2 and 3, each trailer's path by lemma 4, turn by 5 and 6, bend by 7 and 9, twist by 8.
+// The lemmas are those of CHAIN.md; the factor 0.125 is lemma 1's.
 bool Chain::travel(StateView s, ControlView u, float dt, StateView next, Travel* travel) const {
   const ChainParameters& p = parameters_;
   const float way = dt * largest(s[3], u[0], dt);
@@ -419,9 +418,11 @@ bool Chain::travel(StateView s, ControlView u, float dt, StateView next, Travel*
   const float speeding = dt * dt * math::absolute(u[0]);       // |dv| dt
   const float veering = steering * dt * math::absolute(u[1]);  // |d cos psi|
   const float pulled = speeding + way * veering;               // of s
-  const float turn = way * steering / p.wheelbase;
+  const float turn = way * steering / p.wheelbase;             // lemma 2
   const float turning = (speeding * steering + way * dt * math::absolute(u[1])) / p.wheelbase;
+  // Lemmas 2 and 3.
   travel[0] = {way, turn, 0.125F * (pulled + way * turn), 0.125F * (turning + turn * turn)};
+  // Lemma 4.
   const float dragged = way + way * slip;
   const float slipping = speeding * slip + way * slip * turn;
   const float reach = way / p.hitch_length;  // how far a trailer turns that is pulled sideways
@@ -431,20 +432,21 @@ bool Chain::travel(StateView s, ControlView u, float dt, StateView next, Travel*
     const int ahead = i == 1 ? 2 : 3 + i;
     const float turn_ahead = travel[i - 1].turn;
     const float ends = math::absolute(s[ahead] - s[4 + i]) + math::absolute(next[ahead] - next[4 + i]) + turn_ahead;
-    float hitch = 0.5F * (ends + reach);
+    float hitch = 0.5F * (ends + reach);  // lemma 5, and in the next lines
     if (hitch < 1.0F) hitch = ends / (2.0F - reach);
     kept = kept && hitch <= p.max_hitch_angle;
     const float sine = hitch + kHitchError < 1.0F ? hitch + kHitchError : 1.0F;
-    const float own_turn = reach * sine;
+    const float own_turn = reach * sine;  // lemma 6
+    // Lemma 8, with the sum of lemma 7 as far as the trailer ahead.
     const float twisting = ((pulled + way * folding) * sine + way * (turn_ahead + own_turn)) / p.hitch_length;
-    folding = folding + sine * (turn_ahead + own_turn);
-    const float bending = pulled + way * (folding + own_turn) + slipping;
+    folding = folding + sine * (turn_ahead + own_turn);                    // lemma 7
+    const float bending = pulled + way * (folding + own_turn) + slipping;  // lemma 9
     travel[i] = {dragged, own_turn, 0.125F * bending, 0.125F * (twisting + own_turn * own_turn)};
   }
   return kept;
 }
 
-// CHAIN.md, lemmas 10 to 13: the bounds of travel for all bodies alike.
+// The bounds of travel for all bodies alike, by the lemmas of CHAIN.md.
 [[gnu::flatten]] QuickBound Chain::quick_bound(StateView s, ControlView u, float dt, StateView next) const {
   const ChainParameters& p = parameters_;
   const float way = dt * largest(s[3], u[0], dt);
@@ -469,17 +471,19 @@ bool Chain::travel(StateView s, ControlView u, float dt, StateView next, Travel*
     high = sum > high ? sum : high;
     low = sum < low ? sum : low;
   }
-  const float first = (most + car_turn) / (2.0F - reach);
+  const float first = (most + car_turn) / (2.0F - reach);  // lemma 10: of the first hitch, and of the others
   const float rest = most / (2.0F - 2.0F * reach);
   const float hitch = (first > rest ? first : rest) + kHitchError;
   const float sine = hitch < 1.0F ? hitch : 1.0F;
   const float turn = car_turn > reach * sine ? car_turn : reach * sine;
+  // Lemma 11.
   const float norm = (std::sqrt(squares) + car_turn) / (2.0F - 2.0F * reach) + kNormError;
 
   const float slip = slip_ ? 0.5F * steering * steering : 0.0F;
   const float speeding = dt * dt * math::absolute(u[0]);
   const float pulled = speeding + way * steering * dt * math::absolute(u[1]);
   const float turning = (speeding * steering + way * dt * math::absolute(u[1])) / p.wheelbase;
+  // Lemma 12 bounds the folding of lemmas 8 and 9.
   const float swaying = pulled + way * norm * (2.0F * reach * norm + car_turn);
   const float twisting = (swaying * sine + 2.0F * way * turn) / p.hitch_length;
   const float bending = swaying + way * turn + slip * (speeding + way * turn);
@@ -489,7 +493,7 @@ bool Chain::travel(StateView s, ControlView u, float dt, StateView next, Travel*
       {way + way * slip, turn, 0.125F * bending, 0.125F * ((twisting > turning ? twisting : turning) + turn * turn)}};
 }
 
-// CHAIN.md, lemma 13.
+// Lemma 13 of CHAIN.md.
 float Chain::separation(float hitch, float spread) const {
   const auto gap = static_cast<float>(parameters_.self_collision_gap);
   const float near = least_cosine(0.5F * (gap * hitch < spread ? gap * hitch : spread)) * gap;

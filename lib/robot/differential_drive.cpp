@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "krait/robots/differential_drive.hpp"
 
+#include "robot/shape.hpp"
 #include "robot/tracking.hpp"
 
 namespace krait {
@@ -9,13 +10,12 @@ using detail::correction;
 using detail::Correction;
 using detail::deviation;
 using detail::kHeadingShare;
+using detail::positive;
 
 namespace {
 
 constexpr PidGains kHeadingGains{3.0F, 0.05F, 0.1F};  // rad/s per radian of heading error
 constexpr float kInside = 1.0F - 1e-5F;               // keeps rounding from carrying a wheel across its limit
-
-bool positive(float x) { return x > 0.0F && finite(x); }
 
 }  // namespace
 

@@ -20,6 +20,9 @@ Vec2 middle(Polygon body);
 // Argument::none, or what makes the robot unusable.
 Argument first_bad_of_robot(const Robot& robot);
 
+// Whether a dimension or a limit that cannot be 0 is usable.
+inline bool positive(float x) { return x > 0.0F && finite(x); }
+
 // Largest distance of `count` points from the origin.
 inline float farthest(const Vec2* points, int count) {
   float most = 0.0F;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "krait/robots/unicycle.hpp"
 
+#include "robot/shape.hpp"
 #include "robot/tracking.hpp"
 
 namespace krait {
@@ -9,12 +10,11 @@ using detail::correction;
 using detail::Correction;
 using detail::deviation;
 using detail::kHeadingShare;
+using detail::positive;
 
 namespace {
 
 constexpr PidGains kHeadingGains{4.0F, 0.05F, 0.05F};  // rad/s per radian of heading error
-
-bool positive(float x) { return x > 0.0F && finite(x); }
 
 }  // namespace
 

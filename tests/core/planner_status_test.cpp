@@ -370,6 +370,18 @@ TEST(PlannerParameters, DefaultsAndThePapersAreInRange) {
   EXPECT_EQ(Parameters::paper().tuning.doomed_steps, 0U);
 }
 
+TEST(PlannerParameters, EachRangeIsTold) {
+  for (const ParameterRange& range : float_ranges()) {
+    const krait::ParameterRange told = Parameters::range(range.argument);
+    EXPECT_EQ(told.least, range.low_open ? std::nextafter(range.low, 1.0F) : range.low) << to_string(range.argument);
+    EXPECT_EQ(told.most, range.high_open ? std::nextafter(range.high, 0.0F) : range.high) << to_string(range.argument);
+  }
+  EXPECT_EQ(Parameters::range(Argument::kappa).least, 1.0F);
+  EXPECT_EQ(Parameters::range(Argument::kappa).most, 10000.0F);
+  EXPECT_EQ(Parameters::range(Argument::end_speed).most, kInfinity);
+  EXPECT_EQ(Parameters::range(Argument::scene).most, 0.0F);
+}
+
 TEST(PlannerParameters, EachFloatIsCheckedAtBothEnds) {
   for (const ParameterRange& range : float_ranges()) {
     const auto verdict = [&](float value) {

@@ -15,19 +15,23 @@ inline constexpr int kMaxTrailers = 25;  ///< the most that a robot of the libra
 
 /// Of a snake, a truck or a car. Metres, radians, seconds; all numbers finite.
 struct ChainParameters {
-  int trailers = 0;                ///< 0 … kMaxTrailers
-  float body_length = 0.7F;        ///< metres, > 0
-  float body_width = 0.5F;         ///< metres, > 0
-  float body_offset = 0.0F;        ///< metres, any: of body 0's centre ahead of the rear axle
-  float wheelbase = 0.8F;          ///< metres, > 0: rear axle to front axle
-  float hitch_length = 0.8F;       ///< metres, > 0: axle to axle
-  float max_speed = 2.5F;          ///< m/s, > 0: of v, the front wheels' speed
-  float min_speed = 0.0F;          ///< m/s, <= 0: of v; below 0 the car may reverse
-  float max_steering = 1.0F;       ///< radians, above 0, below pi/2: the most of the steering angle psi, either way
+  static constexpr float kMostSteering = 1.57F;  ///< radians: the most max_steering, a little below pi/2
+  static constexpr float kMostHitch = kPi;       ///< radians: the most max_hitch_angle
+
+  int trailers = 0;           ///< 0 … kMaxTrailers
+  float body_length = 0.7F;   ///< metres, > 0
+  float body_width = 0.5F;    ///< metres, > 0
+  float body_offset = 0.0F;   ///< metres, any: of body 0's centre ahead of the rear axle
+  float wheelbase = 0.8F;     ///< metres, > 0: rear axle to front axle
+  float hitch_length = 0.8F;  ///< metres, > 0: axle to axle
+  float max_speed = 2.5F;     ///< m/s, > 0: of v, the front wheels' speed
+  float min_speed = 0.0F;     ///< m/s, <= 0: of v; below 0 the car may reverse
+  float max_steering = 1.0F;  ///< radians, above 0, up to kMostSteering: the most of the steering angle psi, either way
   float max_acceleration = 5.0F;   ///< m/s^2, > 0, either way
   float max_steering_rate = 4.0F;  ///< rad/s, > 0, either way
   int self_collision_gap = 2;  ///< >= 1: bodies i and j are tested against each other where |i - j| is at least this
-  float max_hitch_angle = 1.5707963F;  ///< radians, above 0, at most pi: the most of theta(i-1) - theta(i), either way
+  float max_hitch_angle =
+      1.5707963F;  ///< radians, above 0, up to kMostHitch: the most of theta(i-1) - theta(i), either way
 };
 
 /// A car with steered front wheels and its trailers: what Snake, Truck and Car are. It owns its parameters and polygons
@@ -39,6 +43,7 @@ class Chain {
   static constexpr int kMaxState = kCarState + kMaxTrailers;  ///< floats of a state, at most
   static constexpr int kMaxControl = 2;                       ///< floats of a control
   static constexpr int kMaxBodies = 1 + kMaxTrailers;         ///< the car and its trailers, at most
+  static constexpr float kTurnReserve = 1.1F;  ///< of a truck: its turns over the tightest that its trailers follow
 
   /// How the trailers follow: `slip` with s = v (the paper's snake), else with the rear axle's speed s = v cos psi. A
   /// number of trailers that is out of range becomes -1, which no size overflows by and sound() refuses. Every body is

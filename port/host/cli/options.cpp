@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "host/workspace/heading.hpp"
+#include "host/workspace/printed.hpp"
 
 namespace krait::host {
 namespace {
@@ -41,6 +42,13 @@ CLI::Validator heading_number() {
     return parse_number(text) ? "" : "give radians from -2 pi to 2 pi, as 1.57, not " + text;
   };
   return {check, "", "number"};
+}
+
+// A parameter's range in the library, to a millionth.
+std::pair<double, double> range_of(Argument argument) {
+  constexpr double kMillion = 1e6;
+  const ParameterRange range = Parameters::range(argument);
+  return {std::ceil(decimal(range.least) * kMillion) / kMillion, std::floor(decimal(range.most) * kMillion) / kMillion};
 }
 
 }  // namespace
@@ -83,14 +91,14 @@ void parse_goal(const std::string& text, SearchRequest& request) {
   }
 }
 
-CLI::Validator whole_number(std::uint64_t most, const std::string& unit) {
-  const auto check = [most, unit](const std::string& text) -> std::string {
+CLI::Validator whole_number(std::uint64_t most, const std::string& unit, std::uint64_t least) {
+  const auto check = [least, most, unit](const std::string& text) -> std::string {
     std::uint64_t value = 0;
     const char* end = text.data() + text.size();
     const auto [rest, error] = std::from_chars(text.data(), end, value);
-    if (error == std::errc() && rest == end && value <= most) return {};
-    return text + " is no whole number " + (unit.empty() ? "" : "of " + unit + " ") + "from 0 to " +
-           std::to_string(most);
+    if (error == std::errc() && rest == end && value >= least && value <= most) return {};
+    return text + " is no whole number " + (unit.empty() ? "" : "of " + unit + " ") + "from " + std::to_string(least) +
+           " to " + std::to_string(most);
   };
   return {check, "", "whole number"};
 }
@@ -102,6 +110,21 @@ CLI::Validator number_in(double least, double most, const std::string& unit) {
     return "give " + unit + " from " + shown(least) + " to " + shown(most) + ", not " + text;
   };
   return {check, "", "number"};
+}
+
+CLI::Validator number_of(Argument argument, const std::string& unit) {
+  const auto [least, most] = range_of(argument);
+  return number_in(least, most, unit);
+}
+
+CLI::Validator whole_number_of(Argument argument, const std::string& unit) {
+  const auto [least, most] = range_of(argument);
+  return whole_number(static_cast<std::uint64_t>(most), unit, static_cast<std::uint64_t>(least));
+}
+
+std::string with_range(const std::string& text, Argument argument) {
+  const auto [least, most] = range_of(argument);
+  return text + printed(", %.7g to %.7g", least, most);
 }
 
 void QueryOptions::add(CLI::App& command) {

@@ -20,11 +20,19 @@ void parse_start(const std::string& text, SearchRequest& request);
 // --goal NAME or X,Y,RADIUS into the request. Throws InputError.
 void parse_goal(const std::string& text, SearchRequest& request);
 
-// Lets an option take whole numbers from 0 to `most` only: -1 and numbers that do not fit are refused, not wrapped.
-CLI::Validator whole_number(std::uint64_t most, const std::string& unit = {});
+// Lets an option take whole numbers from `least` to `most` only: -1 and numbers that do not fit are refused, not
+// wrapped.
+CLI::Validator whole_number(std::uint64_t most, const std::string& unit = {}, std::uint64_t least = 0);
 
 // Lets an option take finite numbers from `least` to `most` only; the refusal names the unit.
 CLI::Validator number_in(double least, double most, const std::string& unit);
+
+// Lets an option take what the library takes for a parameter; an end that is open there is a millionth off.
+CLI::Validator number_of(Argument argument, const std::string& unit);
+CLI::Validator whole_number_of(Argument argument, const std::string& unit);
+
+// The text with that range: "a time step, seconds, 0.001 to 1".
+std::string with_range(const std::string& text, Argument argument);
 
 // The texts of what plan and verify both ask: robot, start and goal.
 struct QueryOptions {

@@ -286,11 +286,6 @@ std::string defaults_table() {
          "2).";
 }
 
-template <class Number>
-std::string with_default(const char* text, Number value) {
-  return printed("%s (default %.7g)", text, static_cast<double>(value));
-}
-
 }  // namespace
 
 void add_plan(CLI::App& app, const char* program) {
@@ -333,24 +328,24 @@ void add_plan(CLI::App& app, const char* program) {
                    "1e6; 10 is plenty. The plan is the best so far, proven and verified as the first")
       ->check(number_in(0, 1e6, "times the first plan's checks"))
       ->capture_default_str();
-  command->add_option("--alpha", o->alpha, with_default("strength of the heuristic, 1 to 64", defaults.tuning.alpha))
-      ->check(number_in(1, 64, "a number without unit"));
-  command->add_option("--beta", o->beta, with_default("penalty of a selection, between 0 and 1", defaults.tuning.beta))
-      ->check(number_in(1e-6, 1 - 1e-6, "a number without unit"));
-  command
-      ->add_option("--gamma", o->gamma,
-                   with_default("how much failures raise edge costs, 0 (never) to 1e6", defaults.tuning.gamma))
-      ->check(number_in(0, 1e6, "a number without unit"));
-  command
-      ->add_option("--kappa", o->kappa,
-                   with_default("expansions between updates of the costs, 1 to 10000", defaults.tuning.kappa))
-      ->check(whole_number(10000, "expansions"));
-  command
-      ->add_option("--clearance", o->clearance,
-                   with_default("metres kept to obstacles on top of rounding, 0 to 10", defaults.clearance))
-      ->check(number_in(0, 10, "metres"));
-  command->add_option("--dt", o->dt, "a time step, seconds, 0.001 to 1 (default: 0.1)")
-      ->check(number_in(0.001, 1, "seconds"));
+  const auto search = [&](const char* name, auto& value, const char* text, Argument argument, auto normal) {
+    const std::string about = printed("%s (default %.7g)", with_range(text, argument).c_str(), decimal(normal));
+    return command->add_option(name, value, about);
+  };
+  constexpr const char* kPlain = "a number without unit";
+  const SearchTuning& tuning = defaults.tuning;
+  search("--alpha", o->alpha, "strength of the heuristic", Argument::alpha, tuning.alpha)
+      ->check(number_of(Argument::alpha, kPlain));
+  search("--beta", o->beta, "penalty of a selection", Argument::beta, tuning.beta)
+      ->check(number_of(Argument::beta, kPlain));
+  search("--gamma", o->gamma, "how much failures raise edge costs (0: never)", Argument::gamma, tuning.gamma)
+      ->check(number_of(Argument::gamma, kPlain));
+  search("--kappa", o->kappa, "expansions between updates of the costs", Argument::kappa, float(tuning.kappa))
+      ->check(whole_number_of(Argument::kappa, "expansions"));
+  search("--clearance", o->clearance, "metres kept to obstacles on top of rounding", Argument::clearance,
+         defaults.clearance)
+      ->check(number_of(Argument::clearance, "metres"));
+  search("--dt", o->dt, "a time step, seconds", Argument::dt, defaults.dt)->check(number_of(Argument::dt, "seconds"));
   command->add_flag("--paper", o->paper,
                     "Algorithms 1 and 2 with the paper's constants: states are checked, steps between them are not");
   command->add_option("-o,--output", o->json, "write the plan as JSON");

@@ -111,8 +111,8 @@ void add_verify(CLI::App& app) {
   command->add_option("PLAN", o->plan, "a plan's JSON")->required();
   o->query.add(*command);
   o->map.add(*command);
-  command->add_option("--dt", o->dt, "the plan's time step, seconds, 0.001 to 1")
-      ->check(number_in(0.001, 1, "seconds"))
+  command->add_option("--dt", o->dt, with_range("the plan's time step, seconds", Argument::dt))
+      ->check(number_of(Argument::dt, "seconds"))
       ->capture_default_str();
   command->add_flag("--all", o->all, "print every complaint, not only the first, which explains most others");
   command->footer(

@@ -8,6 +8,7 @@
 
 #include "host/input/file.hpp"
 #include "host/robot_file/shipped.hpp"
+#include "host/workspace/printed.hpp"
 #include "host/workspace/ring.hpp"
 #include "krait/robots/car.hpp"
 #include "krait/robots/differential_drive.hpp"
@@ -37,19 +38,10 @@ struct Model {
   std::vector<Parameter> parameters;
 };
 
-// A default of the library, as it is written there: 0.8, not the nearest float's 0.800000011920929.
-double decimal(float value) {
-  char text[32];
-  double number = 0;
-  std::from_chars(text, std::to_chars(text, text + sizeof text, value).ptr, number);
-  return number;
-}
-
 Parameter length(const char* name, float normal) { return {name, decimal(normal), 0.001, kMaxLength, "metres"}; }
 Parameter limit(const char* name, float normal, const char* unit) { return {name, decimal(normal), 0.001, 1e4, unit}; }
 
 constexpr const char* kSpeed = "metres a second";
-constexpr double kLargestHitch = 3.1415926;  // radians: the largest that rounds to no more than the library's kPi
 
 // Snake, truck and car: the front axle steers, the control is the acceleration and the steering rate.
 std::vector<Parameter> steered(const ChainParameters& normal) {
@@ -59,11 +51,11 @@ std::vector<Parameter> steered(const ChainParameters& normal) {
           length("hitch_length", normal.hitch_length),
           limit("max_speed", normal.max_speed, kSpeed),
           {"min_speed", decimal(normal.min_speed), -1e4, 0, kSpeed},
-          {"max_steering", decimal(normal.max_steering), 0.001, 1.57, "radians"},
+          {"max_steering", decimal(normal.max_steering), 0.001, decimal(ChainParameters::kMostSteering), "radians"},
           limit("max_acceleration", normal.max_acceleration, "metres a second squared"),
           limit("max_steering_rate", normal.max_steering_rate, "radians a second"),
           {"self_collision_gap", double(normal.self_collision_gap), 1, 1000, "bodies", true},
-          {"max_hitch_angle", decimal(normal.max_hitch_angle), 0.001, kLargestHitch, "radians"}};
+          {"max_hitch_angle", decimal(normal.max_hitch_angle), 0.001, decimal(ChainParameters::kMostHitch), "radians"}};
 }
 
 std::vector<Parameter> turning(const UnicycleParameters& normal) {
@@ -230,6 +222,13 @@ std::string unit_of(const std::string& model, const std::string& parameter) {
   const Model* known = find_model(model);
   const Parameter* found = known == nullptr ? nullptr : find_parameter(*known, parameter);
   return found == nullptr ? "" : found->unit;
+}
+
+std::pair<double, double> range_of(const std::string& model, const std::string& parameter) {
+  const Model* known = find_model(model);
+  const Parameter* found = known == nullptr ? nullptr : find_parameter(*known, parameter);
+  if (found == nullptr) throw InputError("a robot model \"" + model + "\" has no parameter \"" + parameter + "\"");
+  return {found->least, found->most};
 }
 
 std::vector<std::string> robot_models() {

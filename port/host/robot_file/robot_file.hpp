@@ -48,6 +48,9 @@ std::vector<std::string> own_parameters(const RobotSpec& robot);
 // The unit of a model's parameter, "metres a second"; empty for a number without unit.
 std::string unit_of(const std::string& model, const std::string& parameter);
 
+// The least and the most that a model's parameter may be, in that unit. Throws InputError if there is none.
+std::pair<double, double> range_of(const std::string& model, const std::string& parameter);
+
 // The boxes that the bodies are where a ROBOT.json has none: of body_length and body_width; a car's is centred on the
 // middle of the wheelbase, every other on its axle.
 std::vector<Ring> default_bodies(const RobotSpec& robot);

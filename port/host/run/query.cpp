@@ -19,12 +19,7 @@ std::string listed(Index count, Name name) {
 Start scene_start(const krait::Scene& scene, Index index, int links) {
   const ScenePose pose = scene.start(index);
   Start start{scene.start_name(index), world_of(scene, pose.position), static_cast<double>(pose.heading), {}};
-  if (pose.angle_count == 0 || links == 0) return start;
-  if (pose.angle_count != static_cast<std::uint32_t>(links)) {
-    throw InputError("start '" + start.name + "' gives " + std::to_string(pose.angle_count) +
-                     " trailer angles, the robot has " + std::to_string(links) + " trailers");
-  }
-  start.angles.assign(pose.angles, pose.angles + pose.angle_count);
+  if (links > 0) start.angles.assign(pose.angles, pose.angles + pose.angle_count);
   return start;
 }
 
@@ -124,8 +119,11 @@ PlanFile plan_form(const krait::Scene& scene, const SearchRequest& request, cons
 std::vector<float> state_at(const Robot& robot, const krait::Scene& scene, const Start& start) {
   std::vector<float> state(static_cast<std::size_t>(robot.state_size()));
   const std::vector<float> angles(start.angles.begin(), start.angles.end());
-  robot.rest(local_of(scene, start.position), static_cast<float>(start.heading), angles.data(),
-             static_cast<std::uint32_t>(angles.size()), state.data());
+  if (!robot.rest(local_of(scene, start.position), static_cast<float>(start.heading), angles.data(),
+                  static_cast<std::uint32_t>(angles.size()), state.data())) {
+    throw InputError("start '" + start.name + "' gives " + std::to_string(angles.size()) +
+                     " trailer angles, the robot has " + std::to_string(robot.body_count() - 1) + " trailers");
+  }
   return state;
 }
 

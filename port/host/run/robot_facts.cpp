@@ -7,14 +7,13 @@
 #include <numbers>
 
 #include "host/run/robots.hpp"
+#include "host/workspace/printed.hpp"
 #include "krait/robots/defaults.hpp"
 #include "motion/rk4.hpp"
 #include "robot/shape.hpp"
 
 namespace krait::host {
 namespace {
-
-constexpr double kTurnReserve = 1.1;  // how much wider than the tightest steady turn krait steers a truck (chain.cpp)
 
 double parameter(const RobotSpec& robot, const char* name) { return robot.parameters.at(name); }
 
@@ -102,7 +101,7 @@ void turn_facts(const RobotSpec& robot, RobotFacts& facts) {
   if (robot.links > 0) {
     const double most = largest_first_sine(robot);
     facts.folds_at_lock = first_sine(robot, steering) > most;
-    if (facts.folds_at_lock) steering = steering_of(robot, most / kTurnReserve);
+    if (facts.folds_at_lock) steering = steering_of(robot, most / decimal(Chain::kTurnReserve));
     turn.hitch_angles = steady_hitch_angles(first_sine(robot, steering), robot.links);
   }
   turn.radius = parameter(robot, "wheelbase") / std::tan(steering);

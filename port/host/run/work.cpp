@@ -24,9 +24,8 @@ float farthest_of(const Chain& robot) {
 // How far around the middle of a body's two places obstacles are looked for: the hull of both reaches half of what it
 // moved further than the body, and it may stray from it by as much.
 float search_radius(const krait::Scene& scene, const RobotExtent& robot, const Parameters& parameters) {
-  constexpr float kLeastReach = 1e-3F;
   const float margin = detail::Obstacles(scene, parameters.clearance + kTreeSlack * robot.length).margin();
-  return robot.largest_radius + robot.longest_travel + kLeastReach + margin;
+  return robot.largest_radius + robot.longest_travel + detail::Obstacles::kReach + margin;
 }
 
 // Adds one to `seen` for every piece of the bucket that is not marked with `window` yet.

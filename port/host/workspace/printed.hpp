@@ -2,6 +2,7 @@
 // Numbers in text, in the forms of std::printf.
 #pragma once
 
+#include <charconv>
 #include <cstdio>
 #include <string>
 
@@ -17,6 +18,14 @@ std::string printed(const char* form, Values... values) {
   std::string text(length, '\0');
   (void)std::snprintf(text.data(), length + 1, form, values...);
   return text;
+}
+
+// A float as people write it: 0.8, not the nearest float's 0.800000011920929.
+inline double decimal(float value) {
+  char text[32];
+  double number = 0;
+  std::from_chars(text, std::to_chars(text, text + sizeof text, value).ptr, number);
+  return number;
 }
 
 }  // namespace krait::host

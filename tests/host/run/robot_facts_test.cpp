@@ -51,6 +51,22 @@ TEST(RobotFacts, WhatTurnsOnTheSpotSweepsADisc) {
   }
 }
 
+// Whatever a ROBOT.json may say is within the library's ranges; no more of the two angles that have an end there.
+TEST(RobotFacts, TheCoreTakesEveryParameterOfItsRange) {
+  const auto sound = [](const RobotSpec& robot) { return CoreRobot(robot).view().sound(); };
+  for (const std::string& model : robot_models()) {
+    const RobotSpec robot = parse_robot(model == "snake" || model == "truck" ? model + ":1" : model);
+    for (const auto& [name, normal] : default_parameters(model)) {
+      const auto [least, most] = range_of(model, name);
+      EXPECT_TRUE(sound(with(robot, {{name.c_str(), least}}))) << model << " " << name;
+      EXPECT_TRUE(sound(with(robot, {{name.c_str(), most}}))) << model << " " << name;
+      if (name == "max_steering" || name == "max_hitch_angle") {
+        EXPECT_FALSE(sound(with(robot, {{name.c_str(), most + 1e-6}}))) << model << " " << name;
+      }
+    }
+  }
+}
+
 // No trailer follows at more than a right angle, whatever folding is allowed.
 TEST(RobotFacts, FoldingFurtherThanARightAngleAllowsNoTighterTurn) {
   const RobotSpec right = with(parse_robot("truck:2"), {{"max_hitch_angle", 1.5707963}});
