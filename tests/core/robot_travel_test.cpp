@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // travel() and quick_bound() bound every motion of a step: what the proof of free motion stands on. For chains,
-// lib/robot/CHAIN.md has the lemmas that are named here.
+// lib/robot/CHAIN.md has the lemmas that are named here; chain_lemmas_test.cpp holds one by one.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -252,8 +252,7 @@ std::vector<float> winding_state(const Chain& chain, std::mt19937& random) {
   return s;
 }
 
-// Lemma 13.
-TYPED_TEST(RobotSeparation, IsNeverMoreThanTheLeastDistanceOnTheWay) {
+TYPED_TEST(RobotSeparation, Lemma13_IsNeverMoreThanTheLeastDistanceOnTheWay) {
   std::mt19937 random(4);
   int told = 0, tight = 0;
   for (TypeParam robot : instances<TypeParam>()) {

@@ -17,8 +17,8 @@ void steer(const R& robot, StateView s, const Pose* poses, const Target& target,
   }
 }
 
-// The travel of a body by its rates over dt: a point that accelerates by at most A leaves the line between its places
-// by at most A dt^2 / 8, and by no more than half its way.
+// The travel of a body by its rates over dt, by lemma 1 of lib/robot/CHAIN.md: a point that accelerates by at most A
+// leaves the line between its places by at most A dt^2 / 8. It also leaves it by no more than half its way.
 inline Travel travel_of(const BodyRates& most, float dt) {
   const float path = most.speed * dt;
   const float turn = most.turn * dt;
