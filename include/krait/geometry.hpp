@@ -75,7 +75,7 @@ inline constexpr int kMinVertices = 3;  ///< the least of a convex obstacle piec
 inline constexpr int kMaxVertices = 8;  ///< the most of a convex obstacle piece or a body
 
 /// `count` vertices, counter-clockwise, convex where it stands for an obstacle piece or a body. It refers to them and
-/// does not own them: whoever gives it out says how long they stay.
+/// does not own them: the function that returns it says how long they stay.
 struct Polygon {
   const Vec2* vertices = nullptr;  ///< metres
   int count = 0;                   ///< kMinVertices … kMaxVertices for a piece or a body, more for a goal

@@ -4,8 +4,8 @@
     is the caller's. The program needs no C++ run-time library, and no special compiler flags but for a robot of your
     own: link krait::c (-lkrait_c -lkrait).
 
-    Metres, radians, seconds. Positions are in the scene's local coordinates. A pointer that a function takes must not
-    be NULL where nothing else is said, and what lies there is read during the call only. R is the number of the scene's
+    Metres, radians, seconds. Positions are in the scene's local coordinates. A pointer argument must not be NULL
+    where nothing else is said, and what lies there is read during the call only. R is the number of the scene's
     triangles. */
 #ifndef KRAIT_KRAIT_H
 #define KRAIT_KRAIT_H
@@ -108,7 +108,7 @@ typedef struct krait_scene_facts {
   uint32_t goals,   /**< how many goals it has, numbered from 0; at most 65,535 */
       starts;       /**< how many starts it has, numbered from 0; at most 65,535 */
 } krait_scene_facts;
-/** Of a scene that krait_open has filled. O(1). */
+/** Returns the facts of a scene that krait_open has filled. O(1). */
 krait_scene_facts krait_facts(const krait_scene* scene);
 
 /** A robot's place. */
@@ -232,8 +232,8 @@ static inline bool krait_exact(void) {
   return residue == 0.0F && absorbed == 0.0F && five / 3.0F == third;
 }
 
-/** A robot of your own: pure functions of their arguments and of what lies at `self`, which krait_own_robot is given
-    and which must outlive the planner. Arrays are the caller's: states (s, next, reference, ds) have state_size floats,
+/** A robot of your own: pure functions of their arguments and of what lies at `self`, the argument of krait_own_robot,
+    which must outlive the planner. Arrays are the caller's: states (s, next, reference, ds) have state_size floats,
     controls (u) control_size, frames, travel and rates one element a body; what a function writes to it writes in full.
     State components 0 and 1 are the position in metres, local coordinates. dt is seconds. A planner calls them during
     its own calls only, derivative most of all. On a workstation, check_robot of krait/robot_check.hpp says where one
@@ -297,7 +297,7 @@ typedef struct krait_functions {
   int (*self_collision_gap)(const void* self);
 } krait_functions;
 
-/** What krait_own_robot was given; neither is owned, and both must stay. */
+/** The arguments of krait_own_robot; neither is owned, and both must stay. */
 typedef struct krait_own {
   const krait_functions* functions; /**< of the robot */
   const void* self;                 /**< what they are called with; may be NULL */
@@ -344,8 +344,8 @@ krait_robot krait_own_robot(const krait_functions* functions, const void* self);
 uint32_t krait_state_size(const krait_robot* robot);
 
 /** Writes the state of the robot standing still there, krait_state_size floats. False, and nothing written, where the
-    robot's parameters cannot be used, or a robot with trailers is given another number of angles; nor for a robot of
-    your own. O(bodies). */
+    robot's parameters cannot be used, where the pose of a robot with trailers has another number of angles, and for a
+    robot of your own. O(bodies). */
 KRAIT_NODISCARD bool krait_rest(const krait_robot* robot, krait_pose pose, float* state);
 
 /* ---- Planning ---- */
@@ -409,7 +409,7 @@ enum {
   KRAIT_STOP     /**< ends as KRAIT_TREE_FULL */
 };
 
-/** What a search may use. Without limits krait_init takes 0 vertices, 0 expansions, a million iterations, KRAIT_RECYCLE
+/** What a search may use. Without limits krait_init uses 0 vertices, 0 expansions, a million iterations, KRAIT_RECYCLE
     and 0 way_legs. */
 typedef struct krait_limits {
   uint32_t vertices;   /**< states kept to grow from, 2 to 4,192,256; 0: as many as the block has room for */
@@ -538,8 +538,8 @@ typedef struct krait_bottleneck {
   bool at_goal; /**< whether the place is the roomiest of the goal itself: the robot cannot stand in it */
 } krait_bottleneck;
 
-/** Of a search that ended without a plan; all zero elsewhere. After KRAIT_NO_ROUTE it is too narrow. It lasts as long
-    as krait_start: at most four Dijkstras and 4,095 distances of a point. */
+/** Returns the bottleneck of a search that ended without a plan, after KRAIT_NO_ROUTE too narrow for the robot; all
+    zero elsewhere. It lasts as long as krait_start: at most four Dijkstras and 4,095 distances of a point. */
 krait_bottleneck krait_bottleneck_of(krait_planner* planner);
 
 /** Where a search that has started has made most of its expansions, as a rule in vain. */
@@ -548,7 +548,7 @@ typedef struct krait_effort {
       y;          /**< likewise */
   uint32_t tries; /**< expansions from there since the search last began anew; 0: none */
 } krait_effort;
-/** Of a search that has started, the first place among equals. O(R). */
+/** Returns the effort of a search that has started, the first place among equals. O(R). */
 krait_effort krait_effort_of(const krait_planner* planner);
 
 /** What a search has done so far. */
@@ -572,7 +572,7 @@ typedef struct krait_statistics {
   uint64_t hash;         /**< of the plan: FNV-1a 64 over its states and controls; 0 without a plan */
   uint64_t improvements; /**< better plans that krait_improve has found */
 } krait_statistics;
-/** Of the search that started last. O(1). */
+/** Returns the statistics of the search that started last. O(1). */
 krait_statistics krait_statistics_of(const krait_planner* planner);
 
 /* ---- The plan ---- */

@@ -28,7 +28,7 @@ namespace krait {
 inline constexpr float kPi = 3.14159265358979F;                             ///< pi, rounded to a float
 inline constexpr float kInfinity = std::numeric_limits<float>::infinity();  ///< positive infinity
 inline constexpr float kMaxAngle = 8192.0F;  ///< radians: the most, either way, of which there is a sine
-inline constexpr float kSmallAngle = 0.7F;   ///< radians: the most, either way, that math::small_sin_cos takes
+inline constexpr float kSmallAngle = 0.7F;   ///< radians: the largest argument of math::small_sin_cos, either way
 
 /// The sine and cosine of an angle, and so a direction: of a float, or of several, one a lane.
 template <class Real>
@@ -144,7 +144,7 @@ template <class T>
   return one + 0x1p-25F == one && one - 0x1p-26F == one;
 }
 
-/// Whether the floating-point unit neither flushes denormal results nor takes denormal operands for 0.
+/// Whether the floating-point unit neither flushes denormal results nor reads denormal operands as 0.
 [[gnu::always_inline]] inline bool keeps_denormals() {
   const float least_normal = unknown(0x1p-126F);
   const float half = least_normal * 0.5F;

@@ -64,7 +64,7 @@ class PlanCursor {
   void advance();
 
  private:
-  // Of a detail::PlanWalk.
+  // The size of a detail::PlanWalk.
   static constexpr std::size_t kWalkBytes = sizeof(void*) == 8 ? 1104 : 1064;
 
   alignas(std::uint64_t) std::byte walk_[kWalkBytes];

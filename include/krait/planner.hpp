@@ -122,15 +122,15 @@ class Planner {
   /// Empty unless solved. Valid until the next start, improve or init. O(legs of the plan).
   Plan plan() const;
 
-  /// Of the search that started last; zeros before the first, but for the block's bytes. O(1).
+  /// What the search that started last has done; before the first all zeros but the block's bytes. O(1).
   Statistics statistics() const;
 
   /// After start_in_collision: what the robot is too near to at its start; else Hindrance::none. O(pieces near the
   /// robot + bodies^2).
   Contact contact();
 
-  /// Of a search that ended without a plan: the widest way, which after no_route is too narrow for the robot; all zero
-  /// else. Work: at most two Dijkstras for the widest way, two for the costs, and 4,095 distances of a point.
+  /// The widest way of a search that ended without a plan, after no_route too narrow for the robot; all zero elsewhere.
+  /// Work: at most two Dijkstras for the widest way, two for the costs, and 4,095 distances of a point.
   Bottleneck bottleneck();
 
   /// Where a search that has started has made most of its expansions, the first among equals. O(R).
@@ -144,7 +144,7 @@ class Planner {
   friend detail::AdaptiveSearch& detail::opened(Planner& planner);
   friend const detail::AdaptiveSearch& detail::opened(const Planner& planner);
 
-  // Of a detail::AdaptiveSearch, whose arrays are all in the block.
+  // The size of a detail::AdaptiveSearch, whose arrays are all in the block.
   static constexpr std::size_t kSearchBytes = sizeof(void*) == 8 ? 4920 : 4408;
 
   alignas(std::uint64_t) std::byte search_[kSearchBytes];

@@ -9,13 +9,13 @@
 
 namespace krait {
 
-/// Refers to a robot that must outlive it, or to none; made by whatever takes one from any robot. Its sizes are those
-/// at that time. It owns nothing, and copies refer to the same robot.
+/// Refers to a robot that must outlive it, or to none; every class that models a robot converts to it. Its sizes are
+/// those when it was made. It owns nothing, and copies refer to the same robot.
 ///
 /// States (s, next, reference, ds, d, errors) are arrays of state_size() floats, controls (u) of control_size(), poses,
 /// travel and rates of one a body; all of them are the caller's. Each member costs a call through a pointer and what
 /// the robot's own function of its name does, or what stands for it where the robot has none (RobotModel says which).
-/// Of a Robot that refers to none only the default constructor, the sizes, fits, sound and exact may be used.
+/// A Robot that refers to none has its default constructor, its sizes, fits, sound and exact only.
 class Robot {
  public:
   Robot() = default;  ///< of none: every size is 0

@@ -71,7 +71,7 @@ struct CellGrid {
 class ClearanceGrid {
  public:
   ClearanceGrid() = default;  ///< 0 everywhere
-  /// Of the cells of a file with this header, from `origin` on, local metres; the bytes must stay.
+  /// A grid of the cells of a file with this header, from `origin` on, local metres; the bytes must stay.
   ClearanceGrid(Vec2 origin, const format::Header& header, const std::uint8_t* cells)
       : origin_(origin),
         per_metre_(1.0F / header.clearance_cell),
@@ -110,8 +110,8 @@ struct ScenePose {
 };
 
 /// A view of a scene file that was checked. It refers to the file's bytes, which must stay, unchanged, for as long as
-/// it is used; copies are views of the same bytes. Every function of it takes O(1), but where it says more. Of one that
-/// was not opened only bytes, fingerprint, inside_bounds and the counts may be asked.
+/// it is used; copies are views of the same bytes. Every function of it is O(1) where it does not say more. One that
+/// was not opened answers bytes, fingerprint, inside_bounds and the counts only.
 class Scene {
  public:
   static constexpr std::uint8_t kHeaderSection = 255;  ///< Failure::section for the header; the element is an offset
@@ -124,9 +124,9 @@ class Scene {
   std::uint32_t bytes() const { return header_.total_bytes; }  ///< length of the file; 0 of one that was not opened
 
   /// A check sum of the bytes as they are now, by which a planner finds at each start that they are no longer those of
-  /// its init: of the header, whose CRC tells one file from another, and of up to 256 words spread evenly over the
+  /// its init: of the header, whose CRC differs from file to file, and of up to 256 words spread evenly over the
   /// rest. So it sees another file, and any run of changed bytes longer than a 256th of this one and a word; of a
-  /// single changed word elsewhere only open tells. 0 for a scene that was not opened. Work: reads 310 words at most.
+  /// single changed word elsewhere only open finds. 0 for a scene that was not opened. Work: reads 310 words at most.
   std::uint32_t fingerprint() const;
 
   const format::Header& header() const { return header_; }  ///< a copy of the file's, which this view owns
@@ -223,7 +223,7 @@ class Scene {
     KRAIT_ASSERT(triangle < triangle_count() && i >= 0 && i < 3);
     return at(triangle, i);
   }
-  // Of a scene that was not opened, which contains no point.
+  // The header of a scene that was not opened, which contains no point.
   static format::Header unopened() {
     format::Header header{};
     header.bounds_min_x = 1.0F;

@@ -11,12 +11,12 @@
 
 namespace krait {
 
-/// Refers to what is called, which must outlive it; nothing, by default. A step then
-/// costs a call through a pointer more.
+/// Refers to what is called, which must outlive it; by default to nothing. A watched step costs one call through a
+/// pointer more.
 class Watch {
  public:
   Watch() = default;  ///< calls nothing
-  /// Of watch(from, to), states; and of watch.expands(vertex, target), where there is such a member.
+  /// Calls watch(from, to) with states, and watch.expands(vertex, target) where there is such a member.
   template <class W>
   requires(!std::same_as<std::remove_cvref_t<W>, Watch> && std::invocable<W&, const float*, const float*>)
       Watch(W&& watch)  // NOLINT(google-explicit-constructor,bugprone-forwarding-reference-overload): made by its name

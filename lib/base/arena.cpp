@@ -9,7 +9,7 @@ constexpr const char* kPoolNames[kPoolCount] = {"regions",    "portals", "groups
 
 const char* to_string(Pool pool) { return kPoolNames[static_cast<std::size_t>(pool)]; }
 
-void* Arena::take_bytes(Pool pool, std::uint64_t bytes) {
+void* Arena::allocate_bytes(Pool pool, std::uint64_t bytes) {
   const std::uint64_t padded = (bytes + kAlignment - 1) / kAlignment * kAlignment;
   const std::uint64_t offset = needed_;
   needed_ += padded;

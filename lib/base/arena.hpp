@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One block of the caller's memory, cut into pools front to back. Nothing is ever given back.
+// One block of the caller's memory, cut into pools front to back. Nothing is ever released.
 #pragma once
 
 #include <cstddef>
@@ -27,24 +27,24 @@ inline constexpr std::size_t kPoolCount = static_cast<std::size_t>(Pool::count);
 
 const char* to_string(Pool pool);
 
-// Cuts a block into arrays. Without a block it only counts, so that the same code that allocates the pools also
-// tells how many bytes they need: the two cannot disagree.
+// Cuts a block into arrays. Without a block it only counts, so that the same code allocates the pools and
+// counts the bytes that they need: the two cannot disagree.
 class Arena {
  public:
   static constexpr std::size_t kAlignment = 8;  // of the block; padding does not depend on its address
 
   Arena() = default;
 
-  // `block` must be aligned to kAlignment and outlive everything taken from it.
+  // `block` must be aligned to kAlignment and outlive everything allocated from it.
   Arena(void* block, std::uint64_t bytes) : block_(static_cast<std::byte*>(block)), bytes_(bytes) {
     KRAIT_ASSERT(reinterpret_cast<std::uintptr_t>(block) % kAlignment == 0);
   }
 
   // Room for `count` objects, uninitialised; null while counting or when the block is too small. O(1).
   template <class T>
-  T* take(Pool pool, std::uint64_t count) {
+  T* allocate(Pool pool, std::uint64_t count) {
     static_assert(std::is_trivially_copyable_v<T> && alignof(T) <= kAlignment);
-    return static_cast<T*>(take_bytes(pool, count * sizeof(T)));
+    return static_cast<T*>(allocate_bytes(pool, count * sizeof(T)));
   }
 
   // Bytes that all arrays so far need, whether or not they fitted.
@@ -54,7 +54,7 @@ class Arena {
   std::uint64_t bytes() const { return bytes_; }
 
  private:
-  void* take_bytes(Pool pool, std::uint64_t bytes);
+  void* allocate_bytes(Pool pool, std::uint64_t bytes);
 
   std::byte* block_ = nullptr;
   std::uint64_t bytes_ = 0;

@@ -12,12 +12,12 @@ inline constexpr std::uint16_t kNone16 = 0xFFFF;  // where two bytes are enough 
 class PackedIndices {
  public:
   // Room for `count` indices below `limit`, or kNone.
-  void take(Arena& arena, Pool pool, std::uint64_t count, std::uint64_t limit) {
+  void allocate(Arena& arena, Pool pool, std::uint64_t count, std::uint64_t limit) {
     wide_ = limit > kNone16;
     if (wide_) {
-      data_ = arena.take<std::uint32_t>(pool, count);
+      data_ = arena.allocate<std::uint32_t>(pool, count);
     } else {
-      data_ = arena.take<std::uint16_t>(pool, count);
+      data_ = arena.allocate<std::uint16_t>(pool, count);
     }
   }
 

@@ -5,18 +5,19 @@
 
 namespace krait::detail {
 
-void MotionCheck::take(Arena& arena, const Robot& robot) {
+void MotionCheck::allocate(Arena& arena, const Robot& robot) {
   const auto bodies = static_cast<std::uint64_t>(robot.body_count());
-  circles_ = arena.take<Circle>(Pool::work, bodies);
-  needed_ = arena.take<float>(Pool::work, bodies);
-  farthest_ = arena.take<float>(Pool::work, bodies);
-  travel_ = arena.take<Travel>(Pool::work, bodies);
-  centers_ = arena.take<Vec2>(Pool::work, bodies);
-  along_ = arena.take<float>(Pool::work, bodies);
+  circles_ = arena.allocate<Circle>(Pool::work, bodies);
+  needed_ = arena.allocate<float>(Pool::work, bodies);
+  farthest_ = arena.allocate<float>(Pool::work, bodies);
+  travel_ = arena.allocate<Travel>(Pool::work, bodies);
+  centers_ = arena.allocate<Vec2>(Pool::work, bodies);
+  along_ = arena.allocate<float>(Pool::work, bodies);
   for (Placement& placement : placements_) {
-    placement = {arena.take<Pose>(Pool::work, bodies), arena.take<float>(Pool::work, bodies)};
+    placement = {arena.allocate<Pose>(Pool::work, bodies), arena.allocate<float>(Pool::work, bodies)};
   }
-  for (float*& state : middle_) state = arena.take<float>(Pool::work, static_cast<std::uint64_t>(robot.state_size()));
+  for (float*& state : middle_)
+    state = arena.allocate<float>(Pool::work, static_cast<std::uint64_t>(robot.state_size()));
 }
 
 void MotionCheck::assign(const Robot& robot, const Scene& scene, float clearance, int max_substeps, bool shortcuts) {

@@ -22,9 +22,9 @@ namespace krait::detail {
 class MotionCheck {
  public:
   // 88 bytes a body and 8 a component of the state. Uninitialised: assign comes before all else.
-  void take(Arena& arena, const Robot& robot);
+  void allocate(Arena& arena, const Robot& robot);
 
-  // Copies nothing: robot, of the sizes that memory was taken for, and scene must outlive this. `max_substeps` is a
+  // Copies nothing: robot, of the sizes that memory was allocated for, and scene must outlive this. `max_substeps` is a
   // power of two. Without `shortcuts` every body is compared with all obstacles, found by their boxes alone, and every
   // pair of bodies with each other.
   void assign(const Robot& robot, const Scene& scene, float clearance, int max_substeps, bool shortcuts);
@@ -113,7 +113,7 @@ class MotionCheck {
   // Where nothing is free: body 0 has no room, by whatever proof.
   static void place_nowhere(Placement& placement);
 
-  // Of the first `bodies` bodies.
+  // Finds the room of the first `bodies` bodies.
   void find_room(Placement& placement, int bodies) const;
 
   // Body k with its vertices relative to `at`.
@@ -190,10 +190,10 @@ class MotionCheck {
   bool shortcuts_ = true;
   float farthest_of_all_ = 0.0F;
   bool centered_ = true;  // whether every circle's centre is its body's origin
-  bool bounded_ = false;  // whether travel_ tells of the step in question, else quick_
+  bool bounded_ = false;  // whether travel_ bounds the step in question, else quick_
   QuickBound quick_;
   int before_ = 0;
-  // By body.
+  // Arrays by body.
   Circle* circles_ = nullptr;
   float* needed_ = nullptr;    // clearance at the circle's centre from which on it keeps the margin
   float* farthest_ = nullptr;  // of its vertices from its frame's origin

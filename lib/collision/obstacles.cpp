@@ -19,7 +19,7 @@ float squared_distance(const Box& a, const Box& b) {
   return dx * dx + dy * dy;
 }
 
-// Of a polygon onto a direction, in lengths of that.
+// The projection of a polygon onto a direction, in lengths of that.
 Interval projection(Polygon polygon, Vec2 direction) {
   Interval reached{kInfinity, -kInfinity};
   for (int i = 0; i < polygon.count; ++i) {

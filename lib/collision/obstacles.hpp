@@ -36,8 +36,8 @@ class Obstacles {
   // the body's box, grown by `reach` and the margin, meets, one GJK each.
   float room(const PlacedBody& body, float reach) const;
 
-  // Of the obstacles and the bounds the one that the body lacks most distance to, the first among equals; with none
-  // where it keeps the margin to all. `body` and the numbers of bodies are the caller's. O(pieces near the body).
+  // The obstacle or bound that the body lacks most distance to, the first among equals; none where it keeps the margin
+  // to all. `body` and the numbers of bodies are the caller's. O(pieces near the body).
   Contact contact(const PlacedBody& body) const;
 
   // Metres from a point to the nearest obstacle or bound, or `reach` where that is less; 0 in an obstacle or outside.
@@ -52,7 +52,7 @@ class Obstacles {
 
   float room_to_bounds(const Box& box) const;
   Contact contact_with_bounds(const PlacedBody& body) const;
-  // As room, to one piece.
+  // Metres from the body to one piece, as room returns them.
   float room_to_piece(const PlacedBody& body, Index piece, float reach) const;
   template <class Visit>
   void pieces_around(const Box& box, float around, Visit visit) const;

@@ -12,9 +12,9 @@ namespace krait::detail {
 class IndexedHeap {
  public:
   // For numbers below `capacity`: 4 or 8 bytes each.
-  void take(Arena& arena, Pool pool, const float* keys, Index capacity) {
-    heap_.take(arena, pool, capacity, capacity);
-    place_.take(arena, pool, capacity, capacity);
+  void allocate(Arena& arena, Pool pool, const float* keys, Index capacity) {
+    heap_.allocate(arena, pool, capacity, capacity);
+    place_.allocate(arena, pool, capacity, capacity);
     keys_ = keys;
     capacity_ = capacity;
   }

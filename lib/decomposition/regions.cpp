@@ -24,7 +24,7 @@ float double_area(const Scene& scene, Index triangle) {
   return cross(scene.corner(triangle, 1) - a, scene.corner(triangle, 2) - a);
 }
 
-// By rejection from the square: at most 16 tries, then the centre.
+// Draws by rejection from the square: at most 16 tries, then the centre.
 Vec2 random_point_in_disc(Vec2 center, float radius, Random& random) {
   for (int tries = 0; tries < 16; ++tries) {
     const float x = 2.0F * random.unit() - 1.0F;
@@ -36,12 +36,12 @@ Vec2 random_point_in_disc(Vec2 center, float radius, Random& random) {
 
 }  // namespace
 
-void Regions::take(Arena& arena, const Scene& scene) {
+void Regions::allocate(Arena& arena, const Scene& scene) {
   scene_ = &scene;
-  h_ = arena.take<float>(Pool::regions, scene.triangle_count());
-  next_ = arena.take<std::uint8_t>(Pool::regions, scene.triangle_count());
-  portal_costs_ = arena.take<float>(Pool::portals, scene.portal_count());
-  heap_.take(arena, Pool::regions, h_, scene.triangle_count());
+  h_ = arena.allocate<float>(Pool::regions, scene.triangle_count());
+  next_ = arena.allocate<std::uint8_t>(Pool::regions, scene.triangle_count());
+  portal_costs_ = arena.allocate<float>(Pool::portals, scene.portal_count());
+  heap_.allocate(arena, Pool::regions, h_, scene.triangle_count());
 }
 
 bool Regions::reset(const Goal& goal, float least_width, float least_cost) {
@@ -141,7 +141,7 @@ Bottleneck Regions::narrowest_on_way(Index from) const {
   return narrowest;
 }
 
-// Of some points of the edge the one that has the most clearance by the grid, the middle where none has more.
+// The point of the edge with the most clearance by the grid, of some points; the middle where none has more.
 Vec2 Regions::roomiest_point(Index triangle, int edge) const {
   constexpr int kPoints = 8;  // on each side of the middle
   const Vec2 a = scene_->corner(triangle, edge);

@@ -23,8 +23,8 @@ struct CostRaise {
 class Regions {
  public:
   // Allocates its tables: 9 bytes a triangle (13 from 65,536 on) and 4 a portal. The scene must outlive this.
-  void take(Arena& arena, const Scene& scene);
-  void take(Arena&, const Scene&&) = delete;
+  void allocate(Arena& arena, const Scene& scene);
+  void allocate(Arena&, const Scene&&) = delete;
 
   // Costs C between centroids, but at least `least_cost` metres; portals narrower than `least_width` are no edges;
   // then Dijkstra. False when no triangle belongs to the goal.
@@ -101,7 +101,7 @@ class Regions {
   Goal goal_ = Goal::named(0);
   Index goal_region_ = kNone;
   Vec2 goal_center_{};
-  // Of next_: the edge that a triangle's shortest path crosses, and marks.
+  // The bits of next_: the edge that a triangle's shortest path crosses, and marks.
   static constexpr std::uint8_t kEdgeMask = 3;
   static constexpr std::uint8_t kNoEdge = 3;
   static constexpr std::uint8_t kRaised = 4;  // its edges were raised since h was found

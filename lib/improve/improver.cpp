@@ -5,11 +5,11 @@
 
 namespace krait::detail {
 
-void Improver::take(Arena& arena, std::uint32_t legs, int state_size) {
-  for (Way& way : ways_) way.take(arena, legs, state_size);
-  best_.take(arena, legs, 0);
-  for (Route& route : routes_) route.take(arena, std::max(legs / 4, kLeastVias));
-  line_.take(arena, std::max(legs, kLeastPoints));
+void Improver::allocate(Arena& arena, std::uint32_t legs, int state_size) {
+  for (Way& way : ways_) way.allocate(arena, legs, state_size);
+  best_.allocate(arena, legs, 0);
+  for (Route& route : routes_) route.allocate(arena, std::max(legs / 4, kLeastVias));
+  line_.allocate(arena, std::max(legs, kLeastPoints));
 }
 
 void Improver::begin(const WayTools& tools, PlanProof& proof, const Regions& regions, const PlanPath& plan,
@@ -221,9 +221,9 @@ void Improver::learn_reached() {
 
 void Improver::learn_blocked() {
   const float left = changed().length() - drives_.arc();
-  if (left < left_ - 0.06F * turns_.unit) {
+  if (left < left_ - kNearer * turns_.unit) {
     vain_ = 0;
-  } else if (!(left <= left_ + 0.025F * turns_.unit && random_.unit() < 0.3F)) {
+  } else if (!(left <= left_ + kAsNear * turns_.unit && random_.unit() < kTakenAsNear)) {
     return;
   }
   left_ = left;

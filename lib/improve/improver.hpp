@@ -18,7 +18,7 @@ namespace krait::detail {
 class Improver {
  public:
   // Room for ways of `legs` legs, and for routes that are as long.
-  void take(Arena& arena, std::uint32_t legs, int state_size);
+  void allocate(Arena& arena, std::uint32_t legs, int state_size);
 
   // Begins with a plan of one step or more, which must stay, as must what the tools name and `proof`. The regions'
   // costs and paths are those of the goal, as they were before any was raised. A plan ends as deep inside the
@@ -46,6 +46,9 @@ class Improver {
   static constexpr std::uint32_t kHold = 3;       // steps of a leg, or more where a way would not have room
   static constexpr std::uint32_t kPatience = 20;  // changes in vain while the goal is not reached, and
   static constexpr std::uint32_t kPolish = 30;    // afterwards, that end a round
+  static constexpr float kNearer = 0.06F;         // units of the route: a way that ends so much nearer is better
+  static constexpr float kAsNear = 0.025F;        // units: one that ends no further than this is as near,
+  static constexpr float kTakenAsNear = 0.3F;     // and how often it is taken
   static constexpr float kRounded = 0.6F;         // how often the corners of a new route are rounded
   static constexpr float kWorthProof = 0.97F;     // of the plan's steps: a way so short is proven at once
   static constexpr std::uint32_t kRunUp = 15;     // steps straight on before a turn is measured,

@@ -19,8 +19,8 @@ struct Via {
 class Route {
  public:
   // Room for `vias`, 20 bytes each.
-  void take(Arena& arena, std::uint32_t vias) {
-    vias_ = arena.take<Via>(Pool::improvement, vias);
+  void allocate(Arena& arena, std::uint32_t vias) {
+    vias_ = arena.allocate<Via>(Pool::improvement, vias);
     capacity_ = vias;
   }
 

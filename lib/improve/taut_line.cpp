@@ -3,8 +3,8 @@
 
 namespace krait::detail {
 
-void TautLine::take(Arena& arena, std::uint32_t points) {
-  for (Vec2*& line : lines_) line = arena.take<Vec2>(Pool::improvement, points);
+void TautLine::allocate(Arena& arena, std::uint32_t points) {
+  for (Vec2*& line : lines_) line = arena.allocate<Vec2>(Pool::improvement, points);
   capacity_ = points;
 }
 

@@ -18,7 +18,8 @@ class Drive {
   // Where to go from here, with a fresh controller.
   void aim(const Target& target);
 
-  // Finds the control at state(), whose bodies' frames are `poses`, and where it leads as far as Motion::lead tells.
+  // Finds the control at state(), whose bodies' frames are `poses`, and where it leads as far as Motion::lead computes
+  // it.
   void lead(const Pose* poses);
 
   // The rest of where it leads.

@@ -54,7 +54,7 @@ class PlanDrive {
   // A component half a step on, by the cubic that has the states and, `apart` from each other, the rates of both ends.
   float halfway(int i, float apart, float& lost) const;
 
-  // Of the leading components.
+  // Writes the rates of the leading components.
   void rates(const float* at, float* rates) const { robot_.lead_rates(at, control_, rates); }
 
   // A component whose rate is almost linear over the step, but for `bend`, changes as Simpson's rule says, to the last

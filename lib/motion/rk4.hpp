@@ -41,7 +41,8 @@ float longest_time_step(const Robot& robot, float dt);
 // A Runge-Kutta step of dt seconds, whose leading components may be known before the rest.
 class Motion {
  public:
-  // Where the step leads, as far as integrate_lead tells; `next` may not overlap `state`, whose frames are `poses`.
+  // Where the step leads, as far as integrate_lead computes it; `next` may not overlap `state`, whose frames are
+  // `poses`.
   void lead(const Robot& robot, const float* state, const Pose* poses, const float* control, float dt, float* next);
 
   // The rest of it, by the same arguments.

@@ -26,8 +26,8 @@ class Ending {
   // Whether the state is no faster than asked.
   bool slow(const float* state) const { return !limits_speed() || robot_.speed(state) <= most_; }
 
-  // Whether a robot that is too fast in the state, its body 0 at `pose`, would come to rest in the goal by braking, as
-  // far as its stopping way tells.
+  // Whether a robot that is too fast in the state, its body 0 at `pose`, would come to rest in the goal by braking,
+  // by its stopping way.
   bool stops_inside(const float* state, const Pose& pose) const;
 
  private:

@@ -5,13 +5,13 @@
 
 namespace krait::detail {
 
-void MotionTree::take(Arena& arena, std::uint32_t vertices, std::uint32_t expansions, int state_size) {
+void MotionTree::allocate(Arena& arena, std::uint32_t vertices, std::uint32_t expansions, int state_size) {
   vertex_capacity_ = vertices;
   expansion_capacity_ = expansions;
   state_size_ = static_cast<std::size_t>(state_size);
-  records_ = arena.take<Expansion>(Pool::expansions, expansions);
-  branches_ = arena.take<std::uint32_t>(Pool::vertices, vertices);
-  states_ = arena.take<float>(Pool::states, std::uint64_t{vertices} * state_size_);
+  records_ = arena.allocate<Expansion>(Pool::expansions, expansions);
+  branches_ = arena.allocate<std::uint32_t>(Pool::vertices, vertices);
+  states_ = arena.allocate<float>(Pool::states, std::uint64_t{vertices} * state_size_);
 }
 
 void MotionTree::reset(const Box& bounds, std::uint32_t spare) {

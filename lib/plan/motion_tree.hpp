@@ -30,7 +30,7 @@ class MotionTree {
   static_assert(SearchTuning::kMostSteps <= kMostSteps);
 
   // Room for `vertices` states of `state_size` floats, and `expansions`, at most kMostExpansions.
-  void take(Arena& arena, std::uint32_t vertices, std::uint32_t expansions, int state_size);
+  void allocate(Arena& arena, std::uint32_t vertices, std::uint32_t expansions, int state_size);
 
   // Resets the tree. Targets are points of `bounds`, stored to 1/65535 of them. Of the expansions `spare` are kept back
   // for what ends a way: expansions_full() does not count on them.

@@ -18,7 +18,8 @@ struct EndDepth {
 
 class PlanProof {
  public:
-  // Whatever is given must outlive this. The start is state_size() floats, copied. Before the first step: place().
+  // All arguments but the start must outlive this. The start is state_size() floats, copied. Before the first step:
+  // place().
   void begin(const Robot& robot, const Scene& scene, const Parameters& parameters, MotionCheck& check,
              const float* start);
 
@@ -40,7 +41,7 @@ class PlanProof {
   const float* state() const { return drive_.state(); }
   // The tree's state beside it.
   const float* tree_state() const { return drive_.tree_state(); }
-  // Of the plan that ends here.
+  // The measures of the plan that ends here.
   PlanMeasures measures() { return meter_.end(drive_.state(), robot_.state_size()); }
 
  private:

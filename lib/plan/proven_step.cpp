@@ -3,7 +3,7 @@
 
 namespace krait::detail {
 
-bool ProvenStep::take(Drive& drive) {
+bool ProvenStep::prove(Drive& drive) {
   drive.lead(check_->poses());
   const float* const state = drive.state();
   const float* const next = drive.next();

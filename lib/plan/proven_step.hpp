@@ -16,7 +16,7 @@ class ProvenStep {
       : robot_(robot), scene_(&scene), parameters_(&parameters), check_(&check) {}
 
   // Finds the drive's next step. False when it is not free or leaves the robot's limits or their reserve.
-  bool take(Drive& drive);
+  bool prove(Drive& drive);
 
   // Whether a step is free and within the limits and the bounds.
   bool holds(const float* state, const float* control, const float* next);

@@ -21,11 +21,11 @@ class Way {
   static constexpr std::uint32_t kLegsAState = 16;
 
   // Room for `legs`, 20 bytes each, and a state for every kLegsAState of them.
-  void take(Arena& arena, std::uint32_t legs, int state_size) {
+  void allocate(Arena& arena, std::uint32_t legs, int state_size) {
     state_size_ = static_cast<std::size_t>(state_size);
     capacity_ = legs;
-    legs_ = arena.take<Leg>(Pool::improvement, legs);
-    states_ = arena.take<float>(Pool::improvement, (legs / kLegsAState + 1) * state_size_);
+    legs_ = arena.allocate<Leg>(Pool::improvement, legs);
+    states_ = arena.allocate<float>(Pool::improvement, (legs / kLegsAState + 1) * state_size_);
   }
 
   void clear() {

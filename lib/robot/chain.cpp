@@ -41,7 +41,7 @@ float least_cosine(float x) {
   return x < 1.57F && cosine > 0.0F ? cosine : 0.0F;
 }
 
-// Of a state, or of its leading part.
+// How many bodies a state has, or its leading part.
 int bodies_of(const StateView& s) { return static_cast<int>(s.size()) + 1 - Chain::kCarState; }
 
 // e^x to a hundredth for x from -4 to 4.
@@ -55,8 +55,8 @@ float exponential(float x) {
 // Rarely wanted, so not inlined.
 [[gnu::noinline]] SinCos any_sin_cos(float angle) { return math::sin_cos(angle); }
 
-// Of trailers by the pull on the first; hitch(k) returns the hitch angle before trailer k. A trailer turns at the
-// pull on it times the angle's sine, and pulls on by as much of it as the cosine leaves.
+// Writes the rates of trailers by the pull on the first; hitch(k) returns the hitch angle before trailer k. A trailer
+// turns at the pull on it times the angle's sine, and pulls on by as much of it as the cosine leaves.
 template <class Hitch>
 void trailer_rates(float pull, int trailers, const Hitch& hitch, float* ds) {
   for (int k = 0; k < trailers; ++k) {
@@ -157,9 +157,9 @@ bool Chain::sound() const {
   const ChainParameters& p = parameters_;
   return p.trailers >= 0 && p.trailers <= kMaxTrailers && positive(p.body_length) && positive(p.body_width) &&
          finite(p.body_offset) && positive(p.wheelbase) && positive(p.hitch_length) && positive(p.max_speed) &&
-         finite(p.min_speed) && p.min_speed <= 0.0F && positive(p.max_steering) &&
+         finite(p.min_speed) && p.min_speed <= 0.0F && p.max_steering > 0.0F &&
          p.max_steering <= ChainParameters::kMostSteering && positive(p.max_acceleration) &&
-         positive(p.max_steering_rate) && p.self_collision_gap >= 1 && positive(p.max_hitch_angle) &&
+         positive(p.max_steering_rate) && p.self_collision_gap >= 1 && p.max_hitch_angle > 0.0F &&
          p.max_hitch_angle <= ChainParameters::kMostHitch;
 }
 

@@ -10,8 +10,9 @@ SinCos small_turn(float angle) { return math::small_sin_cos(math::clamp(angle, -
 
 }  // namespace
 
-// By the middle of the step: the directions there, ahead of each trailer and its own, tell how far it turns. The state
-// has but the car and the first trailer's heading, which is all that steering looks at; the frames have the rest.
+// A step by the midpoint rule: the directions in the middle, ahead of each trailer and its own, determine how far it
+// turns. The state has but the car and the first trailer's heading, which is all that steering looks at; the frames
+// have the rest.
 [[gnu::flatten]] bool Chain::sketch(StateRef s, Pose* poses, ControlView u, float dt) const {
   const ChainParameters& p = parameters_;
   const float speed = s[3] + 0.5F * dt * u[0];

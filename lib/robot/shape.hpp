@@ -36,7 +36,7 @@ inline float farthest(const Vec2* points, int count) {
 // Length of a body along its x axis, metres.
 float body_length(Polygon body);
 
-// Length of body 0 along its x axis, metres: the unit of parameters given in robot lengths.
+// Length of body 0 along its x axis, metres: the unit of parameters that are in robot lengths.
 float robot_length(const Robot& robot);
 
 }  // namespace krait::detail

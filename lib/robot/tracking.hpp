@@ -13,7 +13,7 @@ struct Deviation {
   float heading;  // radians
 };
 
-// Of states that begin with x, y and a heading.
+// How far a state is off its reference; both begin with x, y and a heading.
 inline Deviation deviation(StateView s, StateView reference) {
   const SinCos heading = math::sin_cos(reference[2]);
   const Vec2 along{heading.cos, heading.sin};

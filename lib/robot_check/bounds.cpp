@@ -21,7 +21,7 @@ double strayed(const std::vector<Point>& way) {
   return most;
 }
 
-// By every other of the frames, since each adds a rounding to the path.
+// Looks at every other of the frames, since each adds a rounding to the path.
 Moved moved_of(const Case& c, std::size_t body) {
   Moved result;
   std::vector<Point> origins;
@@ -80,7 +80,7 @@ void check_bound(const Case& c, const Bound& bound) {
         bound.function, "number", kInfinite,
         "the bound of " + body_number(bound.body) + " is " + list(numbers_of(bound.travel)) +
             " (path, turn, bend, twist)",
-        "None may be NaN or negative: the library takes such a step for a collision. Infinity means that no bound is "
+        "None may be NaN or negative: the library treats such a step as a collision. Infinity means that no bound is "
         "known.");
     return;
   }

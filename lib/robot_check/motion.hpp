@@ -57,7 +57,7 @@ Point placed(const Frame& frame, Vec2 p);
 
 double angle_between(const Frame& a, const Frame& b);
 
-// Of p from the line that ends at a and b.
+// Distance of p from the line that ends at a and b.
 double distance_to_line(Point p, Point a, Point b);
 
 // What floats may make of positions: of the order of a step of theirs at the sample's place.

@@ -77,7 +77,7 @@ class RobotCheck {
     findings_.add("within_limits", "ranges",
                   "of " + std::to_string(kTries) +
                       " states that were drawn from the ranges none is within the limits: narrow RobotRanges::state, "
-                      "or give RobotRanges::arrange.");
+                      "or set RobotRanges::arrange.");
     return {};
   }
 

@@ -9,10 +9,10 @@ namespace krait::detail::checking {
 
 void check_leading(const Case& c);
 
-// Of a robot that integrates its leading components first.
+// Checks a robot that integrates its leading components first.
 void check_integration(const Case& c);
 
-// A step as long as the library makes them of a robot that says how fast it is.
+// Checks a step as long as the library makes them of a robot that says how fast it is.
 void check_fastest_rate(const Case& c);
 
 }  // namespace krait::detail::checking

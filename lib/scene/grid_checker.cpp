@@ -181,7 +181,7 @@ std::uint32_t SceneChecker::misplaced(const Lists& lists, const CellSquares& cel
   return entry;
 }
 
-// By bisection.
+// Whether the bucket's list, which is sorted, holds the element. Searches by bisection.
 bool SceneChecker::holds(const Lists& lists, std::size_t bucket, Index element) {
   std::uint32_t first = lists.offsets[bucket];
   std::uint32_t last = lists.offsets[bucket + 1];

@@ -7,7 +7,7 @@ std::uint64_t AdaptiveSearch::bytes_required(const Scene& scene, const Robot& ro
   Arena counting;
   count(counting, scene, robot, limits);
   Sketcher sketcher;
-  sketcher.take(counting, robot);
+  sketcher.allocate(counting, robot);
   return counting.needed();
 }
 
@@ -21,8 +21,8 @@ Failure AdaptiveSearch::init(const Setup& setup, const Parameters& parameters, c
   const auto required = [&](const Limits& any) { return bytes_required(*setup.scene, setup.robot, any); };
   const Failure failure = take_block(setup, required);
   if (!failure.ok()) return failure;
-  take_groups();
-  sketcher_.take(arena_, setup.robot);
+  allocate_groups();
+  sketcher_.allocate(arena_, setup.robot);
   return failure;
 }
 

@@ -199,7 +199,7 @@ bool Expander::keep_recent(std::uint32_t back) {
 }
 
 bool Expander::take_step(Drive& drive) {
-  return ProvenStep(tools_.robot, *tools_.scene, *tools_.parameters, *tools_.check).take(drive);
+  return ProvenStep(tools_.robot, *tools_.scene, *tools_.parameters, *tools_.check).prove(drive);
 }
 
 Index Expander::region_of(Vec2 at, Index last) const {

@@ -6,7 +6,7 @@ namespace krait::detail {
 void GroupedSearch::count(Arena& counting, const Scene& scene, const Robot& robot, const Limits& limits) {
   Search::count(counting, scene, robot, limits);
   Groups groups;
-  groups.take(counting, scene, limits.vertices);
+  groups.allocate(counting, scene, limits.vertices);
 }
 
 bool GroupedSearch::keep(Index region, Branch branch, const float* state) {

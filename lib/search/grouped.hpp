@@ -23,7 +23,7 @@ class GroupedSearch : public Search {
   static void count(Arena& counting, const Scene& scene, const Robot& robot, const Limits& limits);
 
   // After Search::take_block.
-  void take_groups() { groups_.take(arena_, *scene_, limits_.vertices); }
+  void allocate_groups() { groups_.allocate(arena_, *scene_, limits_.vertices); }
 
   // As Keeper has it: puts the state into its region's group, if the group's sample has a place for it and there is
   // room. False when the search has to stop for want of memory.

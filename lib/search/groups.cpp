@@ -5,15 +5,15 @@
 
 namespace krait::detail {
 
-void Groups::take(Arena& arena, const Scene& scene, std::uint32_t vertices) {
+void Groups::allocate(Arena& arena, const Scene& scene, std::uint32_t vertices) {
   region_count_ = scene.triangle_count();
-  log_weights_ = arena.take<float>(Pool::groups, region_count_);
-  block_weights_ = arena.take<float>(Pool::groups, (region_count_ + kBlock - 1) / kBlock);
-  reached_ = arena.take<std::uint32_t>(Pool::groups, region_count_);
-  selections_ = arena.take<std::uint32_t>(Pool::groups, region_count_);
-  sizes_ = arena.take<std::uint16_t>(Pool::groups, region_count_);
-  newest_.take(arena, Pool::groups, region_count_, vertices);
-  links_.take(arena, Pool::members, vertices, vertices);
+  log_weights_ = arena.allocate<float>(Pool::groups, region_count_);
+  block_weights_ = arena.allocate<float>(Pool::groups, (region_count_ + kBlock - 1) / kBlock);
+  reached_ = arena.allocate<std::uint32_t>(Pool::groups, region_count_);
+  selections_ = arena.allocate<std::uint32_t>(Pool::groups, region_count_);
+  sizes_ = arena.allocate<std::uint16_t>(Pool::groups, region_count_);
+  newest_.allocate(arena, Pool::groups, region_count_, vertices);
+  links_.allocate(arena, Pool::members, vertices, vertices);
 }
 
 void Groups::clear(const GroupWeights& weights, std::uint32_t sample) {

@@ -21,7 +21,7 @@ struct GroupWeights {
 class Groups {
  public:
   // For `vertices` vertices in all: 16 to 18 bytes a region, 2 to 4 a vertex.
-  void take(Arena& arena, const Scene& scene, std::uint32_t vertices);
+  void allocate(Arena& arena, const Scene& scene, std::uint32_t vertices);
 
   // No members, no selections. A group keeps at most `sample` members, 1 … kUnboundedSample. O(R).
   void clear(const GroupWeights& weights, std::uint32_t sample);

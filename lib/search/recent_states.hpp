@@ -12,9 +12,9 @@ namespace krait::detail {
 class RecentStates {
  public:
   // 16 bytes a component of the state.
-  void take(Arena& arena, const Robot& robot) {
+  void allocate(Arena& arena, const Robot& robot) {
     size_ = robot.state_size();
-    states_ = arena.take<float>(Pool::work, std::uint64_t{kCount} * static_cast<std::uint32_t>(size_));
+    states_ = arena.allocate<float>(Pool::work, std::uint64_t{kCount} * static_cast<std::uint32_t>(size_));
   }
 
   // The state after so many steps, and its region.

@@ -20,11 +20,11 @@ void Search::count(Arena& counting, const Scene& scene, const Robot& robot, cons
 
 void Search::take_pools(Arena& arena, const Scene& scene, const Robot& robot, const Limits& limits, Regions& regions,
                         MotionTree& tree, Improver& improver, MotionCheck& check, RecentStates& recent) {
-  regions.take(arena, scene);
-  tree.take(arena, limits.vertices, limits.kept_expansions(), robot.state_size());
-  if (limits.way_legs > 0) improver.take(arena, limits.way_legs, robot.state_size());
-  check.take(arena, robot);
-  recent.take(arena, robot);
+  regions.allocate(arena, scene);
+  tree.allocate(arena, limits.vertices, limits.kept_expansions(), robot.state_size());
+  if (limits.way_legs > 0) improver.allocate(arena, limits.way_legs, robot.state_size());
+  check.allocate(arena, robot);
+  recent.allocate(arena, robot);
 }
 
 Failure Search::check_setup(const Setup& setup, const Parameters& parameters, const Limits& limits) {

@@ -3,12 +3,12 @@
 
 namespace krait::detail {
 
-void Sketcher::take(Arena& arena, const Robot& robot) {
+void Sketcher::allocate(Arena& arena, const Robot& robot) {
   const auto bodies = static_cast<std::uint64_t>(robot.body_count());
-  state_ = arena.take<float>(Pool::work, static_cast<std::uint64_t>(robot.state_size()));
-  centers_ = arena.take<Vec2>(Pool::work, bodies);
-  poses_ = arena.take<Pose>(Pool::work, bodies);
-  looks_ = arena.take<Look>(Pool::work, bodies);
+  state_ = arena.allocate<float>(Pool::work, static_cast<std::uint64_t>(robot.state_size()));
+  centers_ = arena.allocate<Vec2>(Pool::work, bodies);
+  poses_ = arena.allocate<Pose>(Pool::work, bodies);
+  looks_ = arena.allocate<Look>(Pool::work, bodies);
 }
 
 void Sketcher::assign(const Robot& robot, const Scene& scene, float dt, float near) {

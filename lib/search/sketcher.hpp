@@ -14,10 +14,10 @@ class Sketcher {
   static constexpr std::uint32_t kSteps = 20;  // at most
 
   // 36 bytes a body and 4 a component of the state. Uninitialised: assign comes before all else.
-  void take(Arena& arena, const Robot& robot);
+  void allocate(Arena& arena, const Robot& robot);
 
-  // Robot, of the sizes that memory was taken for, and scene must outlive this. Steps are of dt seconds; a target is
-  // reached within `near` metres.
+  // Robot, of the sizes that memory was allocated for, and scene must outlive this. Steps are of dt seconds; a target
+  // is reached within `near` metres.
   void assign(const Robot& robot, const Scene& scene, float dt, float near);
 
   // Metres: the radius of the discs around the bodies' middles that lie in all of them.

@@ -46,7 +46,7 @@ TEST_F(Contracts, OfAFullTree) {
   alignas(detail::Arena::kAlignment) std::byte block[256];
   detail::Arena arena(block, sizeof block);
   detail::MotionTree tree;
-  tree.take(arena, 2, 2, 2);
+  tree.allocate(arena, 2, 2, 2);
   ASSERT_TRUE(arena.fits());
   tree.reset({{0, 0}, {1, 1}}, 0);
   const float state[] = {0, 0};

@@ -18,9 +18,9 @@ struct Twelve {
 
 // Takes a mixed load; returns the addresses.
 std::vector<const void*> take_all(detail::Arena& arena) {
-  return {arena.take<std::uint8_t>(detail::Pool::regions, 3), arena.take<std::uint64_t>(detail::Pool::states, 2),
-          arena.take<Twelve>(detail::Pool::states, 5), arena.take<std::uint16_t>(detail::Pool::members, 1),
-          arena.take<float>(detail::Pool::expansions, 0)};
+  return {arena.allocate<std::uint8_t>(detail::Pool::regions, 3),
+          arena.allocate<std::uint64_t>(detail::Pool::states, 2), arena.allocate<Twelve>(detail::Pool::states, 5),
+          arena.allocate<std::uint16_t>(detail::Pool::members, 1), arena.allocate<float>(detail::Pool::expansions, 0)};
 }
 
 TEST(Arena, CountsWhatItLaterTakes) {
@@ -75,7 +75,7 @@ TEST(Arena, OneByteLessGivesNullForWhatNoLongerFits) {
 
 TEST(Arena, SizesBeyond32BitsAreCounted) {
   detail::Arena arena;
-  arena.take<std::uint64_t>(detail::Pool::states, std::uint64_t{1} << 40U);
+  arena.allocate<std::uint64_t>(detail::Pool::states, std::uint64_t{1} << 40U);
   EXPECT_EQ(arena.needed(), std::uint64_t{1} << 43U);
 }
 

@@ -59,8 +59,8 @@ TEST(Corners, ChangesKeepTheFirstViaAndTheRest) {
   std::vector<std::uint64_t> block(400);
   detail::Arena arena(block.data(), block.size() * 8);
   detail::Route route, changed;
-  route.take(arena, 8);
-  changed.take(arena, 8);
+  route.allocate(arena, 8);
+  changed.allocate(arena, 8);
   for (const Vec2 at : {Vec2{0, 0}, Vec2{4, 0}, Vec2{4, 4}, Vec2{8, 4}, Vec2{8, 8}}) route.add({at, 1, 1, 0});
   route.measure();
   detail::Random random(1);

@@ -23,16 +23,16 @@ constexpr std::uint32_t kSample = 8;
 struct Partition {
   explicit Partition(std::uint32_t vertices, const Room& room = random_room(1)) : open(room) {
     detail::Arena counting;
-    take(counting, vertices);
+    allocate(counting, vertices);
     block.resize(counting.needed() / 8);
     detail::Arena arena(block.data(), block.size() * 8);
-    take(arena, vertices);
+    allocate(arena, vertices);
     EXPECT_TRUE(regions.reset(Goal::named(0), 0.0F, 0.05F));
     groups.clear(kWeights, kSample);
   }
-  void take(detail::Arena& arena, std::uint32_t vertices) {
-    regions.take(arena, open.scene);
-    groups.take(arena, open.scene, vertices);
+  void allocate(detail::Arena& arena, std::uint32_t vertices) {
+    regions.allocate(arena, open.scene);
+    groups.allocate(arena, open.scene, vertices);
   }
 
   Index random_region(std::mt19937& random) const { return regions.region(below(random, open.scene.triangle_count())); }

@@ -22,10 +22,10 @@ class InOwnMemory : public Tool {
   template <class... Arguments>
   void assign(const Robot& robot, Arguments&&... arguments) {
     detail::Arena counting;
-    Tool::take(counting, robot);
+    Tool::allocate(counting, robot);
     block_.assign(counting.needed() / sizeof(std::uint64_t), 0);
     detail::Arena arena(block_.data(), counting.needed());
-    Tool::take(arena, robot);
+    Tool::allocate(arena, robot);
     Tool::assign(robot, std::forward<Arguments>(arguments)...);
   }
 

@@ -19,10 +19,10 @@ namespace {
 struct Fixture {
   explicit Fixture(Index capacity) : keys(capacity) {
     detail::Arena counting;
-    heap.take(counting, detail::Pool::regions, keys.data(), capacity);
+    heap.allocate(counting, detail::Pool::regions, keys.data(), capacity);
     block.resize(counting.needed() / 8);
     detail::Arena arena(block.data(), block.size() * 8);
-    heap.take(arena, detail::Pool::regions, keys.data(), capacity);
+    heap.allocate(arena, detail::Pool::regions, keys.data(), capacity);
     heap.reset();
   }
   std::vector<std::uint64_t> block;

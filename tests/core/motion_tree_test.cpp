@@ -36,10 +36,10 @@ class Fixture {
  public:
   Fixture(std::uint32_t vertices, std::uint32_t expansions) {
     detail::Arena counting;
-    tree.take(counting, vertices, expansions, kStateSize);
+    tree.allocate(counting, vertices, expansions, kStateSize);
     block.assign(counting.needed() / 8, 0x7E7E7E7E7E7E7E7EULL);
     detail::Arena arena(block.data(), block.size() * 8);
-    tree.take(arena, vertices, expansions, kStateSize);
+    tree.allocate(arena, vertices, expansions, kStateSize);
     tree.reset(kBounds, 0);
   }
 

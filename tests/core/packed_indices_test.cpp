@@ -15,11 +15,11 @@ namespace {
 struct Fixture {
   Fixture(std::uint64_t count, std::uint64_t limit) {
     detail::Arena counting;
-    indices.take(counting, detail::Pool::regions, count, limit);
+    indices.allocate(counting, detail::Pool::regions, count, limit);
     bytes = counting.needed();
     block.resize(bytes / 8);
     detail::Arena arena(block.data(), bytes);
-    indices.take(arena, detail::Pool::regions, count, limit);
+    indices.allocate(arena, detail::Pool::regions, count, limit);
   }
   std::uint64_t bytes;
   std::vector<std::uint64_t> block;

@@ -22,10 +22,10 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 struct Decomposition {
   explicit Decomposition(const Scene& scene) {
     detail::Arena counting;
-    regions.take(counting, scene);
+    regions.allocate(counting, scene);
     block.resize(counting.needed() / 8);
     detail::Arena arena(block.data(), block.size() * 8);
-    regions.take(arena, scene);
+    regions.allocate(arena, scene);
   }
   std::vector<std::uint64_t> block;
   detail::Regions regions;

@@ -18,7 +18,7 @@ struct Given {
   detail::Route route;
 
   explicit Given(const std::vector<Vec2>& points, std::uint32_t capacity = 64) {
-    route.take(arena, capacity);
+    route.allocate(arena, capacity);
     for (std::size_t i = 0; i < points.size(); ++i) route.add({points[i], static_cast<float>(i), 1.0F, 0.0F});
     route.measure();
   }

@@ -26,7 +26,7 @@ struct Given {
 
   explicit Given(std::uint32_t points) {
     detail::Arena arena(block.data(), block.size() * 8);
-    line.take(arena, points);
+    line.allocate(arena, points);
   }
   void pull() {
     line.pull(detail::Sight(open.scene, kRadius, 0.1F));

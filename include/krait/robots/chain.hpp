@@ -13,7 +13,7 @@ namespace krait {
 
 inline constexpr int kMaxTrailers = 25;  ///< the most that a robot of the library pulls
 
-/// Of a snake, a truck or a car. Metres, radians, seconds; all numbers finite.
+/// The parameters of a snake, a truck or a car. Metres, radians, seconds; all numbers finite.
 struct ChainParameters {
   static constexpr float kMostSteering = 1.57F;  ///< radians: the most max_steering, a little below pi/2
   static constexpr float kMostHitch = kPi;       ///< radians: the most max_hitch_angle
@@ -35,8 +35,8 @@ struct ChainParameters {
 };
 
 /// A car with steered front wheels and its trailers: what Snake, Truck and Car are. It owns its parameters and polygons
-/// and allocates nothing: 2 KB. Its members are those that RobotModel says; every one that takes a state is
-/// O(trailers), but for those of the car alone: steer, track, speed, stopping_way and integrate_lead, which are O(1).
+/// and allocates nothing: 2 KB. Its members are those that RobotModel says; every function of a state is
+/// O(trailers), except those of the car alone: steer, track, speed, stopping_way and integrate_lead, which are O(1).
 class Chain {
  public:
   static constexpr int kCarState = 5;  ///< floats of the car's state, which moves as if it pulled nothing
@@ -92,7 +92,7 @@ class Chain {
   bool keeps_reserve(StateView s) const;
   /// Body 0's frame is the rear axle, trailer i's its own axle.
   void place(StateView s, Pose* poses) const;
-  /// By the lemmas of lib/robot/CHAIN.md.
+  /// Bounds the motion of each body by the lemmas of lib/robot/CHAIN.md.
   bool travel(StateView s, ControlView u, float dt, StateView next, Travel* travel) const;
   /// The bounds of travel for all bodies alike, by lemmas 10 to 13 of lib/robot/CHAIN.md.
   QuickBound quick_bound(StateView s, ControlView u, float dt, StateView next) const;

@@ -71,7 +71,7 @@ class DifferentialDrive : public PlanarBody {
   /// Whether the wheels keep their top speed, and position and heading are finite and the heading is at most kMaxAngle
   /// either way.
   bool within_limits(StateView s) const;
-  /// By the faster of each wheel's two speeds; always true.
+  /// Bounds the body's motion by the faster of each wheel's two speeds; always true.
   bool travel(StateView s, ControlView u, float dt, StateView next, Travel* travel) const;
   /// 1/s: half the largest turn rate, or the root of half the largest angular acceleration, as much of it as a time
   /// step of dt has room for.

@@ -63,7 +63,7 @@ struct BodyRates {
   float turn_acceleration;  ///< rad/s^2
 };
 
-/// Of a PID controller in discrete time, in units of its output for the error's unit.
+/// The gains of a PID controller in discrete time, in units of its output for the error's unit.
 struct PidGains {
   float proportional;  ///< output for an error of 1
   float integral;      ///< output for an error of 1 that has lasted a second
@@ -106,7 +106,7 @@ concept StatesRates = requires(const R& robot, StateView s, ControlView u, float
 };
 
 /// A robot is a value with these members, none of which has side effects or depends on anything but its arguments;
-/// check_robot (krait/robot_check.hpp) tells where one breaks what is said here. Arrays are the caller's: states have
+/// check_robot (krait/robot_check.hpp) reports where one breaks what is said here. Arrays are the caller's: states have
 /// state_size() floats, controls control_size(), poses, travel and rates one element a body.
 /// - `kMaxState`, `kMaxControl`, `kMaxBodies`: compile-time limits of the sizes below, at most krait::kMaxState and so
 ///   on

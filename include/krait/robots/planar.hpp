@@ -8,7 +8,7 @@
 
 namespace krait {
 
-/// One body on an axle. It owns its polygon. Every function of it takes O(1).
+/// One body on an axle. It owns its polygon. Every function of it is O(1).
 class PlanarBody {
  public:
   static constexpr int kMaxBodies = 1;  ///< the body

@@ -56,7 +56,7 @@ class Unicycle : public PlanarBody {
   /// Whether position and heading are finite and the heading is at most kMaxAngle either way. It is at rest where its
   /// controls end: its state has no speed.
   bool within_limits(StateView s) const;
-  /// By the control alone; always true.
+  /// Bounds the body's motion by the control alone; always true.
   bool travel(StateView s, ControlView u, float dt, StateView next, Travel* travel) const;
   /// 1/s: half the largest turn rate; the position alone has an error, of four orders above that of a chain.
   float fastest_rate(float) const { return 0.5F * parameters_.max_turn_rate; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sines and cosines of many angles, as many at a time as the processor takes. The same bits however many that are.
+// Sines and cosines of many angles, as many at a time as the processor has lanes. The same bits however many that are.
 #pragma once
 
 #include "base/lanes/lanes.hpp"

@@ -4,7 +4,7 @@
 namespace krait::rivals {
 
 // As many levels as give at most one leaf for two points.
-void NearestPoints::take(Arena& arena, const Scene& scene, std::uint32_t capacity) {
+void NearestPoints::allocate(Arena& arena, const Scene& scene, std::uint32_t capacity) {
   std::int32_t side = 1;
   first_leaf_ = 0;
   for (int level = 0; level < kMaxLevels; ++level) {
@@ -20,9 +20,9 @@ void NearestPoints::take(Arena& arena, const Scene& scene, std::uint32_t capacit
   grid_.per_metre = static_cast<float>(side) / (width > height ? width : height);
   grid_.columns = side;
   grid_.rows = side;
-  newest_ = arena.take<Index>(Pool::groups, node_count());
-  next_ = arena.take<Index>(Pool::groups, capacity);
-  points_ = arena.take<Vec2>(Pool::groups, capacity);
+  newest_ = arena.allocate<Index>(Pool::groups, node_count());
+  next_ = arena.allocate<Index>(Pool::groups, capacity);
+  points_ = arena.allocate<Vec2>(Pool::groups, capacity);
 }
 
 void NearestPoints::clear() {

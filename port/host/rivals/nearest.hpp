@@ -12,7 +12,7 @@ namespace krait::rivals {
 class NearestPoints {
  public:
   // For `capacity` points inside the scene's bounds: 12 bytes a point, and 1 to 3 for the tree.
-  void take(Arena& arena, const Scene& scene, std::uint32_t capacity);
+  void allocate(Arena& arena, const Scene& scene, std::uint32_t capacity);
 
   // No points. O(capacity).
   void clear();

@@ -16,7 +16,7 @@ Failure PriorPlanner::init(const Setup& setup, const Parameters& parameters, con
   if (!check_setup(setup, of_rival(parameters), limits).ok()) return failure();
   const auto required = [&](const Limits& any) { return bytes_required(*setup.scene, setup.robot, any); };
   const Failure failure = take_block(setup, required);
-  if (failure.ok()) take_groups();
+  if (failure.ok()) allocate_groups();
   return failure;
 }
 

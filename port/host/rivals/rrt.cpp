@@ -9,7 +9,7 @@ std::uint64_t RrtPlanner::bytes_required(const Scene& scene, const Robot& robot,
   Arena counting;
   count(counting, scene, robot, limits);
   NearestPoints points;
-  points.take(counting, scene, limits.vertices);
+  points.allocate(counting, scene, limits.vertices);
   return counting.needed();
 }
 
@@ -17,7 +17,7 @@ Failure RrtPlanner::init(const Setup& setup, const Parameters& parameters, const
   if (!check_setup(setup, of_rival(parameters), limits).ok()) return failure();
   const auto required = [&](const Limits& any) { return bytes_required(*setup.scene, setup.robot, any); };
   const Failure failure = take_block(setup, required);
-  if (failure.ok()) points_.take(arena_, *scene_, limits_.vertices);
+  if (failure.ok()) points_.allocate(arena_, *scene_, limits_.vertices);
   return failure;
 }
 

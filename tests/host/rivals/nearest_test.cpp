@@ -15,11 +15,11 @@ using rivals::NearestPoints;
 struct Points {
   Points(Rect bounds, std::uint32_t capacity) : open(room(bounds)) {
     detail::Arena counting;
-    nearest.take(counting, open.scene, capacity);
+    nearest.allocate(counting, open.scene, capacity);
     bytes = counting.needed();
     block.resize(bytes / 8);
     detail::Arena arena(block.data(), bytes);
-    nearest.take(arena, open.scene, capacity);
+    nearest.allocate(arena, open.scene, capacity);
     nearest.clear();
   }
   static Room room(Rect bounds) {

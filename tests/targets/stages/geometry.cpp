@@ -61,7 +61,7 @@ void shortest_paths(const firmware::Board& board, const Scene& scene) {
   detail::Random random(23);
   detail::Arena arena(board.arena, board.arena_room);
   detail::Regions regions;
-  regions.take(arena, scene);
+  regions.allocate(arena, scene);
   regions.reset(Goal::named(0), 0.5F, 0.035F);
   add_paths(regions, random, hash);
   for (int update = 0; update < kUpdates; ++update) {
