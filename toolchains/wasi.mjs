@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs a WASI program under node: node --no-warnings wasi.mjs PROGRAM.wasm [ARGUMENT…]
 // Paths of the arguments must be absolute: WASI has no working directory.
 import { readFile } from 'node:fs/promises';

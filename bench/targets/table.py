@@ -12,6 +12,9 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests/targets"))
+from flash import planner_flash  # noqa: E402
+
 PAGE = ROOT / "bench/targets/RESULTS.md"
 BEGIN, END = "<!-- targets -->", "<!-- end of targets -->"
 
@@ -60,14 +63,6 @@ class Build:
     def library_flash(self):
         return self.flash(self.folder / "lib" / "libkrait.a")
 
-    def planner_flash(self):
-        """What the planner takes of the linked firmware: what came out of the library, and the model's instance of it."""
-        text = self.firmware.with_name(self.firmware.name + ".map").read_text().split("Linker script and memory map")[1]
-        text = re.sub(r"\n (\.\S+)\n\s+0x", r"\n \1 0x", text)
-        sections = re.findall(r"^ \.(?:text|rodata|data|srodata|sdata)\S*\s+0x[0-9a-f]+\s+0x([0-9a-f]+)\s+(\S+)", text, re.M)
-        own = re.compile(r"lib/libkrait\.a\(|/models/")
-        return sum(int(size, 16) for size, source in sections if own.search(source))
-
     def stack(self):
         return json.loads(run("python3", "tests/targets/stack.py", self.firmware, self.folder, "--json"))
 
@@ -113,7 +108,7 @@ def size_table(builds):
     rows = []
     for build in builds:
         rows.append([f"{build.core}, {build.option}"] + [f"{count:,}" for count in (
-            build.library_flash(), build.flash(build.firmware), build.planner_flash(), build.static_bytes(),
+            build.library_flash(), build.flash(build.firmware), planner_flash(build.firmware), build.static_bytes(),
             build.stack()["bytes"])])
     return table(["bytes", "library, all of it", "firmware", "planner in it", "static RAM", "worst-case stack"], rows)
 

@@ -9,7 +9,8 @@
 
 namespace krait::firmware {
 
-// What models/MODEL.cpp has: the model's name, whether it has trailers, and the robot that is asked for, which lasts.
+// What model.cpp has, by the line of port/models that it is compiled for: the model's name, whether it has trailers,
+// and the robot that is asked for, which lasts.
 extern const char* const kModel;
 extern const bool kHasTrailers;
 Robot robot_for(const Request& request);

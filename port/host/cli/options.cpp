@@ -131,8 +131,8 @@ void QueryOptions::add(CLI::App& command) {
   command_ = &command;
   command
       .add_option("--robot", robot,
-                  "snake:N, truck:N (N trailers, 0 to 25), car, unicycle, diff_drive, a shipped machine by its name\n"
-                  "(krait robots lists them), or a ROBOT.json")
+                  model_forms(", ", "N trailers, 0 to " + std::to_string(kMaxLinks)) +
+                      ", a shipped machine by its name\n(krait robots lists them), or a ROBOT.json")
       ->capture_default_str();
   command.add_option("--start", start,
                      "a start of the scene by NAME, or X,Y,HEADING in metres and radians (default: its first)");

@@ -274,8 +274,8 @@ void plan(const PlanOptions& options) {
 std::string defaults_table() {
   std::string text =
       "Robots, with their parameters' defaults (metres, radians, seconds; change them in a ROBOT.json):\n";
-  for (const char* model : {"snake", "truck", "car", "unicycle", "diff_drive"}) {
-    text += std::string("  ") + model + ":";
+  for (const std::string& model : robot_models()) {
+    text += "  " + model + ":";
     for (const auto& [name, value] : default_parameters(model)) {
       text += printed(" %s %.7g", name.c_str(), value);
     }

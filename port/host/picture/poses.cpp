@@ -19,14 +19,7 @@ double hitch_length(const RobotSpec& robot) {
 
 }  // namespace
 
-std::size_t state_size(const RobotSpec& robot) {
-  if (robot.model == "unicycle") return 3;
-  if (robot.model == "diff_drive") return 5;
-  if (robot.model == "car" || robot.model == "snake" || robot.model == "truck") {
-    return kFirstTrailerAngle + static_cast<std::size_t>(robot.links);
-  }
-  throw InputError("robot.model \"" + robot.model + "\" is not known: use snake, truck, car, unicycle or diff_drive");
-}
+std::size_t state_size(const RobotSpec& robot) { return state_names(robot).size(); }
 
 std::vector<Pose> body_poses(const RobotSpec& robot, std::span<const float> state) {
   std::vector<Pose> poses = {{state[0], state[1], state[2]}};

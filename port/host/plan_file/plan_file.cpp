@@ -105,14 +105,6 @@ void read_motion(const Field& field, PlanFile& plan) {
 
 }  // namespace
 
-std::vector<std::string> state_names(const RobotSpec& robot) {
-  if (robot.model == "unicycle") return {"x", "y", "theta"};
-  if (robot.model == "diff_drive") return {"x", "y", "theta", "left", "right"};
-  std::vector<std::string> names = {"x", "y", "theta0", "v", "psi"};
-  for (int i = 1; i <= robot.links; ++i) names.push_back("theta" + std::to_string(i));
-  return names;
-}
-
 Json to_json(const PlanFile& plan) {
   const bool solved = plan.status == kSolved;
   if (solved && plan.states.size() != plan.controls.size() + 1) {

@@ -49,8 +49,4 @@ PlanFile read_plan(const std::string& path);
 // The same from the file's text; `file` is what errors name.
 PlanFile parse_plan(const std::string& text, const std::string& file);
 
-// The components of a state, in their order: x, y, theta0, v, psi, theta1, … for snake, truck and car; x, y, theta for
-// the unicycle; x, y, theta, left, right (wheel speeds) for diff_drive.
-std::vector<std::string> state_names(const RobotSpec& robot);
-
 }  // namespace krait::host

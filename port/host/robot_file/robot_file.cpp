@@ -36,6 +36,8 @@ struct Model {
   const char* name;
   int most_links;
   std::vector<Parameter> parameters;
+  std::vector<std::string> states;  // the components of a state, in their order, but the trailers' headings
+  bool centred = false;             // whether the box of body 0 is centred on the wheelbase, not on the axle
 };
 
 Parameter length(const char* name, float normal) { return {name, decimal(normal), 0.001, kMaxLength, "metres"}; }
@@ -76,11 +78,12 @@ std::vector<Parameter> wheeled(const DifferentialDriveParameters& normal) {
 }
 
 const std::vector<Model>& models() {
-  static const std::vector<Model> all = {{"snake", kMaxLinks, steered({})},
-                                         {"truck", kMaxLinks, steered({})},
-                                         {"car", 0, steered(Car::defaults())},
-                                         {"unicycle", 0, turning({})},
-                                         {"diff_drive", 0, wheeled({})}};
+  static const std::vector<std::string> car = {"x", "y", "theta0", "v", "psi"};
+  static const std::vector<Model> all = {{"snake", kMaxLinks, steered({}), car},
+                                         {"truck", kMaxLinks, steered({}), car},
+                                         {"car", 0, steered(Car::defaults()), car, true},
+                                         {"unicycle", 0, turning({}), {"x", "y", "theta"}},
+                                         {"diff_drive", 0, wheeled({}), {"x", "y", "theta", "left", "right"}}};
   return all;
 }
 
@@ -93,6 +96,12 @@ std::string known_models() {
   std::string names;
   for (const Model& model : models()) names += (names.empty() ? "" : ", ") + std::string(model.name);
   return names;
+}
+
+const Model& model_of(const RobotSpec& robot) {
+  const Model* model = find_model(robot.model);
+  if (model != nullptr) return *model;
+  throw InputError("robot.model \"" + robot.model + "\" is not known: use " + known_models());
 }
 
 const Parameter* find_parameter(const Model& model, const std::string& name) {
@@ -198,12 +207,32 @@ void read_remarks(const Field& field, const Model& model, RobotSpec& robot) {
 std::vector<Ring> default_bodies(const RobotSpec& robot) {
   const double half_length = robot.parameters.at("body_length") / 2;
   const double half_width = robot.parameters.at("body_width") / 2;
-  const double middle = robot.model == "car" ? robot.parameters.at("wheelbase") / 2 : 0;
+  const Model* model = find_model(robot.model);
+  const double middle = model != nullptr && model->centred ? robot.parameters.at("wheelbase") / 2 : 0;
   const Ring box = {{middle - half_length, -half_width},
                     {middle + half_length, -half_width},
                     {middle + half_length, half_width},
                     {middle - half_length, half_width}};
   return std::vector<Ring>(static_cast<std::size_t>(robot.links) + 1, box);
+}
+
+std::vector<std::string> state_names(const RobotSpec& robot) {
+  std::vector<std::string> names = model_of(robot).states;
+  for (int i = 1; i <= robot.links; ++i) names.push_back("theta" + std::to_string(i));
+  return names;
+}
+
+std::string model_forms(const std::string& between, const std::string& about_trailers) {
+  std::string with;
+  std::string without;
+  for (const Model& model : models()) {
+    if (model.most_links > 0) {
+      with += (with.empty() ? "" : between) + model.name + ":N";
+    } else {
+      without += std::string(", ") + model.name;
+    }
+  }
+  return with + " (" + about_trailers + ")" + without;
 }
 
 std::vector<std::string> own_parameters(const RobotSpec& robot) {
@@ -278,9 +307,8 @@ RobotSpec parse_robot(const std::string& text) {
   if (const ShippedRobot* shipped = find_shipped(text)) return read_document(shipped->text, text);
   std::error_code ignored;
   if (!text.ends_with(".json") && !std::filesystem::exists(text, ignored)) {
-    throw InputError("unknown robot \"" + text +
-                     "\"; known are snake:N and truck:N (N trailers), car, unicycle, diff_drive, the shipped " +
-                     known_shipped() + ", or the path of a ROBOT.json");
+    throw InputError("unknown robot \"" + text + "\"; known are " + model_forms(" and ", "N trailers") +
+                     ", the shipped " + known_shipped() + ", or the path of a ROBOT.json");
   }
   return read_document(read_file(text, kMaxFileBytes), text);
 }

@@ -35,6 +35,15 @@ RobotSpec read_robot(const Field& field);
 // The form that read_robot reads, bodies included, without what is for the reader only.
 Json to_json(const RobotSpec& robot);
 
+// The components of a state, in their order: x, y, theta0, v, psi, theta1, … for snake, truck and car; x, y, theta for
+// the unicycle; x, y, theta, left, right (wheel speeds) for diff_drive. Throws InputError for a model that is not
+// known.
+std::vector<std::string> state_names(const RobotSpec& robot);
+
+// How users name the models: those with trailers, with `between` between them, and what N is, then the others:
+// "snake:N and truck:N (N trailers), car, unicycle, diff_drive".
+std::string model_forms(const std::string& between, const std::string& about_trailers);
+
 // The names of the models, in the order of the documentation.
 std::vector<std::string> robot_models();
 

@@ -8,7 +8,6 @@
 
 #include "host/run/robots.hpp"
 #include "host/workspace/printed.hpp"
-#include "krait/robots/defaults.hpp"
 #include "motion/rk4.hpp"
 #include "robot/shape.hpp"
 
@@ -113,17 +112,11 @@ void turn_facts(const RobotSpec& robot, RobotFacts& facts) {
 }
 
 void stop_facts(const RobotSpec& robot, RobotFacts& facts) {
-  double acceleration = 0;
-  if (robot.model == "diff_drive") {
-    facts.top_speed = parameter(robot, "wheel_radius") * parameter(robot, "max_wheel_speed");
-    acceleration = parameter(robot, "wheel_radius") * parameter(robot, "max_wheel_acceleration");
-  } else {
-    facts.top_speed = parameter(robot, "max_speed");
-    facts.stops_at_once = robot.model == "unicycle";
-    if (!facts.stops_at_once) acceleration = parameter(robot, "max_acceleration");
-  }
+  const TopSpeed top = top_speed_of(robot);
+  facts.top_speed = top.speed;
+  facts.stops_at_once = top.acceleration == 0;
   if (facts.stops_at_once) return;
-  facts.stopping_time = facts.top_speed / acceleration;
+  facts.stopping_time = facts.top_speed / top.acceleration;
   facts.stopping_distance = 0.5 * facts.top_speed * facts.stopping_time;
 }
 
@@ -155,21 +148,20 @@ std::vector<Ring> bodies_in(const SteadyTurn& turn, const RobotSpec& robot) {
 
 RobotFacts facts_of(const std::string& name, const RobotSpec& robot, const Parameters& parameters) {
   RobotFacts facts;
-  CoreRobot(robot).visit([&](const auto& core) {
-    if (const Argument bad = detail::first_bad_of_robot(core); bad != Argument::none) {
-      throw InputError("robot " + name + ": " + krait::to_string(bad) +
-                       (bad == Argument::robot_polygon
-                            ? " cannot be used: bodies must lie within 100 m of their axles, no side below 0.1 mm"
-                            : " cannot be used"));
-    }
-    const RobotExtent extent_at_step = extent(core, parameters);
-    facts.tree_parts = extent_at_step.tree_parts;
-    facts.plan_parts = extent_at_step.plan_parts;
-    facts.fastest_rate = static_cast<double>(detail::fastest_rate(core, parameters.dt));
-    facts.longest_time_step = static_cast<double>(detail::can_integrate(core, parameters.dt)
-                                                      ? parameters.dt
-                                                      : krait::detail::longest_time_step(core, parameters.dt));
-  });
+  const CoreRobot core(robot);
+  const Robot view = core.view();
+  if (const Argument bad = detail::first_bad_of_robot(view); bad != Argument::none) {
+    throw InputError("robot " + name + ": " + krait::to_string(bad) +
+                     (bad == Argument::robot_polygon
+                          ? " cannot be used: bodies must lie within 100 m of their axles, no side below 0.1 mm"
+                          : " cannot be used"));
+  }
+  const RobotExtent extent = extent_of(core, parameters);
+  facts.tree_parts = extent.tree_parts;
+  facts.plan_parts = extent.plan_parts;
+  facts.fastest_rate = static_cast<double>(view.fastest_rate(parameters.dt));
+  facts.longest_time_step = static_cast<double>(
+      detail::can_integrate(view, parameters.dt) ? parameters.dt : detail::longest_time_step(view, parameters.dt));
   turn_facts(robot, facts);
   stop_facts(robot, facts);
   axle_facts(robot, facts);

@@ -1,25 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/run/work.hpp"
 
+#include <algorithm>
 #include <vector>
 
 #include "collision/obstacles.hpp"
 #include "collision/sight.hpp"
 #include "krait/math.hpp"
-#include "robot/shape.hpp"
 #include "search/sketcher.hpp"
 
 namespace krait::host {
 namespace {
-
-float farthest_of(const Chain& robot) {
-  float most = 0.0F;
-  for (int k = 0; k < robot.body_count(); ++k) {
-    const Polygon body = robot.body(k);
-    most = std::max(most, detail::farthest(body.vertices, body.count));
-  }
-  return most;
-}
 
 // How far around the middle of a body's two places obstacles are looked for: the hull of both reaches half of what it
 // moved further than the body, and it may stray from it by as much.
@@ -68,36 +59,6 @@ std::uint64_t pairs(const RobotExtent& robot) {
 }
 
 }  // namespace
-
-float longest_travel(const Chain& robot, float dt) {
-  const ChainParameters& p = robot.parameters();
-  const float way = dt * std::max(p.max_speed, -p.min_speed);
-  const float turn = way * std::max(p.max_steering / p.wheelbase, 1.0F / p.hitch_length);
-  const float dragged = way * (1.0F + 0.5F * p.max_steering * p.max_steering);
-  return dragged + farthest_of(robot) * turn;
-}
-
-float longest_travel(const Unicycle& robot, float dt) {
-  const UnicycleParameters& p = robot.parameters();
-  const Polygon body = robot.body(0);
-  const float speed = std::max(p.max_speed, -p.min_speed);
-  return dt * (speed + detail::farthest(body.vertices, body.count) * p.max_turn_rate);
-}
-
-float longest_travel(const DifferentialDrive& robot, float dt) {
-  const DifferentialDriveParameters& p = robot.parameters();
-  const Polygon body = robot.body(0);
-  const float rim = dt * p.wheel_radius * p.max_wheel_speed;
-  return rim * (1.0F + 2.0F * detail::farthest(body.vertices, body.count) / p.track_width);
-}
-
-float largest_radius(Polygon body) {
-  const Box box = bounding_box(body);
-  const Vec2 center = 0.5F * (box.min + box.max);
-  float radius = 0.0F;
-  for (int i = 0; i < body.count; ++i) radius = std::max(radius, length(body[i] - center));
-  return radius * (1.0F + 1e-6F);
-}
 
 // Runge-Kutta steps of a time step of a plan: those of the tree beside it, its own, and those of all parts that it may
 // be cut into, each at least one.

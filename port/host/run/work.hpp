@@ -3,13 +3,9 @@
 // parameters, which no call exceeds (tests/host/run/work_test.cpp counts).
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 
 #include "krait/krait.hpp"
-#include "krait/robots/defaults.hpp"
-#include "motion/rk4.hpp"
-#include "robot/shape.hpp"
 
 namespace krait::host {
 
@@ -33,30 +29,6 @@ struct RobotExtent {
   int tree_parts = 1;           // Runge-Kutta steps of a time step while the tree grows
   int plan_parts = 1;           // and while a plan is driven
 };
-
-// At full speed and lock.
-float longest_travel(const Chain& robot, float dt);
-float longest_travel(const Unicycle& robot, float dt);
-float longest_travel(const DifferentialDrive& robot, float dt);
-
-float largest_radius(Polygon body);
-
-template <RobotModel R>
-RobotExtent extent(const R& robot, const Parameters& parameters) {
-  RobotExtent extent;
-  extent.bodies = static_cast<std::uint64_t>(robot.body_count());
-  extent.gap = static_cast<std::uint64_t>(detail::self_collision_gap(robot));
-  extent.longest_travel = longest_travel(robot, parameters.dt);
-  extent.length = detail::robot_length(robot);
-  extent.tree_parts =
-      detail::parts_of(parameters.dt, detail::longest_tree_step(robot, parameters.dt), detail::kMostParts);
-  extent.plan_parts =
-      detail::parts_of(parameters.dt, detail::longest_plan_step(robot, parameters.dt), detail::kMostPlanParts);
-  for (int k = 0; k < robot.body_count(); ++k) {
-    extent.largest_radius = std::max(extent.largest_radius, largest_radius(robot.body(k)));
-  }
-  return extent;
-}
 
 Work work_bound(const krait::Scene& scene, const RobotExtent& robot, const Parameters& parameters);
 

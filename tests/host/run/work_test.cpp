@@ -17,6 +17,7 @@
 #include "collision/distance.hpp"
 #include "collision/sight.hpp"
 #include "decomposition/indexed_heap.hpp"
+#include "host/run/robots.hpp"
 
 namespace krait::host {
 namespace {
@@ -90,7 +91,7 @@ Work most_work(const krait::Scene& scene, const R& robot, std::uint64_t seed) {
   state[0] = start.position.x;
   state[1] = start.position.y;
   for (int i = 2; i < robot.state_size(); ++i) state[i] = i == 3 || i == 4 ? 0.0F : start.heading;
-  EXPECT_EQ(planner->start({state, Goal::named(0), seed}), Status::searching);
+  EXPECT_EQ(planner->start({state, krait::Goal::named(0), seed}), Status::searching);
   Work most;
   std::uint64_t placed = planner->statistics().collision_checks;
   for (int call = 0; call < 400 && planner->status() == Status::searching; ++call) {
@@ -108,15 +109,15 @@ Work most_work(const krait::Scene& scene, const R& robot, std::uint64_t seed) {
   return most;
 }
 
-template <RobotModel R>
-void expect_bounded(const R& robot) {
+void expect_bounded(const char* name_of_robot) {
+  const RobotSpec spec = parse_robot(name_of_robot);
   Work counted;
   for (const char* name : {"openings", "rooms", "corridors"}) {
     const SceneFile file(name);
-    const Work bound = work_bound(file.scene, extent(robot, Parameters()), Parameters());
+    const Work bound = work_bound(file.scene, extent_of(spec, Parameters()), Parameters());
     for (std::uint64_t seed = 1; seed <= 2; ++seed) {
       SCOPED_TRACE(std::string(name) + ", seed " + std::to_string(seed));
-      const Work most = most_work(file.scene, robot, seed);
+      const Work most = CoreRobot(spec).visit([&](const auto& robot) { return most_work(file.scene, robot, seed); });
       EXPECT_LE(most.placements, bound.placements);
       EXPECT_LE(most.runge_kutta_steps, bound.runge_kutta_steps);
       EXPECT_LE(most.polygon_distances, bound.polygon_distances);
@@ -138,17 +139,11 @@ void expect_bounded(const R& robot) {
   EXPECT_GT(counted.discs, 0U);
 }
 
-Snake snake(int trailers) {
-  ChainParameters parameters;
-  parameters.trailers = trailers;
-  return Snake(parameters);
-}
-
-TEST(Work, OfALongSnakeIsBounded) { expect_bounded(snake(15)); }
-TEST(Work, OfAShortSnakeIsBounded) { expect_bounded(snake(5)); }
-TEST(Work, OfACarIsBounded) { expect_bounded(Car(Car::defaults())); }
-TEST(Work, OfAUnicycleIsBounded) { expect_bounded(Unicycle(UnicycleParameters{})); }
-TEST(Work, OfADifferentialDriveIsBounded) { expect_bounded(DifferentialDrive(DifferentialDriveParameters{})); }
+TEST(Work, OfALongSnakeIsBounded) { expect_bounded("snake:15"); }
+TEST(Work, OfAShortSnakeIsBounded) { expect_bounded("snake:5"); }
+TEST(Work, OfACarIsBounded) { expect_bounded("car"); }
+TEST(Work, OfAUnicycleIsBounded) { expect_bounded("unicycle"); }
+TEST(Work, OfADifferentialDriveIsBounded) { expect_bounded("diff_drive"); }
 
 }  // namespace
 }  // namespace krait::host

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Replays a plan ("motion") and the search that found it ("search") on one canvas. The data's form is in page.cpp.
 'use strict';
 (() => {
