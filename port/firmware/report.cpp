@@ -12,9 +12,11 @@ void say(const Board& board, const char* text) { board.port.log(board.port.conte
 const char* hint(Argument argument) {
   switch (argument) {
     case Argument::start:
-      return ": the scene has none that suits the robot, or the numbers are out of range: ask with --start X,Y,HEADING";
+      return ": the scene has no start for this robot, or the numbers are out of range: "
+             "compile with --start X,Y,HEADING, or ask with it";
     case Argument::goal:
-      return ": the scene has none, or the numbers are out of range: ask with --goal X,Y,RADIUS";
+      return ": the scene has no such goal, or the numbers are out of range: "
+             "compile with --goal X,Y,RADIUS, or ask with it";
     default:
       return "";
   }

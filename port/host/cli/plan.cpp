@@ -51,10 +51,11 @@ struct PlanOptions {
   std::string html;
 };
 
-// The scene to plan in and, where the user gave a map and no compiled scene, that map.
+// The scene to plan in and, where the user names a map and no compiled scene, that map.
 struct Ground {
   SceneBytes scene;
   std::optional<Workspace> map;
+  double grown = 0;  // metres a side, by which obstacles were grown and then were not, since nothing else left a way
 };
 
 SearchRequest request_of(const PlanOptions& options) {
@@ -174,7 +175,7 @@ void print_improvement(const SearchResult& result) {
               s.at("plan_duration_s").get<double>(), result.first.length, s.at("plan_length_m").get<double>());
 }
 
-void print_summary(const SearchResult& result) {
+void print_summary(const SearchResult& result, const Ground& ground) {
   const PlanFile& plan = result.plan;
   const auto& s = plan.statistics;
   std::printf("%s: %s (%zu bodies) in %s, seed %llu: %.4f s, %llu iterations, %llu vertices\n", plan.status.c_str(),
@@ -184,6 +185,11 @@ void print_summary(const SearchResult& result) {
   if (result.stopped) {
     std::printf("stopped by you after %llu iterations%s\n", s.at("iterations").get<unsigned long long>(),
                 plan.states.empty() ? "" : ": this is the best plan so far");
+  }
+  if (ground.grown > 0) {
+    std::printf(
+        "  the map's cells as they are (--tolerance 0): with obstacles grown by up to %.4g m there was no plan\n",
+        ground.grown);
   }
   for (const std::string& reason : result.why) std::printf("  %s\n", reason.c_str());
   if (plan.states.empty()) return;
@@ -233,9 +239,10 @@ std::vector<std::string> inputs_of(const PlanOptions& options) {
   return inputs;
 }
 
-SceneBytes compiled(const PlanOptions& options) {
+// `tolerance` as the option's value; empty: the compiler's default.
+SceneBytes compiled(const PlanOptions& options, const std::string& tolerance) {
   std::vector<std::string> arguments = options.map.arguments();
-  if (!options.tolerance.empty()) arguments.insert(arguments.end(), {"--tolerance", options.tolerance});
+  if (!tolerance.empty()) arguments.insert(arguments.end(), {"--tolerance", tolerance});
   const std::string scene = run_compiler(options.compiler, options.scene, arguments);
   return SceneBytes::copy(scene.data(), scene.size());
 }
@@ -251,20 +258,38 @@ Ground read_ground(const PlanOptions& options, Progress& progress) {
   Workspace map = import_workspace(options.scene, options.map.read());
   progress.end();                                 // the compiler has its own
   check_outputs(outputs_of(options), map.files);  // also those that the map names
-  return {compiled(options), std::move(map)};
+  return {compiled(options, options.tolerance), std::move(map)};
+}
+
+// Searches; where obstacles are in the way that the compiler's default tolerance may have grown, the map is compiled
+// without it, and that scene, which replaces the first, is searched.
+SearchResult search_in(Ground& ground, const PlanOptions& options, const SearchRequest& request, Progress& progress) {
+  const double tolerance = static_cast<double>(open_scene(options.scene, ground.scene).header().tolerance);
+  if (!ground.map || !options.tolerance.empty() || !(tolerance > 0)) {
+    return search(options, request, ground.scene, progress);
+  }
+  try {
+    SearchResult result = search(options, request, ground.scene, progress);
+    if (result.plan.status != to_string(Status::no_route)) return result;
+  } catch (const InObstacle&) {
+    progress.end();
+  }
+  ground.scene = compiled(options, "0");
+  ground.grown = tolerance / 2;
+  return search(options, request, ground.scene, progress);
 }
 
 void plan(const PlanOptions& options) {
   const SearchRequest request = request_of(options);
   check_outputs(outputs_of(options), inputs_of(options));  // before work that may take long
   Progress progress("krait");
-  const Ground ground = read_ground(options, progress);
-  SearchResult result = search(options, request, ground.scene, progress);
+  Ground ground = read_ground(options, progress);
+  SearchResult result = search_in(ground, options, request, progress);
   Verdict verdict;
   const int code = judge(result, ground, request, options, verdict, progress);
   if (!options.json.empty()) write_file(options.json, to_json(result.plan).dump() + "\n");
   if (!options.csv.empty()) write_file(options.csv, csv_of(result.plan));
-  print_summary(result);
+  print_summary(result, ground);
   if (request.improve > 0 && !result.plan.states.empty()) print_improvement(result);
   if (code == kDone) print_quality(result, request, ground.scene, verdict);
   draw(request, ground.scene, result, options, progress);
@@ -304,7 +329,8 @@ void add_plan(CLI::App& app, const char* program) {
   o->map.add(*command);
   command
       ->add_option("--tolerance", o->tolerance,
-                   "how much a map's passages may get narrower, in metres, as for krait compile")
+                   "how much a map's passages may get narrower, in metres, as for krait compile\n"
+                   "(default: one cell; 0 where that leaves no plan)")
       ->check(number_in(0, 1e6, "metres"));
   command
       ->add_option("--planner", o->planner,

@@ -70,6 +70,12 @@ class SceneBytes {
 // Whether the bytes of a file begin as those of a compiled scene do.
 bool is_scene_file(std::string_view content);
 
+// Obstacles are where the robot starts, or all over the goal.
+class InObstacle : public InputError {
+ public:
+  using InputError::InputError;
+};
+
 // Opens the scene; throws InputError that names section and element of what is wrong.
 krait::Scene open_scene(const std::string& path, const SceneBytes& bytes);
 

@@ -62,11 +62,13 @@ bool passes(Status status) {
 
 void refuse(const Failure& failure, const SearchRequest& request) {
   if (passes(failure.status)) return;
-  throw InputError(std::string(to_string(failure.status)) + ": " + explanation(failure, request));
+  const std::string line = std::string(to_string(failure.status)) + ": " + explanation(failure, request);
+  if (failure.status == Status::goal_in_obstacle) throw InObstacle(line);
+  throw InputError(line);
 }
 
 void refuse(const Contact& at_start, const krait::Scene& scene, const SearchRequest& request) {
-  throw InputError(std::string(to_string(Status::start_in_collision)) + ": " + why_not_there(at_start, scene, request));
+  throw InObstacle(std::string(to_string(Status::start_in_collision)) + ": " + why_not_there(at_start, scene, request));
 }
 
 std::uint32_t way_legs(const SearchRequest& request) {

@@ -34,13 +34,21 @@ std::string other_name(const Contact& contact, const RobotSpec& robot) {
   }
 }
 
+// Obstacles may have been grown when the scene was compiled, by half its tolerance a side.
+std::string grown(const krait::Scene& scene, double lacking) {
+  const auto tolerance = static_cast<double>(scene.header().tolerance);
+  if (!(tolerance > 0) || lacking > tolerance) return "";
+  return "; when the map was compiled, obstacles were grown by up to " + metres(tolerance / 2) +
+         " a side, which may be why: --tolerance 0 leaves them as they are";
+}
+
 std::string why_no_route(const Bottleneck& bottleneck, const krait::Scene& scene, const SearchRequest& request) {
   if (bottleneck.needed == 0.0F || bottleneck.width == 0.0F) {
     const krait::Goal goal = resolve_goal(scene, request);
     const bool inside = goal.is_disc() && detail::locate(scene, goal.center()) == kNone;
     return inside
                ? "the goal's middle, " + place(scene, goal.center()) + ", lies in an obstacle, and no way leads to it"
-               : "no way leads from the start to the goal: obstacles or the bounds close it off";
+               : "no way leads from the start to the goal: obstacles or the bounds close it off" + grown(scene, 0);
   }
   const double width = static_cast<double>(bottleneck.width);
   const double needed = static_cast<double>(bottleneck.needed);
@@ -52,7 +60,7 @@ std::string why_no_route(const Bottleneck& bottleneck, const krait::Scene& scene
           : "every way to the goal is narrower than the robot: " + metres(width) + " at " + at;
   why += ", it needs " + metres(needed);
   if (needed - kept < width) why += "; without the --clearance on both sides it would need " + metres(needed - kept);
-  return why;
+  return why + grown(scene, needed - width);
 }
 
 // Where the widest way is hardly wider than the robot.
@@ -100,12 +108,15 @@ std::vector<std::string> what_to_try(Status status, const Statistics& statistics
 
 std::string why_not_there(const Contact& contact, const krait::Scene& scene, const SearchRequest& request) {
   const std::string at = place(scene, contact.at);
-  if (contact.with == Hindrance::ground) return "the position " + at + " lies in an obstacle, though no body does";
+  if (contact.with == Hindrance::ground) {
+    return "the position " + at + " lies in an obstacle, though no body does" + grown(scene, 0);
+  }
   const std::string body = body_name(request.robot, contact.body);
   const std::string other = other_name(contact, request.robot);
   if (!(contact.distance > 0.0F)) {
     const bool outside = contact.with == Hindrance::bounds;
-    return body + (outside ? " reaches to or beyond " : " overlaps ") + other + " at " + at;
+    const std::string line = body + (outside ? " reaches to or beyond " : " overlaps ") + other + " at " + at;
+    return contact.with == Hindrance::obstacle ? line + grown(scene, 0) : line;
   }
   const double distance = static_cast<double>(contact.distance);
   const double clearance = static_cast<double>(request.parameters.clearance);
@@ -113,7 +124,9 @@ std::string why_not_there(const Contact& contact, const krait::Scene& scene, con
   const std::string margin = metres(static_cast<double>(contact.needed)) + " (--clearance " + metres(clearance) +
                              ", and " + metres(rounding) + " for what a motion is off by)";
   const std::string where = body + " is " + metres(distance) + " from " + other + " at " + at;
-  return "the start does not keep the clearance: " + where + ", and must keep " + margin;
+  const std::string line = "the start does not keep the clearance: " + where + ", and must keep " + margin;
+  return contact.with == Hindrance::obstacle ? line + grown(scene, 2 * (static_cast<double>(contact.needed) - distance))
+                                             : line;
 }
 
 std::vector<std::string> why_no_plan(Session& session, const krait::Scene& scene, const SearchRequest& request) {

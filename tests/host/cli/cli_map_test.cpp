@@ -35,6 +35,21 @@ std::string divided_image() {
   return image;
 }
 
+// 12 x 12 m in cells of half a metre: a corridor of one cell that climbs like a staircase, or descends.
+std::string staircase(bool descends) {
+  constexpr int kSize = 24;
+  std::string image = "P2 24 24 255\n";
+  for (int row = 0; row < kSize; ++row) {
+    for (int column = 0; column < kSize; ++column) {
+      const int along = descends ? column : kSize - 1 - column;
+      const bool free = row >= 2 && row < 20 && (along == row || along == row + 1);
+      image += free ? "255 " : "0 ";
+    }
+    image += "\n";
+  }
+  return image;
+}
+
 class CliMap : public CliTest {
  protected:
   ordered_json planned(const std::string& input, const Arguments& options) const {
@@ -126,6 +141,24 @@ TEST_F(CliMap, TheToleranceReachesTheCompiler) {
   EXPECT_EQ(planned("stairs.json", kAcross), exact);
   EXPECT_EQ(planned("stairs.json", across({"--tolerance", "1"})), coarse);
   EXPECT_EQ(planned("stairs.json", across({"--tolerance", "0"})), exact);
+}
+
+TEST_F(CliMap, TheDefaultToleranceClosesNoCorridorOfOneCell) {
+  write("ros.yaml",
+        "image: image.pgm\nresolution: 0.5\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\n"
+        "free_thresh: 0.196\n");
+  for (const bool descends : {true, false}) {
+    write("image.pgm", staircase(descends));
+    const Arguments query = {"--robot", "turtlebot4",
+                             "--start", descends ? "1.25,10.75,0" : "10.75,10.75,0",
+                             "--goal",  descends ? "9.75,2.25,0.1" : "2.25,2.25,0.1"};
+    expect_verified("ros.yaml", query);
+    Arguments arguments = {"plan", "ros.yaml"};
+    arguments.insert(arguments.end(), query.begin(), query.end());
+    EXPECT_THAT(krait(arguments).output, HasSubstr("the map's cells as they are (--tolerance 0)"));
+    arguments.insert(arguments.end(), {"--tolerance", "0.5"});
+    expect_refused(arguments, "--tolerance 0 leaves them as they are");
+  }
 }
 
 TEST_F(CliMap, OptionsForMapsAreRefusedWithACompiledScene) {
