@@ -14,7 +14,8 @@ def planner_flash(program):
     """Bytes of code, constants and initial values."""
     text = Path(f"{program}.map").read_text().split("Linker script and memory map")[1]
     text = re.sub(r"\n (\.\S+)\n\s+0x", r"\n \1 0x", text)
-    sections = re.findall(r"^ \.(?:text|rodata|data|srodata|sdata)\S*\s+0x[0-9a-f]+\s+0x([0-9a-f]+)\s+(\S+)", text, re.M)
+    kinds = r"^ \.(?:text|rodata|data|srodata|sdata)\S*"
+    sections = re.findall(kinds + r"\s+0x[0-9a-f]+\s+0x([0-9a-f]+)\s+(\S+)", text, re.M)
     return sum(int(size, 16) for size, source in sections if OWN.search(source))
 
 
