@@ -17,13 +17,6 @@ Parameters static_costs(Parameters parameters) {
   return parameters;
 }
 
-// Without shortcuts: what they are measured against.
-Parameters plain() {
-  Parameters parameters;
-  parameters.tuning.plain = true;
-  return parameters;
-}
-
 // Portals that the robot cannot pass stay edges, as in the paper: the search has to find out.
 Parameters unpruned(Parameters parameters) {
   parameters.tuning.prune_portals = false;
@@ -38,7 +31,9 @@ const std::vector<CorePlanner>& core_planners() {
       {"prior", "prior", {}, "[18]: edge costs never change, 15 % of the targets are random"},
       {"rrt", "rrt", {}, "RRT that connects, goal bias 5 %"},
       {"control", "adaptive", static_costs({}), "krait without adaptation and without random targets"},
-      {"plain", "adaptive", plain(),
+      {"plain",
+       "plain",
+       {},
        "krait the plain way: full Dijkstra, all weights anew for each choice, Box2D for every body and pair, no "
        "tables"},
       {"adaptive-unpruned", "adaptive", unpruned({}), "krait that has to find out which portals are too narrow"},

@@ -385,8 +385,6 @@ typedef struct krait_search_tuning {
   bool continuous;       /**< default true: whether whole steps are proven free, or states only */
   uint32_t max_substeps; /**< 1 to 64, a power of two, default 16: how finely a step is cut to prove it */
   bool prune_portals;    /**< default true: whether portals too narrow for the robot are removed before the search */
-  bool plain;            /**< default false: whether everything is done the plain way, without what makes it fast: the
-                              same plan; what shortcuts are measured against */
 } krait_search_tuning;
 
 /** What a program says of its robot's motion and of its plans. */

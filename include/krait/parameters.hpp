@@ -49,10 +49,6 @@ struct SearchTuning {
   bool continuous = true;           ///< whether whole steps are proven free, or states only
   std::uint32_t max_substeps = 16;  ///< 1 … 64, a power of two: how finely a step is cut to prove it
   bool prune_portals = true;        ///< whether portals too narrow for the robot are removed before the search
-  /// Whether everything is done the plain way: Dijkstra for all regions each time, every group's weight anew for each
-  /// choice, Box2D for every body and every pair of bodies, without the scene's tables. The same plan; what shortcuts
-  /// are measured against.
-  bool plain = false;
 };
 
 /// What a parameter may be: from least to most, both included.

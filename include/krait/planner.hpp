@@ -4,8 +4,10 @@
 /// the goal along the shortest path of regions; failures raise edge costs, and the shortest paths are found again.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "krait/goal.hpp"
 #include "krait/parameters.hpp"
@@ -13,8 +15,6 @@
 #include "krait/robot.hpp"
 #include "krait/scene.hpp"
 #include "krait/status.hpp"
-#include "krait/watch.hpp"
-#include "krait/why.hpp"
 
 namespace krait {
 
@@ -33,6 +33,42 @@ struct Setup {
   std::uint64_t bytes = 0;       ///< length of the block
   const Scene* scene = nullptr;  ///< opened
   Robot robot;                   ///< refers to a robot of any model, which is no temporary
+};
+
+/// Sees a search as it goes: refers to what is called, which must outlive it; by default to nothing. A watched step
+/// costs one call through a pointer more.
+class Watch {
+ public:
+  Watch() = default;  ///< calls nothing
+  /// Calls watch(from, to) with states, and watch.expands(vertex, target) where there is such a member.
+  template <class W>
+  requires(!std::same_as<std::remove_cvref_t<W>, Watch> && std::invocable<W&, const float*, const float*>)
+      Watch(W&& watch)  // NOLINT(google-explicit-constructor,bugprone-forwarding-reference-overload): made by its name
+      : self_(&watch), step_(&step<std::remove_reference_t<W>>), expands_(&expands<std::remove_reference_t<W>>) {}
+
+  /// A step that the tree grew by: states of robot.state_size() floats, which last for the call only.
+  void operator()(const float* from, const float* to) const {
+    if (step_ != nullptr) step_(self_, from, to);
+  }
+  /// An expansion that begins: from which vertex of the tree, toward what.
+  void expands(Index vertex, const Target& target) const {
+    if (expands_ != nullptr) expands_(self_, vertex, target);
+  }
+
+ private:
+  template <class W>
+  static void step(const void* self, const float* from, const float* to) {
+    (*const_cast<W*>(static_cast<const W*>(self)))(from, to);
+  }
+  template <class W>
+  static void expands(const void* self, [[maybe_unused]] Index vertex, [[maybe_unused]] const Target& target) {
+    auto& watch = *const_cast<W*>(static_cast<const W*>(self));
+    if constexpr (requires { watch.expands(vertex, target); }) watch.expands(vertex, target);
+  }
+
+  const void* self_ = nullptr;
+  void (*step_)(const void* self, const float* from, const float* to) = nullptr;
+  void (*expands_)(const void* self, Index vertex, const Target& target) = nullptr;
 };
 
 /// What a search is to find.

@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <cstring>
 
-#include "krait/contract.hpp"
 #include "krait/format.hpp"
 #include "krait/geometry.hpp"
 #include "krait/status.hpp"

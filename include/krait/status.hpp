@@ -1,9 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 /// \file
-/// Every answer of the core, one enum; the names are the ones in JSON.
+/// What the core answers: how a call has ended, what was wrong, and why a search has found no plan; and what a caller
+/// must see to himself.
 #pragma once
 
 #include <cstdint>
+
+#include "krait/geometry.hpp"
+
+#ifdef KRAIT_ASSERT_HEADER
+#include KRAIT_ASSERT_HEADER
+#endif
+
+#ifndef KRAIT_ASSERT
+/// What a caller must see to, such as that an index is below a count. It is checked where the build names a header,
+/// KRAIT_ASSERT_HEADER, that defines the macro as an expression of type void; otherwise the condition is not evaluated,
+/// and costs nothing.
+#define KRAIT_ASSERT(condition) static_cast<void>(sizeof((condition) ? 1 : 0))
+#endif
 
 namespace krait {
 
@@ -88,6 +102,39 @@ struct Failure {
 
   /// Whether nothing went wrong.
   [[nodiscard]] bool ok() const { return status == Status::ok; }
+};
+
+/// What a robot is too near to.
+enum class Hindrance : std::uint8_t {
+  none,      ///< nothing
+  obstacle,  ///< a piece of the scene
+  bounds,    ///< of the workspace
+  body,      ///< another one of the robot's own
+  ground     ///< the position lies in no triangle of the scene
+};
+
+/// What a body is too near to, and where. Metres, local coordinates.
+struct Contact {
+  Hindrance with = Hindrance::none;  ///< what it is; what follows is zero where it is nothing
+  Index body = 0;                    ///< of the robot, 0 … body_count - 1
+  Index other = kNone;               ///< the piece, or the other body; else kNone
+  float distance = 0.0F;             ///< metres between the two; 0 where they overlap
+  float needed = 0.0F;               ///< metres that they must keep: the clearance, and what rounding needs
+  Vec2 at{};                         ///< the middle between their nearest points, or a point of both
+};
+
+/// The widest of all ways from the start to the goal, at its narrowest place. Metres, local coordinates.
+struct Bottleneck {
+  float width = 0.0F;    ///< metres, of a disc that passes there; 0 where no way leads to the goal at all
+  float needed = 0.0F;   ///< metres, of the disc that lies in body 0, with the clearance on both sides
+  Vec2 at{};             ///< the place, where there is a way
+  bool at_goal = false;  ///< whether the place is the roomiest of the goal itself: the robot cannot stand in it
+};
+
+/// The place where a search has tried most, as a rule in vain.
+struct Effort {
+  Vec2 at{};                ///< the middle of a region, local coordinates
+  std::uint32_t tries = 0;  ///< expansions from there since the search last began anew; 0: none
 };
 
 }  // namespace krait

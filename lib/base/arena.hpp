@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "krait/contract.hpp"
+#include "krait/status.hpp"
 
 namespace krait::detail {
 

@@ -6,7 +6,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "krait/contract.hpp"
+#include "krait/status.hpp"
 
 namespace krait::detail {
 

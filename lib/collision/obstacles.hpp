@@ -4,7 +4,7 @@
 
 #include "collision/distance.hpp"
 #include "krait/scene.hpp"
-#include "krait/why.hpp"
+#include "krait/status.hpp"
 
 namespace krait::detail {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/packed_indices.hpp"
-#include "krait/contract.hpp"
+#include "krait/status.hpp"
 
 namespace krait::detail {
 

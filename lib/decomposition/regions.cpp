@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "decomposition/regions.hpp"
 
-#include "krait/contract.hpp"
+#include "krait/status.hpp"
 
 namespace krait::detail {
 namespace {

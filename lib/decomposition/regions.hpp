@@ -10,7 +10,7 @@
 #include "decomposition/indexed_heap.hpp"
 #include "krait/goal.hpp"
 #include "krait/scene.hpp"
-#include "krait/why.hpp"
+#include "krait/status.hpp"
 
 namespace krait::detail {
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "base/arena.hpp"
-#include "krait/contract.hpp"
 #include "krait/geometry.hpp"
+#include "krait/status.hpp"
 
 namespace krait::detail {
 

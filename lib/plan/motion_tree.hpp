@@ -7,9 +7,9 @@
 #include <algorithm>
 
 #include "base/arena.hpp"
-#include "krait/contract.hpp"
 #include "krait/geometry.hpp"
 #include "krait/parameters.hpp"
+#include "krait/status.hpp"
 #include "plan/target_grid.hpp"
 
 namespace krait::detail {

@@ -4,7 +4,7 @@
 #include <new>
 #include <type_traits>
 
-#include "krait/contract.hpp"
+#include "krait/status.hpp"
 #include "plan/plan_meter.hpp"
 #include "plan/plan_walk.hpp"
 

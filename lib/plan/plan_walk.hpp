@@ -2,8 +2,8 @@
 // Drives a plan again, step by step: its states are those of PlanDrive.
 #pragma once
 
-#include "krait/contract.hpp"
 #include "krait/plan.hpp"
+#include "krait/status.hpp"
 #include "motion/plan_drive.hpp"
 
 namespace krait::detail {

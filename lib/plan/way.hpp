@@ -4,7 +4,7 @@
 #pragma once
 
 #include "base/arena.hpp"
-#include "krait/contract.hpp"
+#include "krait/status.hpp"
 #include "plan/target_grid.hpp"
 
 namespace krait::detail {

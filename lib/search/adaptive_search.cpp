@@ -75,7 +75,7 @@ void AdaptiveSearch::iterate(const Watch& watch) {
 
 void AdaptiveSearch::begin_expansion(const Watch& watch) {
   if (!room_for_expansion()) return;
-  if (parameters_.tuning.plain) groups_.weigh(regions_);
+  if (!shortcuts_) groups_.weigh(regions_);
   group_ = groups_.select(regions_);
   const Way way = choose_way(group_);
   if (way.promising) {
@@ -152,11 +152,11 @@ void AdaptiveSearch::raise_costs(Index last_region) {
 void AdaptiveSearch::update_costs() {
   if (!raised_) return;
   raised_ = false;
-  if (parameters_.tuning.plain) {
+  if (shortcuts_) {
+    statistics_.regions_repaired += regions_.repair();
+  } else {
     regions_.update();
     ++statistics_.dijkstra_runs;
-  } else {
-    statistics_.regions_repaired += regions_.repair();
   }
   groups_.weigh(regions_);
 }

@@ -6,7 +6,6 @@
 #include "collision/motion_check.hpp"
 #include "decomposition/regions.hpp"
 #include "krait/planner.hpp"
-#include "krait/watch.hpp"
 #include "motion/drive.hpp"
 #include "plan/ending.hpp"
 #include "plan/motion_tree.hpp"

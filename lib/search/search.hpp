@@ -12,7 +12,6 @@
 #include "krait/plan.hpp"
 #include "krait/planner.hpp"
 #include "krait/robot.hpp"
-#include "krait/watch.hpp"
 #include "plan/ending.hpp"
 #include "plan/motion_tree.hpp"
 #include "plan/plan_proof.hpp"
@@ -130,6 +129,7 @@ class Search {
   Status finish(Status status);
 
   bool shoots_at_poses_ = true;
+  bool shortcuts_ = true;  // the plan is the same without, which tests and measurements of them search
   Robot robot_;
   const Scene* scene_ = nullptr;
   Parameters parameters_ = kDefaults;

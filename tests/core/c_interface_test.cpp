@@ -495,7 +495,6 @@ TEST(CInterface, EveryParameterIsInItsPlace) {
   EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, continuous);
   EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, max_substeps);
   EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, prune_portals);
-  EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, plain);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, goal_margin);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, end_speed);
   EXPECT_SAME_PLACE(krait_limits, Limits, vertices);

@@ -53,42 +53,6 @@ TEST(PlannerModes, WithoutPruningADoorTooNarrowIsTriedInVain) {
   }
 }
 
-// What shortcuts prove Box2D finds as well, and repaired costs are those of Dijkstra to the bit.
-TEST(PlannerModes, OfStatesThatAreCheckedAloneThePlainWayGivesTheSamePlan) {
-  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    std::uint64_t hashes[2], iterations[2];
-    for (const bool plain : {true, false}) {
-      Bench<Unicycle> bench(two_rooms(0.8), small_unicycle());
-      bench.parameters.tuning.plain = plain;
-      bench.parameters.tuning.continuous = false;
-      bench.parameters.tuning.kappa = 1;
-      ASSERT_TRUE(bench.init().ok());
-      ASSERT_EQ(bench.solve({kStart, Goal::named(0), seed}), Status::solved);
-      hashes[plain] = bench.planner.statistics().hash;
-      iterations[plain] = bench.planner.statistics().iterations;
-    }
-    EXPECT_EQ(hashes[0], hashes[1]);
-    EXPECT_EQ(iterations[0], iterations[1]);
-  }
-}
-
-TEST(PlannerPlain, RunsDijkstraWhereOthersRepairAndPlansAsSafely) {
-  for (const bool plain : {true, false}) {
-    Bench<Unicycle> bench(two_rooms(0.8), small_unicycle());
-    bench.parameters.tuning.plain = plain;
-    bench.parameters.tuning.kappa = 1;
-    ASSERT_TRUE(bench.init().ok());
-    ASSERT_EQ(bench.solve({kStart}), Status::solved);
-    const Statistics statistics = bench.planner.statistics();
-    EXPECT_EQ(statistics.dijkstra_runs > 1, plain);
-    EXPECT_EQ(statistics.regions_repaired > 0, !plain);
-    const Path path(bench.planner.plan());
-    for (std::size_t i = 0; i < path.controls.size(); ++i) {
-      ASSERT_GT(separation_of_step(bench.robot, bench.open.scene, path.states[i], path.controls[i], 0.1F, 8), 0.0);
-    }
-  }
-}
-
 TEST(PlannerPaper, PlansThroughFreeStatesWithinTheLimits) {
   ChainParameters p;
   p.trailers = 2;

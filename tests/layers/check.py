@@ -12,16 +12,16 @@ from pathlib import Path
 
 # Of the core, the lowest first: folders and files directly under include/krait and lib.
 LAYERS = [
-    "version", "contract", "math", "geometry", "base", "status", "why", "format", "parameters", "scene", "goal",
-    "decomposition", "robots", "robot", "watch", "motion", "collision", "plan", "improve", "planner", "search",
+    "version", "math", "geometry", "status", "base", "format", "parameters", "scene", "goal",
+    "decomposition", "robots", "robot", "motion", "collision", "plan", "improve", "planner", "search",
     "robot_check", "krait", "c",
 ]
 # What is installed under include/krait. Its headers are layers one by one, and the folder robots is one, too: its
 # headers stand on geometry.hpp, and robot.hpp and krait.hpp stand on them.
 PUBLIC = {
     "krait.hpp", "krait.h", "version.h", "status.hpp", "scene.hpp", "goal.hpp", "parameters.hpp", "robot.hpp",
-    "planner.hpp", "watch.hpp", "plan.hpp", "why.hpp", "robot_check.hpp",  # what programs name
-    "contract.hpp", "math.hpp", "geometry.hpp", "format.hpp",  # what these stand on
+    "planner.hpp", "plan.hpp", "robot_check.hpp",  # what programs name
+    "math.hpp", "geometry.hpp", "format.hpp",  # what these stand on
     "robots/snake.hpp", "robots/truck.hpp", "robots/car.hpp", "robots/unicycle.hpp", "robots/differential_drive.hpp",
     "robots/chain.hpp", "robots/planar.hpp",  # what some robots share
     "robots/model.hpp", "robots/defaults.hpp", "robots/functions.hpp",  # what the author of a robot writes to

@@ -44,11 +44,11 @@ struct SearchRequest {
   double improve = 0;  // multiples of the first plan's collision checks that a better one is looked for by
   Parameters parameters;
 
-  // m/s: how fast the plan may end; absent: at any speed. Only the adaptive planner is asked to brake.
+  // m/s: how fast the plan may end; absent: at any speed. Only the adaptive search is asked to brake.
   std::optional<double> end_speed() const {
     const auto speed = static_cast<double>(parameters.end_speed);
-    return planner == "adaptive" && speed < std::numeric_limits<double>::infinity() ? std::optional(speed)
-                                                                                    : std::nullopt;
+    const bool brakes = planner == "adaptive" || planner == "plain";
+    return brakes && speed < std::numeric_limits<double>::infinity() ? std::optional(speed) : std::nullopt;
   }
 };
 

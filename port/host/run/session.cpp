@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "host/rivals/plain.hpp"
 #include "host/rivals/prior.hpp"
 #include "host/rivals/rrt.hpp"
 #include "host/run/planner_session.hpp"
@@ -80,8 +81,9 @@ std::unique_ptr<Session> start_session(const krait::Scene& scene, const SearchRe
   if (request.planner == "adaptive")
     return std::make_unique<PlannerSession<detail::AdaptiveSearch>>(scene, request, block);
   if (request.planner == "prior") return std::make_unique<PlannerSession<rivals::PriorPlanner>>(scene, request, block);
+  if (request.planner == "plain") return std::make_unique<PlannerSession<rivals::PlainPlanner>>(scene, request, block);
   if (request.planner == "rrt") return std::make_unique<PlannerSession<rivals::RrtPlanner>>(scene, request, block);
-  throw InputError("no planner '" + request.planner + "' (there is: adaptive, prior, rrt)");
+  throw InputError("no planner '" + request.planner + "' (there is: adaptive, plain, prior, rrt)");
 }
 
 }  // namespace krait::host

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rivals, which share the planner's memory, expansions and plans.
+// The planners that the adaptive one is compared with, which share its memory, expansions and plans.
 #pragma once
 
+#include "host/rivals/plain.hpp"
 #include "host/rivals/prior.hpp"
 #include "host/rivals/rival.hpp"
 #include "host/rivals/rrt.hpp"
@@ -9,6 +10,7 @@
 
 namespace krait::test {
 
+using rivals::PlainPlanner;
 using rivals::PriorPlanner;
 using rivals::RrtPlanner;
 
