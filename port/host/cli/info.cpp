@@ -89,7 +89,7 @@ void print_info(const std::string& path, const std::string& robot, const std::st
   if (h.portals > 0) std::printf(", the narrowest %.3f m wide", number(narrowest_portal(scene)));
   std::printf("\n%-10s%u convex pieces, %u vertices\n", "obstacles", h.pieces, h.piece_vertices);
   std::printf("%-10sobstacles grown by at most %.4g m a side, moved inward by at most %.2g m\n", "tolerance",
-              number(h.tolerance) / 2, number(h.obstacle_error));
+              number(h.tolerance), number(h.obstacle_error));
   std::printf("%-10sbuckets of %.3g m (at most %u triangles, %u pieces in one), clearance cells of %.3g m\n", "look-up",
               number(h.bucket_size), h.most_bucket_triangles, h.most_bucket_pieces, number(h.clearance_cell));
   std::printf("%-10sversion %u, %u-byte indices\n", "format", h.version, h.index_width);

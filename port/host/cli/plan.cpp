@@ -275,7 +275,7 @@ SearchResult search_in(Ground& ground, const PlanOptions& options, const SearchR
     progress.end();
   }
   ground.scene = compiled(options, "0");
-  ground.grown = tolerance / 2;
+  ground.grown = tolerance;
   return search(options, request, ground.scene, progress);
 }
 
@@ -330,7 +330,7 @@ void add_plan(CLI::App& app, const char* program) {
   command
       ->add_option("--tolerance", o->tolerance,
                    "how much a map's passages may get narrower, in metres, as for krait compile\n"
-                   "(default: one cell; 0 where that leaves no plan)")
+                   "(default: one cell, but to no less than two; 0 where that leaves no plan)")
       ->check(number_in(0, 1e6, "metres"));
   command
       ->add_option("--planner", o->planner,

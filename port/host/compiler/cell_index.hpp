@@ -29,8 +29,8 @@ class CellIndex {
 
   std::size_t cell_of(GridPoint p) const { return index(column(p.x), row(p.y)); }
 
-  // Calls visit(cell) for every cell that comes within one grid step of the segment or triangle (of 2 or 3 points),
-  // and perhaps for a few more.
+  // Calls visit(cell) for every cell that comes within one grid step of the segment or convex polygon (of 2 or more
+  // points), and perhaps for a few more.
   template <class Visit>
   void near(std::span<const GridPoint> points, Visit visit) const {
     const auto [low, high] =

@@ -26,12 +26,17 @@ constexpr double kRounding = 0.7072;             // grid steps: the furthest tha
 
 bool free(const Face& face) { return face.winding[0] != 0; }
 
-// How far an obstacle may grow, in metres.
-double growth_of(const Workspace& w, const CompileOptions& options) {
+// How far an obstacle may grow, and how wide a passage stays where it grows; metres.
+struct Growth {
+  double most = 0;
+  double narrow = 0;
+};
+
+Growth growth_of(const Workspace& w, const CompileOptions& options) {
   if (std::isnan(options.tolerance) || options.tolerance > 1e6)
     throw InputError("the tolerance is not a length in metres");
-  if (options.tolerance >= 0) return options.tolerance / 2;
-  return w.cells ? w.cells->resolution / 2 : 0;
+  if (options.tolerance >= 0) return {options.tolerance / 2};
+  return w.cells ? Growth{w.cells->resolution / 2, 2 * w.cells->resolution} : Growth{};
 }
 
 void check_starts(const Workspace& w, std::vector<std::string>& warnings) {
@@ -68,9 +73,10 @@ FreeSpace free_space(const Edges& solid, const GridBox& bounds) {
   return {boundary(triangulate(snapped.edges), free), snapped.passes};
 }
 
-FreeSpace simplified(const FreeSpace& space, const GridBox& bounds, double growth) {
+FreeSpace simplified(const FreeSpace& space, const GridBox& bounds, const Growth& growth) {
   Edges edges;
-  for (const GridRing& ring : simplify(rings_of(space.boundary), growth)) append_ring(edges, ring, {1, 0});
+  const auto rings = simplify(rings_of(space.boundary), growth.most / kStep, growth.narrow / kStep);
+  for (const GridRing& ring : rings) append_ring(edges, ring, {1, 0});
   append_hull(edges, bounds);
   const Snapped snapped = snap(edges);
   return {snapped.edges, space.roundings + snapped.passes};
@@ -113,7 +119,8 @@ CompiledScene compile(const Workspace& workspace, const CompileOptions& options)
   CompiledScene result;
   SceneParts parts;
   parts.frame = frame_of(workspace);
-  parts.growth = growth_of(workspace, options);
+  const Growth growth = growth_of(workspace, options);
+  parts.growth = growth.most;
   check_starts(workspace, result.warnings);
   parts.goals = place_goals(workspace, parts.frame);
   const GridBox& bounds = parts.frame.bounds;
@@ -122,7 +129,7 @@ CompiledScene compile(const Workspace& workspace, const CompileOptions& options)
   const Solid solid = solid_of(workspace, parts.frame, result.warnings);
   FreeSpace space = free_space(solid.boundary, bounds);
   tell("simplifying");
-  space = simplified(space, bounds, parts.growth / kStep);
+  space = simplified(space, bounds, growth);
   const double shrink = parts.growth > 0 ? kShrink : 0;
   parts.obstacle_error = (kRounding * (solid.roundings + space.roundings) + shrink) * kStep;
 

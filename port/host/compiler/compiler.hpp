@@ -13,7 +13,9 @@
 namespace krait::host {
 
 struct CompileOptions {
-  double tolerance = -1;  // metres that simplification may close a passage by; negative: one cell for maps, 0 else
+  // Metres that simplification may narrow a passage by. Negative: 0 for drawings; for maps one cell, of passages that
+  // stay two cells wide.
+  double tolerance = -1;
   std::function<void(const std::string&)> progress;  // told the name of each step as it begins; may be empty
 };
 

@@ -114,7 +114,7 @@ int main(int argc, char** argv) {
   app.add_option("--datum", arguments.datum, kAboutDatum)->option_text("LONGITUDE,LATITUDE");
   app.add_option("--tolerance", arguments.tolerance,
                  "how much a passage may get narrower so that outlines need fewer corners; 0: not at all\n"
-                 "(default: one cell for maps, 0 for drawings)")
+                 "(default: 0 for drawings; for maps one cell, but no passage gets narrower than two cells by it)")
       ->check(CLI::Range(0.0, 1e6))
       ->option_text("METRES, 0 to 1e6");
   try {

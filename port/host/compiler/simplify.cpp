@@ -8,6 +8,7 @@
 
 #include "host/compiler/cell_index.hpp"
 #include "host/compiler/lipschitz.hpp"
+#include "host/compiler/passages.hpp"
 
 namespace krait::host::compiler {
 namespace {
@@ -22,7 +23,8 @@ double distance(double x, double y, GridPoint a, GridPoint b) {
 
 class Simplifier {
  public:
-  Simplifier(const std::vector<GridRing>& rings, double growth) : growth_(growth) {
+  Simplifier(const std::vector<GridRing>& rings, double growth, double narrow)
+      : growth_(growth), passages_(narrow > 0 ? rings : std::vector<GridRing>{}, narrow + growth) {
     for (const GridRing& ring : rings) {
       const auto first = static_cast<std::uint32_t>(points_.size());
       const auto size = static_cast<std::uint32_t>(ring.size());
@@ -83,7 +85,7 @@ class Simplifier {
   bool removable(std::uint32_t i, const CellIndex& index, const CellLists& lists) const {
     const Node& n = nodes_[i];
     if (left_[n.ring_first] <= 3 || points_[n.previous] == points_[n.next]) return false;
-    return within_growth(n) && triangle_is_empty(i, index, lists);
+    return within_growth(n) && triangle_is_empty(i, index, lists) && !narrows(i);
   }
 
   // The original vertices from node a to node b, by index.
@@ -123,6 +125,12 @@ class Simplifier {
       return nearest;
     };
     return never_exceeds(gap, 0, length, growth_, growth_ / 1000);
+  }
+
+  // Obstacles on both sides of a passage may grow: the passages' own edges are those that have not.
+  bool narrows(std::uint32_t i) const {
+    const GridPoint a = points_[nodes_[i].previous], b = points_[nodes_[i].next];
+    return cross(a, points_[i], b) > 0 && passages_.narrow(a, b);
   }
 
   // No vertex lies in the closed triangle but its own three. Where another ring touches the vertex, its going must not
@@ -175,6 +183,7 @@ class Simplifier {
   }
 
   double growth_;
+  Passages passages_;
   std::vector<GridPoint> points_;
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> left_;  // by a ring's first node: how many of its nodes are alive
@@ -183,8 +192,8 @@ class Simplifier {
 
 }  // namespace
 
-std::vector<GridRing> simplify(const std::vector<GridRing>& rings, double growth) {
-  return Simplifier(rings, growth).run();
+std::vector<GridRing> simplify(const std::vector<GridRing>& rings, double growth, double narrow) {
+  return Simplifier(rings, growth, narrow).run();
 }
 
 }  // namespace krait::host::compiler

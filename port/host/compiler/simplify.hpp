@@ -11,10 +11,11 @@ namespace krait::host::compiler {
 // Simplification takes only vertices away, each where no other vertex lies in the triangle that it spans with its
 // neighbours: no passage closes, no wall opens, nothing appears or vanishes. A point that becomes solid is at most
 // `growth` (and a thousandth of it) from what was solid; what becomes free is at most kShrink from what stays solid.
-// Growth 0 takes only vertices in the middle of a straight line.
+// Growth 0 takes only vertices in the middle of a straight line. No obstacle grows where that would leave less than
+// `narrow` between it and what faces it: a passage that is narrower stays as it is, a wider one stays that wide.
 inline constexpr double kShrink = 1;  // grid steps; lets vertices go that rounding has pushed out of a line
 
-// Rings as rings_of() gives them, free space on the left; growth in grid steps.
-std::vector<GridRing> simplify(const std::vector<GridRing>& rings, double growth);
+// Rings as rings_of() gives them, free space on the left; growth and narrow in grid steps.
+std::vector<GridRing> simplify(const std::vector<GridRing>& rings, double growth, double narrow = 0);
 
 }  // namespace krait::host::compiler

@@ -34,11 +34,11 @@ std::string other_name(const Contact& contact, const RobotSpec& robot) {
   }
 }
 
-// Obstacles may have been grown when the scene was compiled, by half its tolerance a side.
+// Obstacles may have been grown when the scene was compiled, and a passage narrowed from both of its sides.
 std::string grown(const krait::Scene& scene, double lacking) {
   const auto tolerance = static_cast<double>(scene.header().tolerance);
-  if (!(tolerance > 0) || lacking > tolerance) return "";
-  return "; when the map was compiled, obstacles were grown by up to " + metres(tolerance / 2) +
+  if (!(tolerance > 0) || lacking > 2 * tolerance) return "";
+  return "; when the map was compiled, obstacles were grown by up to " + metres(tolerance) +
          " a side, which may be why: --tolerance 0 leaves them as they are";
 }
 

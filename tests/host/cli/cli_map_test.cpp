@@ -16,6 +16,7 @@ namespace {
 
 using nlohmann::ordered_json;
 using testing::HasSubstr;
+using testing::Not;
 using Arguments = std::vector<std::string>;
 
 constexpr const char* kRules =
@@ -49,6 +50,20 @@ std::string staircase(bool descends) {
   }
   return image;
 }
+
+// As large: solid below a diagonal of steps, each one cell.
+std::string slope() {
+  constexpr int kSize = 24;
+  std::string image = "P2 24 24 255\n";
+  for (int row = 0; row < kSize; ++row) {
+    for (int column = 0; column < kSize; ++column) image += column >= row ? "255 " : "0 ";
+    image += "\n";
+  }
+  return image;
+}
+
+constexpr const char* kHalfMetreCells =
+    "image: image.pgm\nresolution: 0.5\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
 
 class CliMap : public CliTest {
  protected:
@@ -143,10 +158,8 @@ TEST_F(CliMap, TheToleranceReachesTheCompiler) {
   EXPECT_EQ(planned("stairs.json", across({"--tolerance", "0"})), exact);
 }
 
-TEST_F(CliMap, TheDefaultToleranceClosesNoCorridorOfOneCell) {
-  write("ros.yaml",
-        "image: image.pgm\nresolution: 0.5\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\n"
-        "free_thresh: 0.196\n");
+TEST_F(CliMap, TheDefaultToleranceNarrowsNoCorridorOfOneCell) {
+  write("ros.yaml", kHalfMetreCells);
   for (const bool descends : {true, false}) {
     write("image.pgm", staircase(descends));
     const Arguments query = {"--robot", "turtlebot4",
@@ -155,10 +168,19 @@ TEST_F(CliMap, TheDefaultToleranceClosesNoCorridorOfOneCell) {
     expect_verified("ros.yaml", query);
     Arguments arguments = {"plan", "ros.yaml"};
     arguments.insert(arguments.end(), query.begin(), query.end());
-    EXPECT_THAT(krait(arguments).output, HasSubstr("the map's cells as they are (--tolerance 0)"));
+    EXPECT_THAT(krait(arguments).output, Not(HasSubstr("--tolerance")));
     arguments.insert(arguments.end(), {"--tolerance", "0.5"});
     expect_refused(arguments, "--tolerance 0 leaves them as they are");
   }
+}
+
+TEST_F(CliMap, AStartInANotchThatTheDefaultToleranceFillsIsPlannedFromWithoutIt) {
+  write("ros.yaml", kHalfMetreCells);
+  write("image.pgm", slope());
+  const Arguments arguments = {"plan",    "ros.yaml",       "--robot", "turtlebot4",
+                               "--start", "5.25,6.75,0.78", "--goal",  "9.75,9.75,0.1"};
+  EXPECT_THAT(krait(arguments).output,
+              HasSubstr("the map's cells as they are (--tolerance 0): with obstacles grown by up to 0.25 m"));
 }
 
 TEST_F(CliMap, OptionsForMapsAreRefusedWithACompiledScene) {

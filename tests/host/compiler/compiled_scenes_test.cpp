@@ -384,6 +384,127 @@ TEST_P(RandomMaps, Hold) {
 }
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomMaps, testing::Range(0, 24));
 
+// Where the centre of a disc can stand in a scene and between which places it can move, by points 16 to a cell.
+class Floor {
+ public:
+  Floor(const SceneView& v, double cell) : step_(cell / 16) {
+    const auto number = [](float x) { return static_cast<double>(x); };
+    const Ring bounds = box(number(v.header.bounds_min_x), number(v.header.bounds_min_y), number(v.header.bounds_max_x),
+                            number(v.header.bounds_max_y));
+    columns_ = static_cast<int>((bounds[2].x - bounds[0].x) / step_);
+    rows_ = static_cast<int>((bounds[2].y - bounds[0].y) / step_);
+    for (int i = 0; i < columns_ * rows_; ++i) {
+      const Point p{bounds[0].x + step_ * (i % columns_), bounds[0].y + step_ * (i / columns_)};
+      double room = distance(p, bounds);
+      for (const Ring& piece : v.pieces) room = std::min(room, convex_contains(piece, p) ? 0 : distance(p, piece));
+      room_.push_back(room);
+    }
+  }
+
+  std::size_t size() const { return room_.size(); }
+  bool stands(std::size_t i, double radius) const { return room_[i] >= radius; }
+
+  // How far a point of a path may be from the nearest of the points.
+  double coarse() const { return step_ / std::sqrt(2.0); }
+
+  // A number for each point, the same for those between which the disc can move; -1 where it cannot stand.
+  std::vector<int> parts(double radius) const {
+    std::vector<int> part(room_.size(), -1);
+    int count = 0;
+    for (std::size_t first = 0; first < part.size(); ++first) {
+      if (part[first] >= 0 || !stands(first, radius)) continue;
+      std::vector<std::size_t> waiting{first};
+      part[first] = count;
+      while (!waiting.empty()) {
+        const int at = static_cast<int>(waiting.back());
+        waiting.pop_back();
+        for (int dy = -1; dy <= 1; ++dy) {
+          for (int dx = -1; dx <= 1; ++dx) {
+            const int x = at % columns_ + dx, y = at / columns_ + dy;
+            if (x < 0 || y < 0 || x >= columns_ || y >= rows_) continue;
+            const auto next = static_cast<std::size_t>(y * columns_ + x);
+            if (part[next] >= 0 || !stands(next, radius)) continue;
+            part[next] = count;
+            waiting.push_back(next);
+          }
+        }
+      }
+      ++count;
+    }
+    return part;
+  }
+
+ private:
+  double step_;
+  int columns_ = 0, rows_ = 0;
+  std::vector<double> room_;  // metres to the nearest piece or bound
+};
+
+// Points between which the disc can move on the one floor but not on the other, though it can stand at both.
+std::size_t parted(const Floor& exact, const Floor& grown, double radius) {
+  const std::vector<int> before = exact.parts(radius), after = grown.parts(radius - 2 * exact.coarse());
+  std::vector<int> expected(before.size(), -1);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    if (!exact.stands(i, radius) || !grown.stands(i, radius)) continue;
+    int& part = expected[static_cast<std::size_t>(before[i])];
+    if (part < 0) part = after[i];
+    count += part != after[i] ? 1 : 0;
+  }
+  return count;
+}
+
+// Corridors of one cell, or two, in solid ground: walks that climb or descend, as staircases do.
+CellMap corridors(std::mt19937_64& random, int size, double resolution) {
+  CellMap map;
+  map.columns = map.rows = size;
+  map.resolution = resolution;
+  map.occupied.assign(static_cast<std::size_t>(size * size), 1);
+  const auto draw = [&](int most) { return std::uniform_int_distribution<int>(0, most)(random); };
+  for (int walk = 0; walk < 3; ++walk) {
+    const bool climbs = draw(1) == 0;
+    const int width = draw(1);
+    int x = 1 + draw(2), y = climbs ? 1 + draw(2) : size - 2 - draw(2);
+    while (x < size - 1 && y > 0 && y < size - 1) {
+      for (int i = std::max(x - width, 1); i <= x; ++i) map.occupied[static_cast<std::size_t>(y * size + i)] = 0;
+      if (draw(2) > 0 ? (x + y) % 2 == 0 : draw(1) == 0) {
+        ++x;
+      } else {
+        y += climbs ? 1 : -1;
+      }
+    }
+  }
+  return map;
+}
+
+class NarrowMaps : public testing::TestWithParam<int> {};
+
+TEST_P(NarrowMaps, KeepWaysOfUpToTwoCellsByDefault) {
+  constexpr double kCell = 0.05;
+  constexpr int kSize = 12;
+  std::mt19937_64 random(static_cast<std::uint64_t>(GetParam()));
+  const double share = std::uniform_real_distribution<double>(0.1, 0.5)(random);
+  const Workspace w =
+      map_room(GetParam() % 2 == 0 ? random_cells(random, kSize, kSize, share) : corridors(random, kSize, kCell),
+               {2, -3}, GetParam() % 4 < 2 ? 0 : 0.3);
+  const Floor exact(checked(w, 0, 0), kCell), grown(checked(w, -1, 0), kCell);
+  for (const double width : {0.98, 1.4, 1.98}) {
+    EXPECT_EQ(parted(exact, grown, width / 2 * kCell), 0U) << width << " cells wide";
+  }
+}
+INSTANTIATE_TEST_SUITE_P(Seeds, NarrowMaps, testing::Range(0, 40));
+
+TEST(Maps, AToleranceThatIsAskedForMayNarrowACorridor) {
+  constexpr double kCell = 0.05;
+  std::mt19937_64 random(1);
+  std::size_t narrowed = 0;
+  for (int i = 0; i < 10; ++i) {
+    const Workspace w = map_room(corridors(random, 12, kCell));
+    narrowed += parted(Floor(checked(w, 0, 0), kCell), Floor(checked(w, kCell, 0), kCell), 0.49 * kCell);
+  }
+  EXPECT_GT(narrowed, 0U);
+}
+
 class RandomDrawings : public testing::TestWithParam<int> {};
 
 TEST_P(RandomDrawings, Hold) {

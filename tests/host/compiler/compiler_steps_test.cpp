@@ -111,6 +111,21 @@ TEST(Simplify, KeepsASpikeThatLeansAlongItsBase) {
   EXPECT_THAT(simplify({room}, 100)[0], testing::Contains(tip));
 }
 
+TEST(Simplify, GrowsNoObstacleWhereThatLeavesAPassageNarrow) {
+  // A notch in the floor, and a ceiling across from it.
+  const GridRing room{{0, 0}, {400, 0}, {500, -100}, {600, 0}, {1000, 0}, {1000, 300}, {0, 300}};
+  EXPECT_THAT(simplify({room}, 100, 150)[0], testing::Not(testing::Contains(GridPoint{500, -100})));
+  EXPECT_THAT(simplify({room}, 100, 250)[0], testing::Contains(GridPoint{500, -100}));
+}
+
+TEST(Simplify, ObstaclesOnBothSidesOfAPassageLeaveItItsWidth) {
+  // Each of two notches could be filled if the other were not: 340 steps from floor to ceiling, 380 at a notch.
+  const GridRing room{{0, 0},      {400, 0},   {500, -40}, {600, 0},   {1000, 0},
+                      {1000, 340}, {600, 340}, {500, 380}, {400, 340}, {0, 340}};
+  EXPECT_EQ(simplify({room}, 50, 280)[0].size(), 4U);
+  EXPECT_EQ(simplify({room}, 50, 340)[0].size(), room.size());
+}
+
 // Triangles thinner than the grid, of lengths over two decades; every eighth along a diagonal.
 std::vector<Edges> needles(std::uint64_t seed) {
   std::mt19937_64 random(seed);
