@@ -29,6 +29,7 @@ DIFFERENCES = """## What differs from the paper
   say nothing about the paper; ratios between planners on one scene do.
 - **Machines** are ten years apart, and the paper's times count reading the input and decomposing it; ours do not (the compile time stands beside).
 - **Robot.** Eqn 1's sine is corrected ([lib/DESIGN.md](../lib/DESIGN.md)); lengths and limits of the paper's robot are not given, ours are `krait plan --help`'s.
+- **Clearance.** Every planner here keeps 1 mm, the library's default, and not `krait plan`'s.
 - **Collision.** Every planner here proves whole steps free, not states only; `paper` alone checks as the paper does, and its plans may fail the verifier.
 - **Portals too narrow for the robot are cut off before the search**, for `adaptive`, `prior`, `rrt`, `control` and `plain`, and for Syclop on our triangles. The paper's planners have to find out; `paper`, `adaptive-unpruned` and
   `prior-unpruned` do here.

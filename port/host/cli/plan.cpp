@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "host/cli/asked.hpp"
+#include "host/cli/clearance.hpp"
 #include "host/cli/commands.hpp"
 #include "host/cli/compiler_process.hpp"
 #include "host/cli/interrupt.hpp"
@@ -175,7 +176,7 @@ void print_improvement(const SearchResult& result) {
               s.at("plan_duration_s").get<double>(), result.first.length, s.at("plan_length_m").get<double>());
 }
 
-void print_summary(const SearchResult& result, const Ground& ground) {
+void print_summary(const SearchResult& result, const Ground& ground, const std::optional<Clearance>& clearance) {
   const PlanFile& plan = result.plan;
   const auto& s = plan.statistics;
   std::printf("%s: %s (%zu bodies) in %s, seed %llu: %.4f s, %llu iterations, %llu vertices\n", plan.status.c_str(),
@@ -191,6 +192,8 @@ void print_summary(const SearchResult& result, const Ground& ground) {
         "  the map's cells as they are (--tolerance 0): with obstacles grown by up to %.4g m there was no plan\n",
         ground.grown);
   }
+  const bool no_route = plan.status == to_string(Status::no_route);  // the reason names the clearance
+  if (clearance && !no_route) std::printf("  %s\n", text(*clearance, ground.map).c_str());
   for (const std::string& reason : result.why) std::printf("  %s\n", reason.c_str());
   if (plan.states.empty()) return;
   std::printf("plan: %zu steps, %.1f s, %.1f m, hash %s, verified\n", plan.controls.size(),
@@ -261,35 +264,51 @@ Ground read_ground(const PlanOptions& options, Progress& progress) {
   return {compiled(options, options.tolerance), std::move(map)};
 }
 
+// A search and what it kept to obstacles, where nobody asked for a clearance.
+struct Answer {
+  SearchResult result;
+  std::optional<Clearance> clearance;
+};
+
+// Searches with the clearance that was asked for, or else the usual one, which becomes the request's.
+Answer search_clear(const Ground& ground, const PlanOptions& options, SearchRequest& request, Progress& progress) {
+  std::optional<Clearance> clearance;
+  if (!options.clearance && !options.paper) {
+    clearance = usual_clearance(options.scene, ground.scene, request, ground.map);
+    request.parameters.clearance = clearance->kept;
+  }
+  return {search(options, request, ground.scene, progress), clearance};
+}
+
 // Searches; where obstacles are in the way that the compiler's default tolerance may have grown, the map is compiled
 // without it, and that scene, which replaces the first, is searched.
-SearchResult search_in(Ground& ground, const PlanOptions& options, const SearchRequest& request, Progress& progress) {
-  const double tolerance = static_cast<double>(open_scene(options.scene, ground.scene).header().tolerance);
-  if (!ground.map || !options.tolerance.empty() || !(tolerance > 0)) {
-    return search(options, request, ground.scene, progress);
+Answer search_in(Ground& ground, const PlanOptions& options, SearchRequest& request, Progress& progress) {
+  const double growth = static_cast<double>(open_scene(options.scene, ground.scene).header().tolerance);
+  if (!ground.map || !options.tolerance.empty() || !(growth > 0)) {
+    return search_clear(ground, options, request, progress);
   }
   try {
-    SearchResult result = search(options, request, ground.scene, progress);
-    if (result.plan.status != to_string(Status::no_route)) return result;
+    Answer answer = search_clear(ground, options, request, progress);
+    if (answer.result.plan.status != to_string(Status::no_route)) return answer;
   } catch (const InObstacle&) {
     progress.end();
   }
   ground.scene = compiled(options, "0");
-  ground.grown = tolerance;
-  return search(options, request, ground.scene, progress);
+  ground.grown = growth;
+  return search_clear(ground, options, request, progress);
 }
 
 void plan(const PlanOptions& options) {
-  const SearchRequest request = request_of(options);
+  SearchRequest request = request_of(options);
   check_outputs(outputs_of(options), inputs_of(options));  // before work that may take long
   Progress progress("krait");
   Ground ground = read_ground(options, progress);
-  SearchResult result = search_in(ground, options, request, progress);
+  auto [result, clearance] = search_in(ground, options, request, progress);
   Verdict verdict;
   const int code = judge(result, ground, request, options, verdict, progress);
   if (!options.json.empty()) write_file(options.json, to_json(result.plan).dump() + "\n");
   if (!options.csv.empty()) write_file(options.csv, csv_of(result.plan));
-  print_summary(result, ground);
+  print_summary(result, ground, clearance);
   if (request.improve > 0 && !result.plan.states.empty()) print_improvement(result);
   if (code == kDone) print_quality(result, request, ground.scene, verdict);
   draw(request, ground.scene, result, options, progress);
@@ -368,8 +387,13 @@ void add_plan(CLI::App& app, const char* program) {
       ->check(number_of(Argument::gamma, kPlain));
   search("--kappa", o->kappa, "expansions between updates of the costs", Argument::kappa, float(tuning.kappa))
       ->check(whole_number_of(Argument::kappa, "expansions"));
-  search("--clearance", o->clearance, "metres kept to obstacles on top of rounding", Argument::clearance,
-         defaults.clearance)
+  command
+      ->add_option(
+          "--clearance", o->clearance,
+          with_range("metres kept to obstacles on top of rounding", Argument::clearance) +
+              printed(" (default: 2 %% of the robot's width\nand half a map's cell, less where there is too little room"
+                      " for it, at least %.4g; that with --paper)",
+                      decimal(defaults.clearance)))
       ->check(number_of(Argument::clearance, "metres"));
   search("--dt", o->dt, "a time step, seconds", Argument::dt, defaults.dt)->check(number_of(Argument::dt, "seconds"));
   command->add_flag("--paper", o->paper,

@@ -76,7 +76,8 @@ def fill(folder, environment):
         (folder / name).write_text(json.dumps(content))
     for name, content in TEXTS.items():
         (folder / name).write_text(content)
-    for command in ["krait compile room.json -o room.krait", "krait plan room.json --robot car -o plan.json",
+    for command in ["krait compile room.json -o room.krait",
+                    "krait plan room.json --robot car --clearance 0.001 -o plan.json",
                     "head -c 400 room.krait >cut.krait"]:
         subprocess.run(["bash", "-c", command], cwd=folder, env=environment, check=True, stdout=subprocess.DEVNULL)
 

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "host/cli/clearance.hpp"
+
+#include <algorithm>
+
+#include "host/run/session.hpp"
+#include "host/workspace/printed.hpp"
+
+namespace krait::host {
+namespace {
+
+constexpr double kShare = 0.02;  // of the robot's width
+
+bool has_cells(const std::optional<Workspace>& map) { return map && map->cells; }
+
+// Metres, of the widest body.
+double width_of(const RobotSpec& robot) {
+  double widest = 0;
+  for (const Ring& body : robot.bodies) {
+    const auto by_y = [](const Point& a, const Point& b) { return a.y < b.y; };
+    const auto [right, left] = std::minmax_element(body.begin(), body.end(), by_y);
+    widest = std::max(widest, left->y - right->y);
+  }
+  return widest;
+}
+
+// What has no room for the request's clearance; empty where start and widest way have.
+std::string too_narrow(const krait::Scene& scene, const SearchRequest& request, Block& block) {
+  try {
+    const std::unique_ptr<Session> session = start_session(scene, request, block);
+    session->stop_for_time();
+    const Bottleneck widest = session->bottleneck();
+    return widest.width < widest.needed ? "every way to the goal has" : "";
+  } catch (const InObstacle&) {
+    return "the start has";
+  }
+}
+
+}  // namespace
+
+Clearance usual_clearance(const std::string& scene_path, const SceneBytes& bytes, const SearchRequest& request,
+                          const std::optional<Workspace>& map) {
+  constexpr float kLeast = Parameters{}.clearance;
+  const float most = Parameters::range(Argument::clearance).most / 2;
+  const double tracked = kShare * width_of(request.robot) + (has_cells(map) ? map->cells->resolution / 2 : 0);
+  Clearance clearance;
+  clearance.kept = clearance.usual = std::clamp(static_cast<float>(tracked), kLeast, most);
+  const krait::Scene scene = open_scene(scene_path, bytes);
+  Block block = block_of(request);
+  for (SearchRequest twice = request; clearance.kept > kLeast;) {
+    twice.parameters.clearance = 2 * clearance.kept;
+    const std::string narrow = too_narrow(scene, twice, block);
+    if (narrow.empty()) break;
+    clearance.narrow = narrow;
+    clearance.kept = std::max(clearance.kept / 2, kLeast);
+  }
+  return clearance;
+}
+
+std::string text(const Clearance& clearance, const std::optional<Workspace>& map) {
+  const char* usual =
+      has_cells(map) ? "2 % of the robot's width and half a cell of the map" : "2 % of the robot's width";
+  const double kept = decimal(clearance.kept);
+  if (clearance.narrow.empty()) return printed("clearance %.4g m: %s (--clearance asks for another)", kept, usual);
+  return printed("clearance %.4g m: %s too little room for the usual %.4g m, %s", kept, clearance.narrow.c_str(),
+                 decimal(clearance.usual), usual);
+}
+
+}  // namespace krait::host
