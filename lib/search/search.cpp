@@ -84,8 +84,7 @@ Status Search::begin(const Query& query, const Keeper& keeper) {
   driven_ = kNone;
   restarts_.begin(parameters_.tuning.restart_unit);
   random_ = Random(query.seed);
-  check_.assign(robot_, *scene_, tree_clearance(), static_cast<int>(parameters_.tuning.max_substeps),
-                shortcuts_);
+  check_.assign(robot_, *scene_, tree_clearance(), static_cast<int>(parameters_.tuning.max_substeps), shortcuts_);
   keep_for_tree();
   expander_.reset();
   ending_.assign(robot_, *scene_, query.goal, parameters_.end_speed);
