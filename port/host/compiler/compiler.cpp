@@ -74,9 +74,7 @@ FreeSpace free_space(const Edges& solid, const GridBox& bounds) {
 }
 
 FreeSpace simplified(const FreeSpace& space, const GridBox& bounds, const Growth& growth) {
-  Edges edges;
-  const auto rings = simplify(rings_of(space.boundary), growth.most / kStep, growth.narrow / kStep);
-  for (const GridRing& ring : rings) append_ring(edges, ring, {1, 0});
+  Edges edges = edges_of(simplify(rings_of(space.boundary), growth.most / kStep, growth.narrow / kStep));
   append_hull(edges, bounds);
   const Snapped snapped = snap(edges);
   return {snapped.edges, space.roundings + snapped.passes};

@@ -2,6 +2,7 @@
 // Points on the scene's grid and the edges between them: every predicate is exact in 64-bit integers.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <compare>
 #include <cstdint>
@@ -25,6 +26,18 @@ struct GridBox {
   GridPoint min;
   GridPoint max;
 };
+
+// The smallest box that contains both.
+inline GridBox extended(const GridBox& box, GridPoint p) {
+  return {{std::min(box.min.x, p.x), std::min(box.min.y, p.y)}, {std::max(box.max.x, p.x), std::max(box.max.y, p.y)}};
+}
+
+// The smallest box around points, of which there must be one.
+inline GridBox box_of(const std::vector<GridPoint>& points) {
+  GridBox box{points.front(), points.front()};
+  for (const GridPoint p : points) box = extended(box, p);
+  return box;
+}
 
 // Winding numbers of a place, by two independent sets of rings.
 using Winding = std::array<std::int32_t, 2>;
@@ -59,6 +72,12 @@ inline void append_ring(Edges& edges, const GridRing& ring, Winding winding) {
     const GridPoint next = ring[(i + 1) % ring.size()];
     if (ring[i] != next) edges.push_back({ring[i], next, winding});
   }
+}
+
+inline Edges edges_of(const std::vector<GridRing>& rings) {
+  Edges edges;
+  for (const GridRing& ring : rings) append_ring(edges, ring, {1, 0});
+  return edges;
 }
 
 inline GridRing ring_of(const GridBox& box) {

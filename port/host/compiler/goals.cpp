@@ -70,15 +70,6 @@ bool overlap(const GridRing& a, const GridRing& b) {
   });
 }
 
-GridBox box_of(const GridRing& ring) {
-  GridBox box{ring.front(), ring.front()};
-  for (const GridPoint p : ring) {
-    box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y)};
-    box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y)};
-  }
-  return box;
-}
-
 bool boxes_overlap(const GridBox& a, const GridBox& b) {
   return a.min.x < b.max.x && b.min.x < a.max.x && a.min.y < b.max.y && b.min.y < a.max.y;
 }

@@ -9,15 +9,6 @@
 namespace krait::host::compiler {
 namespace {
 
-GridBox box_of(const GridRing& ring) {
-  GridBox box{ring.front(), ring.front()};
-  for (const GridPoint p : ring) {
-    box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y)};
-    box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y)};
-  }
-  return box;
-}
-
 // Calls visit(column, row) for every cell whose widened square meets the closed box.
 template <class Visit>
 void cells_meeting(const GridShape& s, const GridBox& box, Visit visit) {

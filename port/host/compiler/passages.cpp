@@ -11,12 +11,6 @@ namespace {
 constexpr double kTouch = 1;  // grid steps: an edge so near to the segment's line, or behind it, is not across from it
 constexpr double kCosine = -0.5;  // of the angle between two edges that face each other with free space on the left
 
-Edges edges_of(const std::vector<GridRing>& rings) {
-  Edges edges;
-  for (const GridRing& ring : rings) append_ring(edges, ring, {1, 0});
-  return edges;
-}
-
 // The rectangle on the left of a segment, from its line to `width` away.
 class Strip {
  public:
@@ -60,10 +54,7 @@ class Strip {
 
 GridBox box_of(const Edges& edges) {
   GridBox box{edges.front().from, edges.front().from};
-  for (const Edge& e : edges) {
-    box.min = {std::min(box.min.x, e.from.x), std::min(box.min.y, e.from.y)};
-    box.max = {std::max(box.max.x, e.from.x), std::max(box.max.y, e.from.y)};
-  }
+  for (const Edge& e : edges) box = extended(box, e.from);
   return box;
 }
 

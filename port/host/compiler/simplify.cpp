@@ -38,7 +38,7 @@ class Simplifier {
 
   std::vector<GridRing> run() {
     if (points_.empty()) return {};
-    const CellIndex index(box(), points_.size());
+    const CellIndex index(box_of(points_), points_.size());
     const CellLists lists(index.cells(), [&](auto emit) {
       for (std::uint32_t i = 0; i < points_.size(); ++i) emit(index.cell_of(points_[i]), i);
     });
@@ -64,15 +64,6 @@ class Simplifier {
     std::uint32_t node, previous, next;
     bool operator<(const Candidate& o) const { return area != o.area ? area > o.area : node > o.node; }
   };
-
-  GridBox box() const {
-    GridBox b{points_.front(), points_.front()};
-    for (const GridPoint p : points_) {
-      b.min = {std::min(b.min.x, p.x), std::min(b.min.y, p.y)};
-      b.max = {std::max(b.max.x, p.x), std::max(b.max.y, p.y)};
-    }
-    return b;
-  }
 
   void push(std::uint32_t i) {
     const Node& n = nodes_[i];

@@ -15,7 +15,7 @@ namespace krait::host::compiler {
 // `narrow` between it and what faces it: a passage that is narrower stays as it is, a wider one stays that wide.
 inline constexpr double kShrink = 1;  // grid steps; lets vertices go that rounding has pushed out of a line
 
-// Rings as rings_of() gives them, free space on the left; growth and narrow in grid steps.
+// Rings as rings_of() returns them, free space on the left; growth and narrow in grid steps.
 std::vector<GridRing> simplify(const std::vector<GridRing>& rings, double growth, double narrow = 0);
 
 }  // namespace krait::host::compiler

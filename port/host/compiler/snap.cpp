@@ -72,15 +72,6 @@ void sort_unique(std::vector<GridPoint>& points) {
   points.erase(std::unique(points.begin(), points.end()), points.end());
 }
 
-GridBox box_of(const std::vector<GridPoint>& points) {
-  GridBox box{points.front(), points.front()};
-  for (const GridPoint p : points) {
-    box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y)};
-    box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y)};
-  }
-  return box;
-}
-
 bool boxes_meet(const Edge& a, const Edge& b) {
   const auto apart = [](std::int32_t a0, std::int32_t a1, std::int32_t b0, std::int32_t b1) {
     return std::max(a0, a1) < std::min(b0, b1) || std::max(b0, b1) < std::min(a0, a1);
