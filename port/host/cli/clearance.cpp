@@ -38,14 +38,13 @@ std::string too_narrow(const krait::Scene& scene, const SearchRequest& request, 
 
 }  // namespace
 
-Clearance usual_clearance(const std::string& scene_path, const SceneBytes& bytes, const SearchRequest& request,
+Clearance usual_clearance(const krait::Scene& scene, const SearchRequest& request,
                           const std::optional<Workspace>& map) {
   constexpr float kLeast = Parameters{}.clearance;
   const float most = Parameters::range(Argument::clearance).most / 2;
   const double tracked = kShare * width_of(request.robot) + (has_cells(map) ? map->cells->resolution / 2 : 0);
   Clearance clearance;
   clearance.kept = clearance.usual = std::clamp(static_cast<float>(tracked), kLeast, most);
-  const krait::Scene scene = open_scene(scene_path, bytes);
   Block block = block_of(request);
   for (SearchRequest twice = request; clearance.kept > kLeast;) {
     twice.parameters.clearance = 2 * clearance.kept;

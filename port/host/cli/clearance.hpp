@@ -20,8 +20,7 @@ struct Clearance {
 // The usual clearance, halved until start and widest way to the goal have room for twice as much, so that a search has
 // room to move; at least a millimetre. A few set-ups of the request's search. Throws InputError as those do, but not
 // for obstacles in the way.
-Clearance usual_clearance(const std::string& scene_path, const SceneBytes& bytes, const SearchRequest& request,
-                          const std::optional<Workspace>& map);
+Clearance usual_clearance(const krait::Scene& scene, const SearchRequest& request, const std::optional<Workspace>& map);
 
 // "clearance 0.0175 m: …": what is kept and why.
 std::string text(const Clearance& clearance, const std::optional<Workspace>& map);

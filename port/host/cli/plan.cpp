@@ -271,10 +271,11 @@ struct Answer {
 };
 
 // Searches with the clearance that was asked for, or else the usual one, which becomes the request's.
-Answer search_clear(const Ground& ground, const PlanOptions& options, SearchRequest& request, Progress& progress) {
+Answer search_clear(const krait::Scene& scene, const Ground& ground, const PlanOptions& options, SearchRequest& request,
+                    Progress& progress) {
   std::optional<Clearance> clearance;
   if (!options.clearance && !options.paper) {
-    clearance = usual_clearance(options.scene, ground.scene, request, ground.map);
+    clearance = usual_clearance(scene, request, ground.map);
     request.parameters.clearance = clearance->kept;
   }
   return {search(options, request, ground.scene, progress), clearance};
@@ -283,19 +284,20 @@ Answer search_clear(const Ground& ground, const PlanOptions& options, SearchRequ
 // Searches; where obstacles are in the way that the compiler's default tolerance may have grown, the map is compiled
 // without it, and that scene, which replaces the first, is searched.
 Answer search_in(Ground& ground, const PlanOptions& options, SearchRequest& request, Progress& progress) {
-  const double growth = static_cast<double>(open_scene(options.scene, ground.scene).header().tolerance);
+  const krait::Scene scene = open_scene(options.scene, ground.scene);
+  const double growth = static_cast<double>(scene.header().tolerance);
   if (!ground.map || !options.tolerance.empty() || !(growth > 0)) {
-    return search_clear(ground, options, request, progress);
+    return search_clear(scene, ground, options, request, progress);
   }
   try {
-    Answer answer = search_clear(ground, options, request, progress);
+    Answer answer = search_clear(scene, ground, options, request, progress);
     if (answer.result.plan.status != to_string(Status::no_route)) return answer;
   } catch (const InObstacle&) {
     progress.end();
   }
   ground.scene = compiled(options, "0");
   ground.grown = growth;
-  return search_clear(ground, options, request, progress);
+  return search_clear(open_scene(options.scene, ground.scene), ground, options, request, progress);
 }
 
 void plan(const PlanOptions& options) {
