@@ -17,9 +17,11 @@
 #include "host/input/progress.hpp"
 #include "host/picture/picture.hpp"
 #include "host/run/query.hpp"
+#include "host/run/robot_facts.hpp"
 #include "host/run/shortest_way.hpp"
 #include "host/verify/verify.hpp"
 #include "host/workspace/printed.hpp"
+#include "host/workspace/ring.hpp"
 #include "robot/shape.hpp"
 
 namespace krait::host {
@@ -264,6 +266,14 @@ Ground read_ground(const PlanOptions& options, Progress& progress) {
   return {compiled(options, options.tolerance), std::move(map)};
 }
 
+// Warns of a ROBOT.json that leaves body 0 to its lengths, which place it where its user hardly wants it.
+void warn_of_axle(const PlanOptions& options, const RobotSpec& robot) {
+  if (!options.query.robot_is_file() || !same_ring(robot.bodies[0], default_bodies(robot)[0])) return;
+  const std::string warning = axle_warning(robot);
+  if (warning.empty()) return;
+  std::fprintf(stderr, "krait: warning: %s: %s\n", safe_to_print(options.query.robot).c_str(), warning.c_str());
+}
+
 // A search and what it kept to obstacles, where nobody asked for a clearance.
 struct Answer {
   SearchResult result;
@@ -303,6 +313,7 @@ Answer search_in(Ground& ground, const PlanOptions& options, SearchRequest& requ
 void plan(const PlanOptions& options) {
   SearchRequest request = request_of(options);
   check_outputs(outputs_of(options), inputs_of(options));  // before work that may take long
+  warn_of_axle(options, request.robot);
   Progress progress("krait");
   Ground ground = read_ground(options, progress);
   auto [result, clearance] = search_in(ground, options, request, progress);

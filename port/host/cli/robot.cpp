@@ -96,15 +96,9 @@ std::string step_line(const RobotFacts& facts, double dt) {
 }
 
 // What surprises who has not read the convention, a line each.
-std::vector<std::string> warnings_of(const RobotSpec& robot, const RobotFacts& facts) {
+std::vector<std::string> warnings_of(const RobotSpec& robot) {
   std::vector<std::string> lines;
-  if (facts.front_axle_out > 0) {
-    const bool truck = robot.model != "car";
-    lines.push_back(printed("the steered axle lies %.4g m outside of body 0", facts.front_axle_out) +
-                    (truck
-                         ? ": a " + robot.model + "'s box is centred on its rear axle; bodies in a ROBOT.json place it"
-                         : ": is body_length, or a body's polygon, what it should be?"));
-  }
+  if (const std::string axle = axle_warning(robot); !axle.empty()) lines.push_back(axle);
   if (robot.links > 0 && robot.parameters.at("min_speed") < 0) {
     lines.emplace_back("in reverse no turn is steady: trailers fold unless they are steered");
   }
@@ -120,7 +114,7 @@ RobotPicture picture_of(const RobotOptions& options, const RobotSpec& robot, con
   picture.lines.push_back("turning: " + turning_line(robot, facts));
   picture.lines.push_back("stopping: " + stopping_line(facts));
   picture.lines.push_back("time step: " + step_line(facts, dt));
-  for (const std::string& warning : warnings_of(robot, facts)) picture.lines.push_back("warning: " + warning);
+  for (const std::string& warning : warnings_of(robot)) picture.lines.push_back("warning: " + warning);
   return picture;
 }
 
@@ -135,7 +129,7 @@ void print_report(const RobotOptions& options, const RobotSpec& robot, const Rob
   std::printf("%-10s%s\n", "sweeps", swept_line(robot, facts).c_str());
   std::printf("%-10s%s\n", "stops", stopping_line(facts).c_str());
   std::printf("%-10s%s\n", "time step", step_line(facts, dt).c_str());
-  for (const std::string& warning : warnings_of(robot, facts)) std::printf("%-10s%s\n", "warning", warning.c_str());
+  for (const std::string& warning : warnings_of(robot)) std::printf("%-10s%s\n", "warning", warning.c_str());
 }
 
 void show_robot(const RobotOptions& options) {

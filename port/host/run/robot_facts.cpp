@@ -120,15 +120,25 @@ void stop_facts(const RobotSpec& robot, RobotFacts& facts) {
   facts.stopping_distance = 0.5 * facts.top_speed * facts.stopping_time;
 }
 
-void axle_facts(const RobotSpec& robot, RobotFacts& facts) {
-  if (!has_steering(robot)) return;
+// Metres that the steered axle lies outside of body 0, ahead or behind; 0: inside, or none.
+double front_axle_out(const RobotSpec& robot) {
+  if (!has_steering(robot)) return 0;
   const auto by_x = [](const Point& a, const Point& b) { return a.x < b.x; };
   const auto [back, front] = std::minmax_element(robot.bodies[0].begin(), robot.bodies[0].end(), by_x);
   const double axle = parameter(robot, "wheelbase");
-  facts.front_axle_out = std::max({0.0, axle - front->x, back->x - axle});
+  return std::max({0.0, axle - front->x, back->x - axle});
 }
 
 }  // namespace
+
+std::string axle_warning(const RobotSpec& robot) {
+  const double out = front_axle_out(robot);
+  if (!(out > 0)) return "";
+  return printed("the steered axle lies %.4g m outside of body 0", out) +
+         (robot.model == "car"
+              ? ": is body_length, or a body's polygon, what it should be?"
+              : ": a " + robot.model + "'s box is centred on its rear axle; bodies in a ROBOT.json place it");
+}
 
 std::vector<Ring> bodies_in(const SteadyTurn& turn, const RobotSpec& robot) {
   std::vector<Ring> bodies;
@@ -164,7 +174,6 @@ RobotFacts facts_of(const std::string& name, const RobotSpec& robot, const Param
       detail::can_integrate(view, parameters.dt) ? parameters.dt : detail::longest_time_step(view, parameters.dt));
   turn_facts(robot, facts);
   stop_facts(robot, facts);
-  axle_facts(robot, facts);
   return facts;
 }
 

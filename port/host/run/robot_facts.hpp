@@ -2,6 +2,7 @@
 // What follows from a robot's numbers: how it turns, how much room it sweeps then, how it stops, how it is integrated.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "host/robot_file/robot_file.hpp"
@@ -32,9 +33,11 @@ struct RobotFacts {
   double longest_time_step = 0;  // seconds, that init takes; 0: none
   int tree_parts = 1;            // Runge-Kutta steps of a time step while the tree grows
   int plan_parts = 1;            // and while a plan is driven
-  double front_axle_out =
-      0;  // metres that the steered axle lies outside of body 0, ahead or behind; 0: inside, or none
 };
+
+// That the steered axle lies outside of body 0, by how much, and what may be wrong: one line; empty where it lies
+// inside.
+std::string axle_warning(const RobotSpec& robot);
 
 // The bodies in the turn, to the left around (0, radius), body 0 at the origin with heading 0.
 std::vector<Ring> bodies_in(const SteadyTurn& turn, const RobotSpec& robot);

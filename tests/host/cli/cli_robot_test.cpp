@@ -65,6 +65,21 @@ TEST_F(CliRobot, ASteeredAxleAheadOfItsBodyIsWarnedOf) {
   EXPECT_THAT(report("reverse.json"), HasSubstr("warning   in reverse no turn is steady"));
 }
 
+TEST_F(CliRobot, APlanForASteeredAxleAheadOfItsBodyIsWarnedOf) {
+  const auto warnings = [&](const std::string& robot) {
+    const Outcome outcome = krait({"plan", "room.krait", "--robot", robot});
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    return outcome.errors;
+  };
+  const std::string lengths = R"({"model": "truck", "links": 0, "parameters": {"body_length": 1.2, "wheelbase": 0.9})";
+  write("long.json", lengths + "}");
+  EXPECT_EQ(warnings("long.json"),
+            "krait: warning: long.json: the steered axle lies 0.3 m outside of body 0: a truck's box is centred on its "
+            "rear axle; bodies in a ROBOT.json place it\n");
+  write("placed.json", lengths + R"(, "bodies": [{"polygon": [[-0.1, -0.3], [1, -0.3], [1, 0.3], [-0.1, 0.3]]}]})");
+  EXPECT_EQ(warnings("placed.json"), krait({"plan", "room.krait", "--robot", "truck:0"}).errors);
+}
+
 TEST_F(CliRobot, ATimeStepThatIsTooLongIsNamed) {
   write("fast.json", R"({"model": "car", "parameters": {"max_speed": 100}})");
   EXPECT_THAT(report("fast.json"), HasSubstr("time step 0.1 s is too long: plan with --dt 0.04 or less\n"));
