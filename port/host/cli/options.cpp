@@ -15,13 +15,6 @@ namespace {
 constexpr double kLeastTolerance = 1e-4;  // radians, of headings
 constexpr std::uint64_t kMostMemory = std::uint64_t{64} << 30U;
 
-std::optional<double> parse_number(std::string_view text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
 // Three numbers with commas between, each from minus to plus its bound; nothing if the text has another form.
 std::optional<std::array<double, 3>> parse_triple(std::string_view text, const std::array<double, 3>& most) {
   std::array<double, 3> values{};
@@ -101,15 +94,6 @@ CLI::Validator whole_number(std::uint64_t most, const std::string& unit, std::ui
            " to " + std::to_string(most);
   };
   return {check, "", "whole number"};
-}
-
-CLI::Validator number_in(double least, double most, const std::string& unit) {
-  const auto check = [least, most, unit](const std::string& text) -> std::string {
-    const std::optional<double> value = parse_number(text);
-    if (value && *value >= least && *value <= most) return {};
-    return "give " + unit + " from " + shown(least) + " to " + shown(most) + ", not " + text;
-  };
-  return {check, "", "number"};
 }
 
 CLI::Validator number_of(Argument argument, const std::string& unit) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "host/input/number_option.hpp"
 #include "host/run/run.hpp"
 
 namespace krait::host {
@@ -23,9 +24,6 @@ void parse_goal(const std::string& text, SearchRequest& request);
 // Lets an option take whole numbers from `least` to `most` only: -1 and numbers that do not fit are refused, not
 // wrapped.
 CLI::Validator whole_number(std::uint64_t most, const std::string& unit = {}, std::uint64_t least = 0);
-
-// Lets an option take finite numbers from `least` to `most` only; the refusal names the unit.
-CLI::Validator number_in(double least, double most, const std::string& unit);
 
 // Lets an option take what the library takes for a parameter; an end that is open there is a millionth off.
 CLI::Validator number_of(Argument argument, const std::string& unit);

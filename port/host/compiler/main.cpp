@@ -10,6 +10,7 @@
 #include "host/import/import.hpp"
 #include "host/input/file.hpp"
 #include "host/input/json.hpp"
+#include "host/input/number_option.hpp"
 #include "host/input/outputs.hpp"
 #include "host/input/progress.hpp"
 #include "host/workspace/heading.hpp"
@@ -109,13 +110,13 @@ int main(int argc, char** argv) {
       ->transform(CLI::Transformer(names))
       ->option_text("free|occupied|map (default: map)");
   app.add_option("--unit", arguments.map.unit, kAboutUnit)
-      ->check(CLI::Range(kMinUnit, kMaxUnit))
+      ->check(number_in(kMinUnit, kMaxUnit, "metres"))
       ->option_text("METRES, 1e-6 to 1e6");
   app.add_option("--datum", arguments.datum, kAboutDatum)->option_text("LONGITUDE,LATITUDE");
   app.add_option("--tolerance", arguments.tolerance,
                  "how much a passage may get narrower so that outlines need fewer corners; 0: not at all\n"
                  "(default: 0 for drawings; for maps one cell, but no passage gets narrower than two cells by it)")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(number_in(0, 1e6, "metres"))
       ->option_text("METRES, 0 to 1e6");
   try {
     app.parse(argc, argv);

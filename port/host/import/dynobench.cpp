@@ -15,7 +15,7 @@ bool recognise(const Source& source) { return has_top_key(source.content, "envir
 
 double read_angle(const Field& obstacle) {
   for (const char* key : {"angle", "rotation"}) {
-    if (obstacle.has(key)) return obstacle.at(key).number(-kMaxAngle, kMaxAngle);
+    if (obstacle.has(key)) return obstacle.at(key).number(-kMaxAngle, kMaxAngle, "radians");
   }
   return 0;
 }
@@ -26,8 +26,8 @@ Obstacle read_obstacle(const Field& field) {
   const Field size = field.at("size");
   if (size.size() != 2) size.fail("must be [width, height]");
   const Ring ring =
-      box_ring(field.at("center").point(kMaxFarCoordinate), size.item(0).number(kMinLength, kMaxCoordinate),
-               size.item(1).number(kMinLength, kMaxCoordinate), read_angle(field));
+      box_ring(field.at("center").point(kMaxFarCoordinate), size.item(0).number(kMinLength, kMaxCoordinate, "metres"),
+               size.item(1).number(kMinLength, kMaxCoordinate, "metres"), read_angle(field));
   return {field.place(), ring, {}};
 }
 
@@ -42,9 +42,9 @@ Pose read_pose(const Field& state, std::vector<std::string>& warnings) {
   bool more = false;
   for (std::size_t i = 3; i < size; ++i) more = more || state.item(i).number(-1e9, 1e9) != 0;
   if (more) warnings.push_back(state.place() + ": only x, y and theta are used, its other numbers are not");
-  return {{state.item(0).number(-kMaxFarCoordinate, kMaxFarCoordinate),
-           state.item(1).number(-kMaxFarCoordinate, kMaxFarCoordinate)},
-          state.item(2).number(-kMaxAngle, kMaxAngle)};
+  return {{state.item(0).number(-kMaxFarCoordinate, kMaxFarCoordinate, "metres"),
+           state.item(1).number(-kMaxFarCoordinate, kMaxFarCoordinate, "metres")},
+          state.item(2).number(-kMaxAngle, kMaxAngle, "radians")};
 }
 
 void read_robot(const Field& robots, Workspace& workspace) {

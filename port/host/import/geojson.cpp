@@ -47,7 +47,8 @@ void check_crs(const Field& document) {
 
 LonLat read_datum(const Field& field) {
   if (field.size() != 2) field.fail("must be [longitude, latitude]");
-  return {field.item(0).number(-kMaxLongitude, kMaxLongitude), field.item(1).number(-kMaxLatitude, kMaxLatitude)};
+  return {field.item(0).number(-kMaxLongitude, kMaxLongitude, "degrees"),
+          field.item(1).number(-kMaxLatitude, kMaxLatitude, "degrees")};
 }
 
 // The command line goes before the file.
@@ -56,7 +57,7 @@ Scale read_scale(const Field& document, const ImportOptions& options) {
   if (options.unit) return {std::nullopt, *options.unit};
   if (options.datum) return {LocalPlane(*options.datum), 1};
   if (document.has("unit") && document.has("datum")) document.fail("has unit and datum: keep the one that holds");
-  if (document.has("unit")) return {std::nullopt, document.at("unit").number(kMinUnit, kMaxUnit)};
+  if (document.has("unit")) return {std::nullopt, document.at("unit").number(kMinUnit, kMaxUnit, "metres")};
   check_crs(document);
   if (document.has("datum")) return {LocalPlane(read_datum(document.at("datum"))), 1};
   document.fail(
@@ -147,8 +148,8 @@ class Reader {
       const double most = kMaxFarCoordinate / scale_.unit;
       return {scale_.unit * position.item(0).number(-most, most), scale_.unit * position.item(1).number(-most, most)};
     }
-    const LonLat place{position.item(0).number(-kMaxLongitude, kMaxLongitude),
-                       position.item(1).number(-kMaxLatitude, kMaxLatitude)};
+    const LonLat place{position.item(0).number(-kMaxLongitude, kMaxLongitude, "degrees"),
+                       position.item(1).number(-kMaxLatitude, kMaxLatitude, "degrees")};
     if (!scale_.plane->reaches(place)) position.fail("lies more than 100 km from the datum: are both right?");
     return scale_.plane->at(place);
   }
@@ -172,11 +173,11 @@ class Reader {
     if (!context.properties->has("heading")) {
       coordinates.fail("a start needs the property heading: radians, counter-clockwise from east");
     }
-    Start start{{}, position, context.properties->at("heading").number(-kMaxAngle, kMaxAngle), {}};
+    Start start{{}, position, context.properties->at("heading").number(-kMaxAngle, kMaxAngle, "radians"), {}};
     if (context.properties->has("angles")) {
       const Field angles = context.properties->at("angles");
       for (std::size_t i = 0; i < angles.size(0, kMaxLinks); ++i) {
-        start.angles.push_back(angles.item(i).number(-kMaxAngle, kMaxAngle));
+        start.angles.push_back(angles.item(i).number(-kMaxAngle, kMaxAngle, "radians"));
       }
     }
     drawing_.add_start(context.name, std::move(start));

@@ -162,12 +162,12 @@ void set_bounds(const Field& field, Workspace& workspace) {
 }
 
 void read_placement(const Field& field, CellMap& cells) {
-  cells.resolution = field.at("resolution").number(1e-4, 1e4);
+  cells.resolution = field.at("resolution").number(1e-4, 1e4, "metres a cell");
   const Field origin = field.at("origin");
   if (origin.size() != 3) origin.fail("must be [x, y, yaw]");
-  cells.origin = {origin.item(0).number(-kMaxFarCoordinate, kMaxFarCoordinate),
-                  origin.item(1).number(-kMaxFarCoordinate, kMaxFarCoordinate)};
-  cells.yaw = origin.item(2).number(-kMaxAngle, kMaxAngle);
+  cells.origin = {origin.item(0).number(-kMaxFarCoordinate, kMaxFarCoordinate, "metres"),
+                  origin.item(1).number(-kMaxFarCoordinate, kMaxFarCoordinate, "metres")};
+  cells.yaw = origin.item(2).number(-kMaxAngle, kMaxAngle, "radians");
 }
 
 // Where the image lies: its path is relative to the YAML file's folder.

@@ -19,16 +19,17 @@ Ring read_box(const Field& box) {
   box.keys({"center", "size", "angle"});
   const Field size = box.at("size");
   if (size.size() != 2) size.fail("must be [width, height]");
-  const double angle = box.has("angle") ? box.at("angle").number(-kMaxAngle, kMaxAngle) : 0;
-  return box_ring(box.at("center").point(kMaxFarCoordinate), size.item(0).number(kMinLength, kMaxCoordinate),
-                  size.item(1).number(kMinLength, kMaxCoordinate), angle);
+  const double angle = box.has("angle") ? box.at("angle").number(-kMaxAngle, kMaxAngle, "radians") : 0;
+  return box_ring(box.at("center").point(kMaxFarCoordinate), size.item(0).number(kMinLength, kMaxCoordinate, "metres"),
+                  size.item(1).number(kMinLength, kMaxCoordinate, "metres"), angle);
 }
 
 using RoundRing = Ring (*)(const Point& center, double radius);
 
 Ring read_circle(const Field& circle, RoundRing round) {
   circle.keys({"center", "radius"});
-  return round(circle.at("center").point(kMaxFarCoordinate), circle.at("radius").number(kMinLength, kMaxCoordinate));
+  return round(circle.at("center").point(kMaxFarCoordinate),
+               circle.at("radius").number(kMinLength, kMaxCoordinate, "metres"));
 }
 
 // The one of "polygon", "box" and "circle" that the object has.
@@ -60,12 +61,12 @@ Start read_start(const Field& field) {
   field.keys({"name", "position", "heading", "angles"});
   Start start{field.at("name").name(),
               field.at("position").point(kMaxFarCoordinate),
-              field.at("heading").number(-kMaxAngle, kMaxAngle),
+              field.at("heading").number(-kMaxAngle, kMaxAngle, "radians"),
               {}};
   if (!field.has("angles")) return start;
   const Field angles = field.at("angles");
   for (std::size_t i = 0; i < angles.size(0, kMaxLinks); ++i) {
-    start.angles.push_back(angles.item(i).number(-kMaxAngle, kMaxAngle));
+    start.angles.push_back(angles.item(i).number(-kMaxAngle, kMaxAngle, "radians"));
   }
   return start;
 }

@@ -33,21 +33,21 @@ class Values {
         rest_(source.content),
         left_(static_cast<std::size_t>(std::count(rest_.begin(), rest_.end(), ',')) + 1) {}
 
-  double number(const std::string& what, double most) {
+  double number(const std::string& what, double most, const std::string& unit = {}) {
     const std::string_view text = next(what);
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     const bool whole = error == std::errc() && end == text.data() + text.size();
     if (!whole || !(std::abs(value) <= most)) {
-      fail(what + " must be a number from " + shown(-most) + " to " + shown(most) + ", is \"" +
-           cleaned_name(std::string(text.substr(0, 40))) + "\"");
+      fail(what + " must be a number from " + shown(-most) + " to " + shown(most) + (unit.empty() ? "" : " ") + unit +
+           ", is \"" + cleaned_name(std::string(text.substr(0, 40))) + "\"");
     }
     return value;
   }
 
   Point point(const std::string& what) {
-    const double x = number("the x of " + what, kMaxFarCoordinate);
-    return {x, number("the y of " + what, kMaxFarCoordinate)};
+    const double x = number("the x of " + what, kMaxFarCoordinate, "metres");
+    return {x, number("the y of " + what, kMaxFarCoordinate, "metres")};
   }
 
   // A whole number of things that need `values_each` values of those that are left.
@@ -123,9 +123,9 @@ Workspace read(const Source& source, const ImportOptions&) {
   Values values(source);
   Workspace workspace;
   const Point start = values.point("the start");
-  workspace.starts.push_back({"start", start, values.number("the start's heading", kMaxAngle), {}});
+  workspace.starts.push_back({"start", start, values.number("the start's heading", kMaxAngle, "radians"), {}});
   const Point goal = values.point("the goal");
-  const double heading = values.number("the goal's heading", kMaxAngle);
+  const double heading = values.number("the goal's heading", kMaxAngle, "radians");
   workspace.goals.push_back({"goal", ring_inside_circle(goal, kStateGoalRadius)});
   workspace.obstacles = read_obstacles(values);
   values.require_end();

@@ -129,9 +129,10 @@ Field Field::item(std::size_t index) const {
   return Field((*value_)[index], file_, place_ + "[" + std::to_string(index) + "]");
 }
 
-double Field::number(double least, double most) const {
+double Field::number(double least, double most, const std::string& unit) const {
   const double number = number_or_nan(*value_);
-  if (!(number >= least && number <= most)) fail_expecting("a number from " + shown(least) + " to " + shown(most));
+  if (!(number >= least && number <= most))
+    fail_expecting("a number from " + shown(least) + " to " + shown(most) + (unit.empty() ? "" : " ") + unit);
   return number;
 }
 
@@ -164,7 +165,7 @@ std::string Field::name() const {
 
 Point Field::point(double most) const {
   if (size() != 2) fail_expecting("[x, y]");
-  return {item(0).number(-most, most), item(1).number(-most, most)};
+  return {item(0).number(-most, most, "metres"), item(1).number(-most, most, "metres")};
 }
 
 Ring Field::ring(std::size_t most, double most_coordinate) const {

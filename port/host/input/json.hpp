@@ -39,12 +39,13 @@ class Field {
   std::size_t size(std::size_t least = 0, std::size_t most = SIZE_MAX) const;  // of a list, from least to most
   Field item(std::size_t index) const;                                         // of a list
 
-  double number(double least, double most) const;  // finite
+  // Finite; the unit is that of the bounds, for whoever reads the refusal.
+  double number(double least, double most, const std::string& unit = {}) const;
   long long integer(long long least, long long most) const;
   std::string text() const;
   std::string printed() const;                      // a text that is_safe_to_print
   std::string name() const;                         // 1 to kMaxNameBytes bytes that are safe to print
-  Point point(double most = kMaxCoordinate) const;  // [x, y], both from -most to most
+  Point point(double most = kMaxCoordinate) const;  // [x, y] in metres, both from -most to most
   Ring ring(std::size_t most = SIZE_MAX, double most_coordinate = kMaxCoordinate) const;  // at least 3 points
 
   [[noreturn]] void fail(const std::string& what) const;

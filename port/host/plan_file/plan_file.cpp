@@ -80,12 +80,12 @@ GoalFacing read_facing(const Field& goal) {
   constexpr double kMostHeading = 1e4;
   constexpr double kMostTolerance = 3.15;
   GoalFacing facing;
-  facing.heading = goal.at("heading").number(-kMostHeading, kMostHeading);
-  facing.tolerance = goal.at("heading_tolerance").number(0, kMostTolerance);
+  facing.heading = goal.at("heading").number(-kMostHeading, kMostHeading, "radians");
+  facing.tolerance = goal.at("heading_tolerance").number(0, kMostTolerance, "radians");
   const Field either_way = goal.at("either_way");
   if (!either_way.value().is_boolean()) either_way.fail("must be true or false");
   facing.either_way = either_way.value().get<bool>();
-  if (goal.has("hitch_tolerance")) facing.hitches = goal.at("hitch_tolerance").number(0, kMostHeading);
+  if (goal.has("hitch_tolerance")) facing.hitches = goal.at("hitch_tolerance").number(0, kMostHeading, "radians");
   return facing;
 }
 
@@ -142,7 +142,7 @@ PlanFile parse_plan(const std::string& text, const std::string& file) {
   plan.seed = read_seed(field.at("seed"));
   plan.planner = field.at("planner").printed();
   plan.robot = read_robot(field.at("robot"));
-  plan.dt = field.at("dt").number(1e-6, 1e3);
+  plan.dt = field.at("dt").number(1e-6, 1e3, "seconds");
   const Field goal = field.at("goal");
   plan.goal_name = goal.at("name").printed();
   const Field polygon = goal.at("polygon");

@@ -72,7 +72,7 @@ TEST_F(TpcapTest, EveryTruncationIsRefused) {
 
 TEST_F(TpcapTest, WrongValuesAreNamed) {
   EXPECT_EQ(error("1,2,x,3,4,5,0"),
-            path("case.csv") + ": value 3: the start's heading must be a number from -1000 to 1000, is \"x\"");
+            path("case.csv") + ": value 3: the start's heading must be a number from -1000 to 1000 radians, is \"x\"");
   EXPECT_THAT(error("nan,2,0,3,4,5,0"), HasSubstr("value 1: the x of the start must be a number"));
   EXPECT_THAT(error("1,inf,0,3,4,5,0"), HasSubstr("value 2: the y of the start must be a number"));
   EXPECT_THAT(error(kPoses + "1,3,0,0,1,0,1,1e300"), HasSubstr("value 14: the y of vertex 3 of obstacle 1 must be"));

@@ -44,6 +44,13 @@ TEST(Field, NamesThePlaceOfAWrongNumber) {
   EXPECT_EQ(field_error(R"({"a": [0, {"c": 1}]})", read), "f.json: a[1].b: is missing");
 }
 
+TEST(Field, NamesTheUnitOfAWrongNumber) {
+  EXPECT_EQ(field_error(R"({"dt": 11})", [](const Field& f) { f.at("dt").number(0, 10, "seconds"); }),
+            "f.json: dt: must be a number from 0 to 10 seconds, is 11");
+  EXPECT_EQ(field_error(R"({"at": [1, 11]})", [](const Field& f) { f.at("at").point(10); }),
+            "f.json: at[1]: must be a number from -10 to 10 metres, is 11");
+}
+
 TEST(Field, RefusesUnknownKeysByName) {
   EXPECT_EQ(field_error(R"({"a": 1, "boxx": 2})",
                         [](const Field& f) {

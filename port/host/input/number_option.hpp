@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Options of a program that take a number.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "host/input/json.hpp"
+
+namespace krait::host {
+
+// A finite number and nothing else.
+inline std::optional<double> parse_number(std::string_view text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+// Lets an option take finite numbers from `least` to `most` only; the refusal names the unit.
+inline CLI::Validator number_in(double least, double most, const std::string& unit) {
+  const auto check = [least, most, unit](const std::string& text) -> std::string {
+    const std::optional<double> value = parse_number(text);
+    if (value && *value >= least && *value <= most) return {};
+    return "give " + unit + " from " + shown(least) + " to " + shown(most) + ", not " + text;
+  };
+  return {check, "", "number"};
+}
+
+}  // namespace krait::host
