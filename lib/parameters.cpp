@@ -11,7 +11,7 @@ namespace {
 
 bool within(std::uint32_t x, std::uint32_t low, std::uint32_t high) { return x >= low && x <= high; }
 
-// Where a parameter lies, and what it may be: from low to high, both included. Each range stands here only.
+// A parameter lies at `offset`, and may be from low to high, both included. Each range stands here only.
 template <class Number>
 struct Range {
   std::uint16_t offset;  // of the parameter

@@ -30,8 +30,8 @@ class MotionCheck {
   void assign(const Robot& robot, const Scene& scene, float clearance, int max_substeps, bool shortcuts);
   void assign(const Robot&, const Scene&&, float, int, bool) = delete;
 
-  // From now on bodies keep `clearance` metres on top of what rounding needs, and parts of a step are integrated by
-  // Runge-Kutta steps of at most `longest_step` seconds. O(bodies).
+  // Makes bodies keep `clearance` metres on top of what rounding needs from now on, and integrates parts of
+  // a step by Runge-Kutta steps of at most `longest_step` seconds. O(bodies).
   void keep(float clearance, float longest_step);
 
   // Makes `state` the one that the next step begins from.
@@ -68,7 +68,7 @@ class MotionCheck {
 
   static_assert(kMaxBodies <= 32, "bodies are marked by the bits of a word");
 
-  // From `state` under `control` for dt seconds to `next`.
+  // A step leads from `state` under `control` within dt seconds to `next`.
   struct Step {
     const float* state;
     const float* control;
@@ -110,7 +110,7 @@ class MotionCheck {
   // radians and seconds is.
   static float sum_of(const float* numbers, int count);
 
-  // Where nothing is free: body 0 has no room, by whatever proof.
+  // Makes a placement that is free by no proof: body 0 has no room.
   static void place_nowhere(Placement& placement);
 
   // Finds the room of the first `bodies` bodies.

@@ -128,7 +128,7 @@ void Obstacles::pieces_of_buckets(const Box& box, float around, Visit visit) con
   return room;
 }
 
-// With the vertex that lies furthest out.
+// The contact names the vertex that lies furthest outside of the bounds.
 Contact Obstacles::contact_with_bounds(const PlacedBody& body) const {
   const Box bounds = scene_->bounds();
   Contact contact{Hindrance::bounds, 0, kNone, kInfinity, margin_, {}};

@@ -31,7 +31,7 @@ class Sight {
   static constexpr int kMostLooks = 200;
 
  private:
-  // Where the grid does not suffice.
+  // slack() where the grid alone does not decide it.
   float slack_near(Vec2 center) const;
 
   bool apart_from_pieces(Vec2 center) const;

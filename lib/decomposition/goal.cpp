@@ -100,7 +100,8 @@ Box Goal::box(const Scene& scene) const {
 float Goal::size(const Scene& scene) const {
   if (is_disc()) return 1.7724539F * radius_;  // sqrt(pi) * radius
   const Polygon polygon = scene.goal_polygon(index_);
-  // In grid steps, where floats would find no area in a sliver, or a negative one. The sum wraps around and ends exact.
+  // The area is found in grid steps: floats would find none in a sliver, or a negative one. The sum wraps around and
+  // ends exact.
   const GridPoint origin = to_grid(polygon[0]);
   std::uint64_t twice_area = 0;
   for (int i = 1; i + 1 < polygon.count; ++i) {

@@ -11,7 +11,7 @@ namespace krait::detail {
 // absent (reset).
 class IndexedHeap {
  public:
-  // For numbers below `capacity`: 4 or 8 bytes each.
+  // Allocates room for the numbers below `capacity`: 4 or 8 bytes each.
   void allocate(Arena& arena, Pool pool, const float* keys, Index capacity) {
     heap_.allocate(arena, pool, capacity, capacity);
     place_.allocate(arena, pool, capacity, capacity);

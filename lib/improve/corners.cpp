@@ -34,7 +34,7 @@ void round_corner(Vec2 before, Via& via, Vec2 after, const Turns& turns, Random&
   const Vec2 in = via.at - before;
   const Vec2 out = after - via.at;
   const float lengths = length(in) * length(out);
-  // Of half the corner's angle, at most 69 degrees: the tangent, and one over the cosine less 1.
+  // The next two are the tangent of half the corner's angle, at most 69 degrees, and one over its cosine less 1.
   const float cosine = lengths > 0.0F ? math::clamp(dot(in, out) / lengths, -0.74F, 1.0F) : 1.0F;
   const float tangent = std::sqrt((1.0F - cosine) / (1.0F + cosine));
   const float excess = std::sqrt(2.0F / (1.0F + cosine)) - 1.0F;

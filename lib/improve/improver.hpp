@@ -33,7 +33,7 @@ class Improver {
 
   // The best plan so far.
   const PlanPath& plan() const { return plan_; }
-  // Of the best plan, once iterate has found one.
+  // What the best plan measures, once iterate has found one.
   const PlanMeasures& measures() const { return measures_; }
 
  private:

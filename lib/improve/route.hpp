@@ -54,7 +54,7 @@ class Route {
   // Finds every via's arc, of one via at least. O(vias).
   void measure();
 
-  // Of a measured route of two vias at least; metres.
+  // Metres along a measured route of at least two vias.
   float length() const { return last().arc; }
   // The via whose stretch contains the place `arc` metres along the line; the last one from there on. O(log vias).
   std::uint32_t stretch(float arc) const;

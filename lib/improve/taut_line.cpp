@@ -35,7 +35,7 @@ void TautLine::pull(const Sight& sight) {
   begin_pass();
 }
 
-// From the line's end to its begin, so that the next pass goes the other way.
+// A pass goes from the line's end to its begin, so that the next pass goes the other way.
 void TautLine::begin_pass() {
   at_ = count_ - 1;
   lines_[1 - here_][0] = lines_[here_][at_];
@@ -56,7 +56,7 @@ bool TautLine::step() {
   return true;
 }
 
-// By doubling the distance, then by halving what is left.
+// Doubles the distance until a vertex is hidden, then halves the interval between the two.
 std::uint32_t TautLine::farthest_in_sight() const {
   const Vec2* const line = lines_[here_];
   const auto sees = [&](std::uint32_t i) { return sight_.line_free(line[at_], line[i]); };

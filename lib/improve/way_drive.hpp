@@ -50,11 +50,11 @@ class WayDrive {
   // it may have fewer than `bound` steps. Drives at most Way::kLegsAState of the legs again.
   void begin(Way& way, const Way& from, std::uint32_t legs, const Route& route, std::uint32_t bound);
 
-  // From `from` metres along the route on the way ends as too long where it is later than a rival, a way that reached
-  // the end of a route of `length` metres which goes on as this one does from there.
+  // Ends the way as too long where it is later than a rival at any place from `from` metres along the route on. The
+  // rival reached the end of a route of `length` metres, which goes on as this one does from there.
   void race(const Way& rival, float length, float from);
 
-  // At most so many steps more.
+  // Drives at most `steps` steps more.
   Outcome advance(std::uint32_t steps);
 
   // Metres along the route that the last leg begins at.

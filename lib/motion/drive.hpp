@@ -12,10 +12,10 @@ class Drive {
   // The robot must outlive this; time steps last dt seconds.
   void assign(const Robot& robot, float dt);
 
-  // Where to start; copied.
+  // Starts from a state, which is copied.
   void begin(const float* state);
 
-  // Where to go from here, with a fresh controller.
+  // Steers toward a target from here on, with a fresh controller.
   void aim(const Target& target);
 
   // Finds the control at state(), whose bodies' frames are `poses`, and where it leads as far as Motion::lead computes

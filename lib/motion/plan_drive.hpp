@@ -15,7 +15,7 @@ class PlanDrive {
   // The robot must outlive this; time steps last dt seconds; `state` is where the plan starts, copied.
   void begin(const Robot& robot, float dt, const float* state);
 
-  // Where to go from here, with a fresh controller.
+  // Steers toward a target from here on, with a fresh controller.
   void aim(const Target& target) { tree_.aim(target); }
 
   // Finds the control at state(), whose bodies' frames are `poses`, and the state that it leads to.
@@ -32,8 +32,8 @@ class PlanDrive {
 
  private:
   static constexpr int kUnknownParts = 4;  // for a robot that does not state its rate
-  // To first order, a derivative changes along the rests as along so many times as much, divided by that: a power of
-  // two.
+  // To first order, a derivative changes along the rests by what it changes along kMagnified times as much, divided by
+  // kMagnified, a power of two.
   static constexpr float kMagnified = 4096;
 
   // The tree's next step, and the control that stays with it.

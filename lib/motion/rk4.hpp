@@ -41,11 +41,11 @@ float longest_time_step(const Robot& robot, float dt);
 // A Runge-Kutta step of dt seconds, whose leading components may be known before the rest.
 class Motion {
  public:
-  // Where the step leads, as far as integrate_lead computes it; `next` may not overlap `state`, whose frames are
+  // Computes where the step leads, as far as integrate_lead does; `next` may not overlap `state`, whose frames are
   // `poses`.
   void lead(const Robot& robot, const float* state, const Pose* poses, const float* control, float dt, float* next);
 
-  // The rest of it, by the same arguments.
+  // Computes the rest of it; the arguments must be the same.
   void follow(const Robot& robot, const float* state, const Pose* poses, float dt, float* next) const;
 
  private:

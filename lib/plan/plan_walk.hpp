@@ -32,7 +32,8 @@ class PlanWalk {
     return drive_.next();
   }
 
-  // On to the next state; not when done. Work: one control and the Runge-Kutta steps of a time step.
+  // Goes on to the next state; must not be called when done. Work: one control and the Runge-Kutta steps of a time
+  // step.
   void advance();
 
  private:

@@ -34,7 +34,7 @@ float largest(float x, float rate, float dt) {
   return before > after ? before : after;
 }
 
-// At most the cosine of x, from 0 to pi; 0 from where it could be negative.
+// Returns at most the cosine of x, which lies between 0 and pi; 0 where the cosine could be negative.
 float least_cosine(float x) {
   const float z = x * x;
   const float cosine = 1.0F - z * (0.5F - z * (1.0F / 24.0F - z * (1.0F / 720.0F)));
@@ -252,10 +252,10 @@ void Chain::track(StateView s, StateView reference, float dt, ControlRef u) cons
   approach(s, speed + u[0] * dt + change.speed, reference[4] + u[1] * dt + (speed < 0.0F ? -bend : bend), dt, u);
 }
 
-// To first order, with the rates of the step's middle speed. With phi the hitch angle before trailer k and p the pull
-// on it, its heading's error e changes at p cos phi (ahead - e) + sin phi dp, where `ahead` is the error of the heading
-// before it, and dp that of the pull, the speed times the cosines of the hitch angles ahead. What a step rounds is
-// added on the side where the error is.
+// Carries errors on to first order, with the rates of the step's middle speed. With phi the hitch angle before trailer
+// k and p the pull on it, its heading's error e changes at p cos phi (ahead - e) + sin phi dp, where `ahead` is the
+// error of the heading before it, and dp that of the pull, the speed times the cosines of the hitch angles ahead. What
+// a step rounds is added on the side where the error is.
 float Chain::carry_errors(StateView s, const Pose* poses, ControlView u, float dt, float* errors) const {
   const float d = parameters_.hitch_length;
   const float speed = (s[3] + 0.5F * u[0] * dt) / d;
@@ -365,8 +365,8 @@ bool Chain::changes_little(const float* s, const float* u, float dt) const {
   return 1.42F * reach <= kSmallAngle && turn + reach <= kSmallAngle && dt * math::absolute(u[1]) <= kSmallAngle;
 }
 
-// From known frames: turning a known sine and cosine by the little that the angle changes costs less than finding new
-// ones. Speed and steering angle change at constant rates, and are the same in both stages in the middle.
+// The frames of `s` are known: turning a known sine and cosine by the little that the angle changes costs less than
+// finding new ones. Speed and steering angle change at constant rates, and are the same in both stages in the middle.
 [[gnu::flatten]] void Chain::integrate_lead(StateView s, const Pose* poses, ControlView u, float dt, Lead& lead,
                                             float* d) const {
   const SinCos heading = poses[0].heading;

@@ -65,7 +65,7 @@ bool vertex_within(const GridPolygon& piece, const GridBox& square, std::int64_t
 }
 
 // Whether p is beside the edge, not before or after it, not on its left, where the piece lies, and nearer than `reach`.
-// In float, a millionth to the good of the file.
+// The test is in float, and tolerates a millionth in the file's favour.
 bool beside_within(GridPoint p, GridPoint from, GridPoint to, float reach) {
   constexpr float kRounding = 1.0F + 1e-6F;
   const std::int64_t area = orientation(from, to, p);

@@ -11,7 +11,7 @@ namespace krait::detail {
 // What a Planner is made of.
 class AdaptiveSearch : public GroupedSearch {
  public:
-  // As the members of Planner (krait/planner.hpp).
+  // These do what the members of Planner do (krait/planner.hpp).
   static std::uint64_t bytes_required(const Scene& scene, const Robot& robot, const Limits& limits);
   static Limits limits_for(std::uint64_t bytes, const Scene& scene, const Robot& robot, std::uint32_t way_legs = 0);
   [[nodiscard]] Failure init(const Setup& setup, const Parameters& parameters = {}, const Limits& limits = {});
@@ -28,7 +28,7 @@ class AdaptiveSearch : public GroupedSearch {
   // No groups, and no long expansion.
   void forget();
 
-  // Of a sketched step, seconds.
+  // The length of a sketched step, seconds.
   float sketched_step() const;
 
   // Algorithm 1, lines 4 to 13.
@@ -42,7 +42,7 @@ class AdaptiveSearch : public GroupedSearch {
   // What is learnt from an expansion. A long one that reaches its target does not count as a selection of its group.
   void heed(const Expanded& expanded);
 
-  // From where to where an expansion may go.
+  // An expansion may go from the vertex toward the target.
   struct Way {
     Index vertex;
     Target target;
@@ -50,8 +50,8 @@ class AdaptiveSearch : public GroupedSearch {
     bool promising = true;  // whether it is worth driving
   };
 
-  // Of some ways the first whose sketch is free to the end; else the one whose sketch is free the longest. Those whose
-  // targets are the nearest to the goal are looked at first, but the first of all if it strays.
+  // Draws some ways and returns the first whose sketch is free to the end; else the one whose sketch is free the
+  // longest. Those whose targets are the nearest to the goal are looked at first, but the first of all if it strays.
   Way choose_way(Index group);
 
   // Algorithm 2, lines 2 and 3: a member of the group, a region among the first of the shortest path after the group's,

@@ -36,7 +36,7 @@ class DiscRoute {
     float reach;   // metres: how far the centre may be from the goal while the position is inside
   };
 
-  // Of the points that the disc's centre may be at in the end.
+  // The room that the points have at which the disc's centre may be in the end.
   GoalRoom room_at_goal(const Disc& disc) const;
 
   Bottleneck narrowest(const Disc& disc);

@@ -68,14 +68,14 @@ class Expander {
   // Steps last dt seconds. The robot must outlive this; `recent` has its memory.
   void set_up(const Robot& robot, float dt, const RecentStates& recent);
 
-  // For a query.
+  // Prepares for a query.
   void assign(const ExpanderTools& tools);
 
   // Forgets what goes on: the tree has been emptied.
   void reset();
 
-  // From a vertex, which lies in `region` (or kNone: not known), toward the target. The tree must have room for an
-  // expansion. At most SearchTuning::max_steps steps; where it goes_on, go_on makes as many more.
+  // Expands from a vertex, which lies in `region` (or kNone: not known), toward the target. The tree must have room for
+  // an expansion. At most SearchTuning::max_steps steps; where it goes_on, go_on makes as many more.
   Expanded expand(Index vertex, Index region, const Target& toward, const Watch& watch);
   Expanded go_on(const Watch& watch);
 
@@ -89,7 +89,7 @@ class Expander {
   void place(const float* state) { drive_.begin(state); }
   const float* state() const { return drive_.state(); }
 
-  // For whoever drives while no expansion does.
+  // The drives are free for others while no expansion runs.
   Drive& drive() { return drive_; }
   Drive& brake() { return brake_; }
 

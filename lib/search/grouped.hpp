@@ -11,7 +11,7 @@ class GroupedSearch : public Search {
  public:
   const Groups& groups() const { return groups_; }
 
-  // As the members of Planner.
+  // These do what the members of Planner do.
   Effort effort() const;
   float cost_to_go() const;
 
@@ -25,7 +25,7 @@ class GroupedSearch : public Search {
   // After Search::take_block.
   void allocate_groups() { groups_.allocate(arena_, *scene_, limits_.vertices); }
 
-  // As Keeper has it: puts the state into its region's group, if the group's sample has a place for it and there is
+  // Implements Keeper: puts the state into its region's group, if the group's sample has a place for it and there is
   // room. False when the search has to stop for want of memory.
   bool keep(Index region, Branch branch, const float* state);
 

@@ -58,7 +58,7 @@ Index Groups::remove(Index region) {
   return vertex;
 }
 
-// From the integer count, never by accumulation: the same weight however it came about.
+// The weight is computed from the integer count and never accumulated, so it does not depend on how it came about.
 float Groups::log_weight(const Regions& regions, Index region) const {
   const float h = regions.cost(region);
   if (h == kInfinity) return -kInfinity;

@@ -20,10 +20,10 @@ struct GroupWeights {
 
 class Groups {
  public:
-  // For `vertices` vertices in all: 16 to 18 bytes a region, 2 to 4 a vertex.
+  // Allocates room for `vertices` vertices in all: 16 to 18 bytes a region, 2 to 4 a vertex.
   void allocate(Arena& arena, const Scene& scene, std::uint32_t vertices);
 
-  // No members, no selections. A group keeps at most `sample` members, 1 … kUnboundedSample. O(R).
+  // Removes all members and forgets all selections. A group keeps at most `sample` members, 1 … kUnboundedSample. O(R).
   void clear(const GroupWeights& weights, std::uint32_t sample);
 
   // What becomes of a state that reached the region: it joins the group, or takes the place of a member other than the

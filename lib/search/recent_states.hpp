@@ -24,7 +24,7 @@ class RecentStates {
     for (int i = 0; i < size_; ++i) copy[i] = state[i];
   }
 
-  // Of one of the last kCount steps that were remembered.
+  // What was remembered of one of the last kCount steps.
   Index region(std::uint32_t step) const { return regions_[step % kCount]; }
   const float* state(std::uint32_t step) const { return states_ + place(step); }
 

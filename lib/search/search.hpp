@@ -37,7 +37,7 @@ class Search {
   Search(const Search&) = delete;
   Search& operator=(const Search&) = delete;
 
-  // As Planner::improve.
+  // Does what Planner::improve does.
   [[nodiscard]] Status improve(std::uint64_t iterations);
 
   // What init cut the block into: Arena::needed(Pool) bytes a pool.
@@ -45,7 +45,7 @@ class Search {
   const MotionTree& tree() const { return tree_; }
   const Regions& regions() const { return regions_; }
 
-  // As the members of Planner.
+  // These do what the members of Planner do.
   [[nodiscard]] Status status() const { return failure_.status; }
   [[nodiscard]] const Failure& failure() const { return failure_; }
   Contact contact();

@@ -30,7 +30,7 @@ class Sketcher {
  private:
   static constexpr float kRoom = 1.08F;  // of the disc in a body
 
-  // Where a disc was looked at last, and the square of what it may move from there.
+  // The place at which a disc was looked at last, and the square of what it may move from there.
   struct Look {
     Vec2 center;
     float squared_slack;
@@ -46,7 +46,7 @@ class Sketcher {
   float radius_ = 0.0F;
   Sight sight_;
   float* state_ = nullptr;
-  // By body.
+  // These have an element for each body.
   Vec2* centers_ = nullptr;  // in its frame
   Pose* poses_ = nullptr;
   Look* looks_ = nullptr;
