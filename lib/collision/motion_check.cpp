@@ -5,6 +5,8 @@
 
 namespace krait::detail {
 
+MotionCheck::MotionCheck() = default;
+
 void MotionCheck::allocate(Arena& arena, const Robot& robot) {
   const auto bodies = static_cast<std::uint64_t>(robot.body_count());
   circles_ = arena.allocate<Circle>(Pool::work, bodies);

@@ -21,6 +21,8 @@ namespace krait::detail {
 
 class MotionCheck {
  public:
+  MotionCheck();
+
   // 88 bytes a body and 8 a component of the state. Uninitialised: assign comes before all else.
   void allocate(Arena& arena, const Robot& robot);
 

@@ -79,7 +79,8 @@ float Obstacles::room_to_bounds(const Box& box) const {
   return std::min(x, y) - margin_;
 }
 
-float Obstacles::room_to_piece(const PlacedBody& body, Index piece, float reach) const {
+// Stands in the program once.
+[[gnu::noinline, gnu::flatten]] float Obstacles::room_to_piece(const PlacedBody& body, Index piece, float reach) const {
   const ShiftedPiece shifted(scene_->piece(piece), body.at);
   const float rounding = kRelativeRounding * shifted.extent;
   const float taken = margin_ + rounding;

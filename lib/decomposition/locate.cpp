@@ -8,8 +8,8 @@ namespace {
 
 constexpr int kMaxWalk = 16;
 
-// The first edge that has p strictly on its right, or -1 when p is inside or on the border.
-int edge_towards(const Scene& scene, Index triangle, GridPoint p) {
+// The first edge that has p strictly on its right, or -1 when p is inside or on the border. Stands in the program once.
+[[gnu::noinline, gnu::flatten]] int edge_towards(const Scene& scene, Index triangle, GridPoint p) {
   const GridPoint corners[3] = {to_grid(scene.corner(triangle, 0)), to_grid(scene.corner(triangle, 1)),
                                 to_grid(scene.corner(triangle, 2))};
   for (int i = 0; i < 3; ++i) {

@@ -36,6 +36,8 @@ Vec2 random_point_in_disc(Vec2 center, float radius, Random& random) {
 
 }  // namespace
 
+Regions::Regions() = default;
+
 void Regions::allocate(Arena& arena, const Scene& scene) {
   scene_ = &scene;
   h_ = arena.allocate<float>(Pool::regions, scene.triangle_count());

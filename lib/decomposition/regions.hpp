@@ -22,6 +22,8 @@ struct CostRaise {
 
 class Regions {
  public:
+  Regions();
+
   // Allocates its tables: 9 bytes a triangle (13 from 65,536 on) and 4 a portal. The scene must outlive this.
   void allocate(Arena& arena, const Scene& scene);
   void allocate(Arena&, const Scene&&) = delete;

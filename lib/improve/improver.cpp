@@ -5,6 +5,8 @@
 
 namespace krait::detail {
 
+Improver::Improver() = default;
+
 void Improver::allocate(Arena& arena, std::uint32_t legs, int state_size) {
   for (Way& way : ways_) way.allocate(arena, legs, state_size);
   best_.allocate(arena, legs, 0);

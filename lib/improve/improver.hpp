@@ -17,6 +17,8 @@ namespace krait::detail {
 
 class Improver {
  public:
+  Improver();
+
   // Room for ways of `legs` legs, and for routes that are as long.
   void allocate(Arena& arena, std::uint32_t legs, int state_size);
 

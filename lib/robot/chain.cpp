@@ -227,7 +227,7 @@ float Chain::turning_radius() const {
 }
 
 // The rear axle's, with the steering angle held.
-[[gnu::flatten]] float Chain::stopping_way(StateView s) const {
+float Chain::stopping_way(StateView s) const {
   return 0.5F * s[3] * math::absolute(s[3]) / parameters_.max_acceleration * math::sin_cos(s[4]).cos;
 }
 
