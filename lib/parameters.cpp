@@ -23,20 +23,22 @@ struct Range {
 constexpr float kAboveZero = std::numeric_limits<float>::denorm_min();
 constexpr float kBelowOne = 1.0F - 0.5F * std::numeric_limits<float>::epsilon();
 
-constexpr Range<float> kNumbers[] = {{offsetof(Parameters, tuning.alpha), Argument::alpha, 1.0F, 64.0F},
-                                     {offsetof(Parameters, tuning.beta), Argument::beta, kAboveZero, kBelowOne},
-                                     {offsetof(Parameters, tuning.epsilon), Argument::epsilon, kAboveZero, 1.0F},
-                                     {offsetof(Parameters, tuning.gamma), Argument::gamma, 0.0F, 1e6F},
-                                     {offsetof(Parameters, tuning.cost_length), Argument::cost_length, 0.0F, 10.0F},
-                                     {offsetof(Parameters, dt), Argument::dt, 0.001F, 1.0F},
-                                     {offsetof(Parameters, tuning.near_radius), Argument::near_radius, 0.0F, 10.0F},
-                                     {offsetof(Parameters, tuning.stray_share), Argument::stray_share, 0.0F, 1.0F},
-                                     {offsetof(Parameters, tuning.gentle_share), Argument::gentle_share, 0.0F, 1.0F},
-                                     {offsetof(Parameters, tuning.slowest), Argument::slowest, 0.05F, 1.0F},
-                                     {offsetof(Parameters, tuning.reverse_share), Argument::reverse_share, 0.0F, 1.0F},
-                                     {offsetof(Parameters, clearance), Argument::clearance, 0.0F, 10.0F},
-                                     {offsetof(Parameters, goal_margin), Argument::goal_margin, 0.0F, 10.0F},
-                                     {offsetof(Parameters, end_speed), Argument::end_speed, 0.0F, kInfinity}};
+constexpr Range<float> kNumbers[] = {
+    {offsetof(Parameters, tuning.alpha), Argument::alpha, 1.0F, 64.0F},
+    {offsetof(Parameters, tuning.beta), Argument::beta, kAboveZero, kBelowOne},
+    {offsetof(Parameters, tuning.epsilon), Argument::epsilon, kAboveZero, 1.0F},
+    {offsetof(Parameters, tuning.gamma), Argument::gamma, 0.0F, 1e6F},
+    {offsetof(Parameters, tuning.cost_length), Argument::cost_length, 0.0F, 10.0F},
+    {offsetof(Parameters, dt), Argument::dt, 0.001F, 1.0F},
+    {offsetof(Parameters, tuning.near_radius), Argument::near_radius, 0.0F, 10.0F},
+    {offsetof(Parameters, tuning.goal_near_radius), Argument::goal_near_radius, 0.0F, 10.0F},
+    {offsetof(Parameters, tuning.stray_share), Argument::stray_share, 0.0F, 1.0F},
+    {offsetof(Parameters, tuning.gentle_share), Argument::gentle_share, 0.0F, 1.0F},
+    {offsetof(Parameters, tuning.slowest), Argument::slowest, 0.05F, 1.0F},
+    {offsetof(Parameters, tuning.reverse_share), Argument::reverse_share, 0.0F, 1.0F},
+    {offsetof(Parameters, clearance), Argument::clearance, 0.0F, 10.0F},
+    {offsetof(Parameters, goal_margin), Argument::goal_margin, 0.0F, 10.0F},
+    {offsetof(Parameters, end_speed), Argument::end_speed, 0.0F, kInfinity}};
 
 constexpr Range<std::uint32_t> kCounts[] = {
     {offsetof(Parameters, tuning.group_sample), Argument::group_sample, 1, kUnboundedSample},
@@ -81,6 +83,7 @@ Parameters Parameters::paper() {
   parameters.tuning.update_regions = 0;
   parameters.tuning.open_steps = 0;
   parameters.tuning.path_regions = 8;
+  parameters.tuning.goal_near_radius = parameters.tuning.near_radius;
   parameters.tuning.stray_share = 0.0F;
   parameters.tuning.gentle_share = 0.0F;
   parameters.tuning.sight_tries = 0;

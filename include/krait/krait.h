@@ -369,19 +369,21 @@ typedef struct krait_search_tuning {
                               portal */
       path_regions;      /**< 1 to 64, default 6: targets come from that many regions after the group's own */
   float near_radius,     /**< 0 to 10, default 0.7, in lengths of body 0: a target so near is reached */
-      stray_share,       /**< 0 to 1, default 0.1: share of expansions toward a random point of the workspace instead */
-      gentle_share;      /**< 0 to 1, default 0.35: share of expansions from a group that was often selected that turn
-                              gently */
-  uint32_t sight_tries,  /**< 0 to 64, default 16: points drawn for one in sight of the vertex; 0: any point will do */
-      candidates,        /**< 0 to 8, default 4: ways that are sketched before one is driven; 0: any way will do */
-      least_sketch;      /**< 0 to 20, default 8: sketched steps, of 2 dt, below which no way is driven and costs are
-                              raised */
+      goal_near_radius, /**< 0 to 10, default 0, likewise of a target in the goal; 0: only the goal ends an expansion */
+      stray_share,      /**< 0 to 1, default 0.1: share of expansions toward a random point of the workspace instead */
+      gentle_share;     /**< 0 to 1, default 0.35: share of expansions from a group that was often selected that turn
+                             gently */
+  uint32_t sight_tries, /**< 0 to 64, default 16: points drawn for one in sight of the vertex; 0: any point will do */
+      candidates,       /**< 0 to 8, default 4: ways that are sketched before one is driven; 0: any way will do */
+      least_sketch;     /**< 0 to 20, default 8: sketched steps, of 2 dt, below which no way is driven and costs are
+                             raised */
   uint32_t doomed_steps, /**< 0 to 3, default 2: so many states before a collision are not kept to grow from */
       restart_unit;      /**< expansions, 0 to 1e9, default 4000: tries last 1, 1, 2, 1, 1, 2, 4, ... of it; 0: one for
                               ever */
   float slowest,         /**< 0.05 to 1, default 1: speed set-points are uniform from this share of the top speed to all
                               of it */
-      reverse_share;     /**< 0 to 1, default 0.2: share of expansions that drive backwards, of a robot that can */
+      reverse_share;     /**< 0 to 1, default 0.2: share of expansions from a group that was often selected that drive
+                              backwards, of a robot that can */
   bool continuous;       /**< default true: whether whole steps are proven free, or states only */
   uint32_t max_substeps; /**< 1 to 64, a power of two, default 16: how finely a step is cut to prove it */
   bool prune_portals;    /**< default true: whether portals too narrow for the robot are removed before the search */

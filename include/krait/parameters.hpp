@@ -36,6 +36,7 @@ struct SearchTuning {
   std::uint32_t open_steps = 1000;  ///< 0 … 1000: of one in the open, while it nears its target and crosses one portal
   std::uint32_t path_regions = 6;   ///< 1 … 64: targets come from that many regions after the group's own
   float near_radius = 0.7F;         ///< 0 … 10, in lengths of body 0: a target so near is reached
+  float goal_near_radius = 0.0F;    ///< 0 … 10, likewise of a target in the goal; 0: only the goal ends an expansion
   float stray_share = 0.1F;         ///< 0 … 1: share of expansions toward a random point of the workspace instead
   float gentle_share = 0.35F;  ///< 0 … 1: share of expansions from a group that was often selected that turn gently
   std::uint32_t sight_tries = 16;  ///< 0 … 64: points drawn for one in sight of the vertex; 0: any point will do
@@ -44,7 +45,8 @@ struct SearchTuning {
   std::uint32_t doomed_steps = 2;  ///< 0 … 3: so many states before a collision are not kept to grow from
   std::uint32_t restart_unit = 4000;  ///< expansions, 0 … 1e9: tries last 1, 1, 2, 1, 1, 2, 4, … of it; 0: one for ever
   float slowest = 1.0F;  ///< 0.05 … 1: speed set-points are uniform from this share of the top speed to all of it
-  float reverse_share = 0.2F;  ///< 0 … 1: share of expansions that drive backwards, of a robot that can
+  /// 0 … 1: share of expansions from a group that was often selected that drive backwards, of a robot that can.
+  float reverse_share = 0.2F;
   // Collision.
   bool continuous = true;           ///< whether whole steps are proven free, or states only
   std::uint32_t max_substeps = 16;  ///< 1 … 64, a power of two: how finely a step is cut to prove it

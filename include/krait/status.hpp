@@ -70,6 +70,7 @@ enum class Argument : std::uint8_t {
   open_steps,        ///< SearchTuning::open_steps
   path_regions,      ///< SearchTuning::path_regions
   near_radius,       ///< SearchTuning::near_radius
+  goal_near_radius,  ///< SearchTuning::goal_near_radius
   clearance,         ///< Parameters::clearance
   stray_share,       ///< SearchTuning::stray_share
   gentle_share,      ///< SearchTuning::gentle_share

@@ -46,8 +46,15 @@ Expanded Expander::expand(Index vertex, Index region, const Target& toward, cons
   drive_.aim(tree.target(expansion));
   watch.expands(vertex, drive_.target());
   expanded_ = {Outcome::target_not_reached, region, {expansion, 0}};
+  near_ = near(drive_.target().point);
   apart_ = kInfinity;
   return go_on(watch);
+}
+
+float Expander::near(Vec2 target) const {
+  const SearchTuning& tuning = tools_.parameters->tuning;
+  const bool in_goal = tools_.ending->goal().contains(*tools_.scene, target, 0.0F);
+  return (in_goal ? tuning.goal_near_radius : tuning.near_radius) * tools_.robot_length;
 }
 
 Expanded Expander::go_on(const Watch& watch) {
@@ -153,9 +160,8 @@ bool Expander::begin_shot_leg() {
 Outcome Expander::settle() {
   recent_.remember(expanded_.last.step, expanded_.region, drive_.state());
   if (!keep_recent(tools_.parameters->tuning.doomed_steps)) return Outcome::tree_full;
-  const float reached = tools_.parameters->tuning.near_radius * tools_.robot_length;
-  const bool near = length(drive_.target().point - position()) <= reached;
-  return near ? Outcome::target_reached : Outcome::target_not_reached;
+  const bool reached = length(drive_.target().point - position()) <= near_;
+  return reached ? Outcome::target_reached : Outcome::target_not_reached;
 }
 
 void Expander::begin_braking() {

@@ -121,6 +121,9 @@ class Expander {
   // Each leg is an expansion of its own, which the tree has slots for.
   bool begin_shot_leg();
 
+  // Metres: how near a target is reached.
+  float near(Vec2 target) const;
+
   // What becomes of an expansion whose last state does not end it in the goal.
   Outcome settle();
 
@@ -146,6 +149,7 @@ class Expander {
   Drive drive_;
   RecentStates recent_;
   Expanded expanded_{};      // the last expansion
+  float near_ = 0.0F;        // metres: how near its target is reached
   float apart_ = kInfinity;  // metres: how far the target of a long one was
   Index braking_ = kNone;    // the expansion that brakes for the goal; kNone: none does
   std::uint32_t brake_steps_ = 0;

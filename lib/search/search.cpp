@@ -200,11 +200,11 @@ Target Search::any_way_to(Vec2 point, std::uint32_t tries) {
   constexpr float kGentlest = 0.15F;  // of the sharpest turn
   Target target;
   target.point = point;
-  const bool backward = robot_.reversible() && random_.unit() < parameters_.tuning.reverse_share;
+  const auto patience = static_cast<float>(tries) / static_cast<float>(tries + kPatience);
+  const bool backward = robot_.reversible() && random_.unit() < parameters_.tuning.reverse_share * patience;
   const float slowest = parameters_.tuning.slowest;
   const float share = slowest + (1.0F - slowest) * random_.unit();
   target.speed = backward ? -share : share;
-  const auto patience = static_cast<float>(tries) / static_cast<float>(tries + kPatience);
   if (random_.unit() < parameters_.tuning.gentle_share * patience) {
     target.turn = kGentlest + (1.0F - kGentlest) * random_.unit();
   }

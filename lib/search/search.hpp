@@ -58,7 +58,7 @@ class Search {
   bool driving() const { return driven_ != kNone; }
 
  protected:
-  static constexpr std::uint32_t kPatience = 10;  // tries after which half of the gentle share turns gently
+  static constexpr std::uint32_t kPatience = 10;  // tries after which half of the shares turn gently and reverse
 
   Search() = default;
   ~Search() = default;
@@ -116,7 +116,8 @@ class Search {
   // The next max_steps steps of a long expansion.
   Expanded go_on(const Watch& watch);
 
-  // The way to a point at a random speed, and in a turn that is gentle the more often, the more often it was tried.
+  // The way to a point at a random speed. The more often it was tried, the more often is the turn gentle, and does the
+  // robot drive backwards.
   Target any_way_to(Vec2 point, std::uint32_t tries);
 
   // Lets the robot drive to a target in the goal so slowly that it can stop there.

@@ -482,6 +482,7 @@ TEST(CInterface, EveryParameterIsInItsPlace) {
   EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, open_steps);
   EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, path_regions);
   EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, near_radius);
+  EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, goal_near_radius);
   EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, stray_share);
   EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, gentle_share);
   EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, sight_tries);

@@ -115,6 +115,26 @@ TEST(PlannerUpdates, WaitForAnExpansionForSoManyRegions) {
   EXPECT_EQ(Parameters::paper().tuning.update_regions, 0U);
 }
 
+// Vertices of 20 searches of a unicycle for a goal of a fifth of its length.
+std::uint64_t vertices_to_small_goal(float goal_near_radius) {
+  Bench<Unicycle> bench(two_rooms(), small_unicycle());
+  bench.parameters.tuning.goal_near_radius = goal_near_radius;
+  EXPECT_TRUE(bench.init().ok());
+  std::uint64_t vertices = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    EXPECT_EQ(bench.solve({kStart, Goal::disc({10, 2}, 0.1F), seed}), Status::solved);
+    vertices += bench.planner.statistics().vertices;
+  }
+  return vertices;
+}
+
+TEST(PlannerModes, AnExpansionTowardATargetInTheGoalEndsInTheGoal) {
+  const Parameters parameters;
+  EXPECT_LT(3 * vertices_to_small_goal(parameters.tuning.goal_near_radius),
+            2 * vertices_to_small_goal(parameters.tuning.near_radius));
+  EXPECT_EQ(Parameters::paper().tuning.goal_near_radius, Parameters::paper().tuning.near_radius);
+}
+
 // The body begins 0.6 m ahead of the position.
 Unicycle arm() {
   UnicycleParameters p;
@@ -135,7 +155,7 @@ TEST(PlannerModes, APositionOutsideItsBodyMayPassOverAnObstacle) {
   ASSERT_TRUE(bench.init().ok());
   int over = 0;
   double least = kInfinity;
-  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     EXPECT_EQ(bench.planner.start({kStart, Goal::disc({1.2F, 6}, 0.05F), seed}), Status::searching);
     (void)bench.planner.advance(500, [&](const float*, const float* to) {
       if (!building::holds(post, wide(to[0]), wide(to[1]))) return;

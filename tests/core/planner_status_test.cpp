@@ -345,6 +345,7 @@ std::vector<ParameterRange> float_ranges() {
           {Argument::cost_length, 0, 10, false, false, [](auto& p, float x) { p.tuning.cost_length = x; }},
           {Argument::dt, 0.001F, 1, false, false, [](auto& p, float x) { p.dt = x; }},
           {Argument::near_radius, 0, 10, false, false, [](auto& p, float x) { p.tuning.near_radius = x; }},
+          {Argument::goal_near_radius, 0, 10, false, false, [](auto& p, float x) { p.tuning.goal_near_radius = x; }},
           {Argument::stray_share, 0, 1, false, false, [](auto& p, float x) { p.tuning.stray_share = x; }},
           {Argument::gentle_share, 0, 1, false, false, [](auto& p, float x) { p.tuning.gentle_share = x; }},
           {Argument::slowest, 0.05F, 1, false, false, [](auto& p, float x) { p.tuning.slowest = x; }},

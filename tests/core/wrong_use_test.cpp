@@ -150,6 +150,7 @@ TEST(WrongUse, ParametersAtTheEndsOfTheirRangesPlanOrEnd) {
       [](Parameters& p) { p.tuning.path_regions = 64; },
       [](Parameters& p) { p.tuning.near_radius = 0; },
       [](Parameters& p) { p.tuning.near_radius = 10; },
+      [](Parameters& p) { p.tuning.goal_near_radius = 10; },
       [](Parameters& p) { p.tuning.stray_share = 1; },
       [](Parameters& p) { p.tuning.gentle_share = 1; },
       [](Parameters& p) { p.tuning.sight_tries = 0; },

@@ -27,8 +27,9 @@ class Choices {
   void add(const P& planner, const Follower<P>& follower, const Scene& scene, const Expansion& expansion) {
     add_vertex(planner, expansion);
     add_target(follower.regions(), scene, expansion);
-    add_speed(expansion.target);
-    add_turn(expansion.target, follower.selections(expansion.group));
+    const double often = tried(follower.selections(expansion.group));
+    add_speed(expansion.target, often);
+    add_turn(expansion.target, often);
   }
 
   void expect() const {
@@ -131,19 +132,25 @@ class Choices {
     }
   }
 
-  void add_speed(const Target& target) {
+  // The share of their most with which gentle turns and driving backwards occur after so many selections.
+  static double tried(std::uint32_t selections) {
+    constexpr double kPatience = 10;
+    return selections / (selections + kPatience);
+  }
+
+  void add_speed(const Target& target, double often) {
     const double speed = std::abs(double{target.speed});
     EXPECT_GE(speed, shares_.slowest - 1e-4);
     EXPECT_LE(speed, 1.0);
     speeds_.add_uniform(speed, shares_.slowest, 1);
-    backwards_.add(target.speed < 0, shares_.reverse);
+    backwards_.add(target.speed < 0, shares_.reverse * often);
   }
 
-  void add_turn(const Target& target, std::uint32_t selections) {
-    constexpr double kGentlest = 0.15, kPatience = 10;
+  void add_turn(const Target& target, double often) {
+    constexpr double kGentlest = 0.15;
     const bool gentle = target.turn < 1;
     EXPECT_GE(double{target.turn}, kGentlest - 1e-4);
-    gentle_.add(gentle, shares_.gentle * selections / (selections + kPatience));
+    gentle_.add(gentle, shares_.gentle * often);
   }
 
   Shares shares_;

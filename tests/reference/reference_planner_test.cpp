@@ -55,6 +55,7 @@ Rules rules_of(const Parameters& p, double length, double inner_radius) {
   rules.raise_goal = p.tuning.raise_goal;
   rules.max_steps = p.tuning.max_steps;
   rules.near = double{p.tuning.near_radius} * length;
+  rules.goal_near = double{p.tuning.goal_near_radius} * length;
   rules.doomed_steps = p.tuning.doomed_steps;
   rules.sample = p.tuning.group_sample;
   rules.restart_unit = p.tuning.restart_unit;
@@ -79,6 +80,7 @@ Rules rules_of_prior(const Parameters& p, double length, double inner_radius) {
   Rules rules = rules_of(p, length, inner_radius);
   rules.epsilon = double{rivals::PriorParameters().epsilon};
   rules.gamma = 0;
+  rules.goal_near = rules.near;
   rules.doomed_steps = 0;
   rules.restart_unit = 0;
   rules.sample = kUnboundedSample;
@@ -99,7 +101,7 @@ Shares shares_of_prior(const Parameters& p) {
 
 // What followed searches came to, so that a test sees that they went through what it is about.
 struct Seen {
-  std::uint64_t expansions = 0, updates = 0, goal_raises = 0, doomed = 0, longest = 0, solved = 0;
+  std::uint64_t expansions = 0, updates = 0, goal_raises = 0, doomed = 0, longest = 0, solved = 0, refused = 0;
   std::uint64_t ends[4] = {};
 };
 
@@ -114,7 +116,7 @@ void follow(Bench<R, P>& bench, const Rules& rules, Choices& choices, std::uint3
     SCOPED_TRACE("seed " + std::to_string(seed));
     ASSERT_EQ(bench.planner.start({start.data(), Goal::named(0), seed}), Status::searching);
     Follower follower(bench.planner, bench.open.scene, 0, start.data(), rules, path_regions);
-    for (int i = 0; i < 300 && bench.planner.status() == Status::searching; ++i) {
+    for (int i = 0; i < 300 && bench.planner.status() == Status::searching && !follower.refused(); ++i) {
       const std::optional<Expansion> expansion = follower.follow();
       if (testing::Test::HasFailure()) return;
       if (!expansion) continue;
@@ -127,7 +129,9 @@ void follow(Bench<R, P>& bench, const Rules& rules, Choices& choices, std::uint3
     seen.goal_raises += follower.goal_raises();
     seen.doomed += follower.doomed();
     seen.solved += bench.planner.status() == Status::solved ? 1 : 0;
+    seen.refused += follower.refused() ? 1 : 0;
   }
+  EXPECT_LE(10 * seen.refused, seen.solved + 10) << "ways that did not hold as driven";
 }
 
 // Whether searches came to all ends that there are, expansions as long as they may be among them.
@@ -179,6 +183,7 @@ TEST_P(ReferencePlanner, AgreesWithThePapers) {
   rules.gamma = 50;
   rules.kappa = 20;
   rules.near = double{bench.parameters.tuning.near_radius} * 0.5;
+  rules.goal_near = rules.near;
   rules.least_cost = 0.025;
   rules.reach = kUnicyclesReach;
   Shares shares;

@@ -15,6 +15,7 @@ inline constexpr float kRivalsSlowest = 0.75F;
 
 inline Parameters of_rival(Parameters parameters) {
   parameters.tuning.open_steps = 0;
+  parameters.tuning.goal_near_radius = parameters.tuning.near_radius;
   parameters.tuning.doomed_steps = 0;
   parameters.tuning.restart_unit = 0;
   parameters.tuning.slowest = kRivalsSlowest;

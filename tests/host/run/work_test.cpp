@@ -115,7 +115,7 @@ void expect_bounded(const char* name_of_robot) {
   for (const char* name : {"openings", "rooms", "corridors"}) {
     const SceneFile file(name);
     const Work bound = work_bound(file.scene, extent_of(spec, Parameters()), Parameters());
-    for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
       SCOPED_TRACE(std::string(name) + ", seed " + std::to_string(seed));
       const Work most = CoreRobot(spec).visit([&](const auto& robot) { return most_work(file.scene, robot, seed); });
       EXPECT_LE(most.placements, bound.placements);
