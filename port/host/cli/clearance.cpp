@@ -38,20 +38,18 @@ std::string too_narrow(const krait::Scene& scene, const SearchRequest& request, 
 
 }  // namespace
 
-Clearance usual_clearance(const krait::Scene& scene, const SearchRequest& request,
-                          const std::optional<Workspace>& map) {
-  constexpr float kLeast = Parameters{}.clearance;
+Clearance usual_clearance(const krait::Scene& scene, const SearchRequest& request, const std::optional<Workspace>& map,
+                          Block& block) {
   const float most = Parameters::range(Argument::clearance).most / 2;
   const double tracked = kShare * width_of(request.robot) + (has_cells(map) ? map->cells->resolution / 2 : 0);
   Clearance clearance;
-  clearance.kept = clearance.usual = std::clamp(static_cast<float>(tracked), kLeast, most);
-  Block block = block_of(request);
-  for (SearchRequest twice = request; clearance.kept > kLeast;) {
+  clearance.kept = clearance.usual = std::clamp(static_cast<float>(tracked), kLeastClearance, most);
+  for (SearchRequest twice = request; clearance.kept > kLeastClearance;) {
     twice.parameters.clearance = 2 * clearance.kept;
     const std::string narrow = too_narrow(scene, twice, block);
     if (narrow.empty()) break;
     clearance.narrow = narrow;
-    clearance.kept = std::max(clearance.kept / 2, kLeast);
+    clearance.kept = std::max(clearance.kept / 2, kLeastClearance);
   }
   return clearance;
 }
@@ -60,8 +58,12 @@ std::string text(const Clearance& clearance, const std::optional<Workspace>& map
   const char* usual =
       has_cells(map) ? "2 % of the robot's width and half a cell of the map" : "2 % of the robot's width";
   const double kept = decimal(clearance.kept);
+  if (clearance.in_vain > 0) {
+    return printed("clearance %.4g m: a search with %.4g m used up its iterations (the usual is %.4g m, %s)", kept,
+                   decimal(clearance.in_vain), decimal(clearance.usual), usual);
+  }
   if (clearance.narrow.empty()) return printed("clearance %.4g m: %s (--clearance asks for another)", kept, usual);
-  return printed("clearance %.4g m: %s too little room for the usual %.4g m, %s", kept, clearance.narrow.c_str(),
+  return printed("clearance %.4g m: %s too little room for twice the usual %.4g m, %s", kept, clearance.narrow.c_str(),
                  decimal(clearance.usual), usual);
 }
 

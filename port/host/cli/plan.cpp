@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // krait plan: compiles the map where it is given one, searches, checks its own result, writes and draws it.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -217,7 +218,7 @@ std::string detail_of(const SearchNews& news) {
 }
 
 // Ctrl-C ends the search with what there is; before and after it, the program.
-SearchResult search(const PlanOptions& options, const SearchRequest& request, const SceneBytes& bytes,
+SearchResult search(const PlanOptions& options, const SearchRequest& request, const SceneBytes& bytes, Block& block,
                     Progress& progress) {
   const Interrupt interrupt;
   SearchWatch watch;
@@ -225,7 +226,7 @@ SearchResult search(const PlanOptions& options, const SearchRequest& request, co
     progress.show(news.best.length > 0 ? "improving" : "planning", detail_of(news));
   };
   watch.stop = [&] { return interrupt.asked(); };
-  SearchResult result = run_search(options.scene, bytes, request, watch);
+  SearchResult result = run_search(options.scene, bytes, request, block, watch);
   progress.end();
   return result;
 }
@@ -280,34 +281,40 @@ struct Answer {
   std::optional<Clearance> clearance;
 };
 
-// Searches with the clearance that was asked for, or else the usual one, which becomes the request's.
+// Searches with the clearance that was asked for, or else the usual one and, where that search uses up its iterations,
+// the least; which one becomes the request's.
 Answer search_clear(const krait::Scene& scene, const Ground& ground, const PlanOptions& options, SearchRequest& request,
-                    Progress& progress) {
-  std::optional<Clearance> clearance;
-  if (!options.clearance && !options.paper) {
-    clearance = usual_clearance(scene, request, ground.map);
-    request.parameters.clearance = clearance->kept;
-  }
-  return {search(options, request, ground.scene, progress), clearance};
+                    Block& block, Progress& progress) {
+  if (options.clearance || options.paper) return {search(options, request, ground.scene, block, progress), {}};
+  Clearance clearance = usual_clearance(scene, request, ground.map, block);
+  request.parameters.clearance = clearance.kept;
+  SearchResult first = search(options, request, ground.scene, block, progress);
+  const bool in_vain = first.plan.status == to_string(Status::budget_used);
+  if (!in_vain || !(clearance.kept > kLeastClearance)) return {std::move(first), clearance};
+  clearance.in_vain = clearance.kept;
+  request.parameters.clearance = clearance.kept = kLeastClearance;
+  if (request.time_limit) *request.time_limit = std::max(*request.time_limit - first.seconds, 0.0);
+  return {search(options, request, ground.scene, block, progress), clearance};
 }
 
 // Searches; where obstacles are in the way that the compiler's default tolerance may have grown, the map is compiled
 // without it, and that scene, which replaces the first, is searched.
 Answer search_in(Ground& ground, const PlanOptions& options, SearchRequest& request, Progress& progress) {
+  Block block = block_of(request);
   const krait::Scene scene = open_scene(options.scene, ground.scene);
   const double growth = static_cast<double>(scene.header().tolerance);
   if (!ground.map || !options.tolerance.empty() || !(growth > 0)) {
-    return search_clear(scene, ground, options, request, progress);
+    return search_clear(scene, ground, options, request, block, progress);
   }
   try {
-    Answer answer = search_clear(scene, ground, options, request, progress);
+    Answer answer = search_clear(scene, ground, options, request, block, progress);
     if (answer.result.plan.status != to_string(Status::no_route)) return answer;
   } catch (const InObstacle&) {
     progress.end();
   }
   ground.scene = compiled(options, "0");
   ground.grown = growth;
-  return search_clear(open_scene(options.scene, ground.scene), ground, options, request, progress);
+  return search_clear(open_scene(options.scene, ground.scene), ground, options, request, block, progress);
 }
 
 void plan(const PlanOptions& options) {
@@ -405,7 +412,7 @@ void add_plan(CLI::App& app, const char* program) {
           "--clearance", o->clearance,
           with_range("metres kept to obstacles on top of rounding", Argument::clearance) +
               printed(" (default: 2 %% of the robot's width\nand half a map's cell, less where there is too little room"
-                      " for it, at least %.4g; that with --paper)",
+                      " for it or no plan with it,\nat least %.4g; that with --paper)",
                       decimal(defaults.clearance)))
       ->check(number_of(Argument::clearance, "metres"));
   search("--dt", o->dt, "a time step, seconds", Argument::dt, defaults.dt)->check(number_of(Argument::dt, "seconds"));

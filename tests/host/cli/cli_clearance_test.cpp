@@ -38,10 +38,11 @@ std::string door(const std::string& width) {
 
 class CliClearance : public CliTest {
  protected:
-  // What krait plan prints for the car, 0.6 m wide; the plan's least clearance as driven must be at least `least`.
-  std::string planned(Arguments arguments, double least) const {
+  // What krait plan prints for the car, or for another robot, 0.6 m wide as the car; the plan's least clearance as
+  // driven must be at least `least`.
+  std::string planned(Arguments arguments, double least, const std::string& robot = "car") const {
     arguments.insert(arguments.begin(), "plan");
-    arguments.insert(arguments.end(), {"--robot", "car"});
+    arguments.insert(arguments.end(), {"--robot", robot});
     const Outcome outcome = krait(arguments);
     EXPECT_EQ(outcome.code, 0) << outcome.errors;
     const std::string mark = "\nas driven: least clearance ";
@@ -75,8 +76,8 @@ TEST_F(CliClearance, ThatIsAskedForIsKeptAndNotExplained) {
 TEST_F(CliClearance, IsHalvedWhereTheStartHasTooLittleRoom) {
   write("door.json", door("1.2"));
   const Arguments start = {"door.json", "--start", "3,0.312,0"};
-  EXPECT_THAT(planned(start, 0.003), HasSubstr("\n  clearance 0.003 m: the start has too little room for the usual "
-                                               "0.012 m, 2 % of the robot's width\n"));
+  EXPECT_THAT(planned(start, 0.003), HasSubstr("\n  clearance 0.003 m: the start has too little room for twice the "
+                                               "usual 0.012 m, 2 % of the robot's width\n"));
   const Outcome asked = krait({"plan", "door.json", "--robot", "car", "--start", "3,0.312,0", "--clearance", "0.012"});
   EXPECT_EQ(asked.code, 2);
   EXPECT_THAT(asked.errors, HasSubstr("the start does not keep the clearance"));
@@ -85,10 +86,32 @@ TEST_F(CliClearance, IsHalvedWhereTheStartHasTooLittleRoom) {
 // The door has room for it, but hardly for a search that looks for a way through.
 TEST_F(CliClearance, IsHalvedWhereEveryWayHasTooLittleRoom) {
   write("door.json", door("0.64"));
+  EXPECT_THAT(planned({"door.json"}, 0.006),
+              HasSubstr("\n  clearance 0.006 m: every way to the goal has too little room for twice the usual 0.012 m, "
+                        "2 % of the robot's width\n"));
+}
+
+// A disc in a body that is broader than long finds a way through the door with any clearance, the body with a small
+// one.
+constexpr const char* kBroad = R"({"model": "unicycle", "parameters": {"body_length": 0.3, "body_width": 0.6}})";
+
+TEST_F(CliClearance, IsAMillimetreWhereASearchWithTheUsualOneIsInVain) {
+  write("door.json", door("0.623"));
+  write("broad.json", kBroad);
   EXPECT_THAT(
-      planned({"door.json"}, 0.006),
-      HasSubstr("\n  clearance 0.006 m: every way to the goal has too little room for the usual 0.012 m, 2 % of "
-                "the robot's width\n"));
+      planned({"door.json", "--iterations", "20000"}, 0.001, "broad.json"),
+      HasSubstr("\n  clearance 0.001 m: a search with 0.012 m used up its iterations (the usual is 0.012 m, 2 % "
+                "of the robot's width)\n"));
+}
+
+TEST_F(CliClearance, ThatIsAskedForIsSearchedOnce) {
+  write("door.json", door("0.623"));
+  write("broad.json", kBroad);
+  const Outcome outcome =
+      krait({"plan", "door.json", "--robot", "broad.json", "--clearance", "0.012", "--iterations", "2000"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.output, HasSubstr("budget_used"));
+  EXPECT_THAT(outcome.output, Not(HasSubstr("\n  clearance")));
 }
 
 TEST_F(CliClearance, OfAMillimetreIsTheLeast) {
