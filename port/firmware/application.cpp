@@ -51,6 +51,13 @@ Goal goal_of(const Scene& scene, const Request& request) {
   return Goal::pose(center, radius, static_cast<float>(request.heading), static_cast<float>(request.heading_tolerance));
 }
 
+Parameters parameters_of(const Request& request) {
+  Parameters parameters;
+  if (request.has_clearance) parameters.clearance = static_cast<float>(request.clearance);
+  if (request.has_dt) parameters.dt = static_cast<float>(request.dt);
+  return parameters;
+}
+
 // Everything before the first expansion. Not inlined, so that its arrays are not on the stack while the planner plans.
 [[gnu::noinline]] Failure set_up(const Board& board, const Request& request, const Robot& robot, Scene& scene,
                                  Planner& planner) {
@@ -59,9 +66,10 @@ Goal goal_of(const Scene& scene, const Request& request) {
   float state[kMaxState];
   const Failure placed = rest_at_start(scene, robot, request, state);
   if (!placed.ok()) return placed;
-  const std::uint64_t bytes = block_bytes(board, request);
+  const std::uint64_t bytes = block_bytes(board, request, robot);
   if (bytes > board.arena_room) return {Status::arena_too_small, 0, 0, bytes};
-  const Failure ready = planner.init({board.arena, bytes, &scene, robot}, {}, {.iterations = request.iterations});
+  const Failure ready =
+      planner.init({board.arena, bytes, &scene, robot}, parameters_of(request), {.iterations = request.iterations});
   if (!ready.ok()) return ready;
   (void)planner.start({state, goal_of(scene, request), request.seed});
   return planner.failure();
@@ -95,11 +103,11 @@ Failure open_scene(const Board& board, Scene& scene) {
   return Scene::open(board.scene, size > board.scene_room ? board.scene_room : size, scene);
 }
 
-std::uint64_t block_bytes(const Board& board, const Request& request) {
+std::uint64_t block_bytes(const Board& board, const Request& request, const Robot& robot) {
   constexpr std::uint64_t kKilobyte = 1024;
-  constexpr int kShortRobot = 5;  // trailers
+  constexpr int kShortRobot = 6;  // bodies
   if (request.memory > 0) return request.memory;
-  const std::uint64_t wanted = (request.trailers <= kShortRobot ? 128 : 256) * kKilobyte;
+  const std::uint64_t wanted = (robot.body_count() <= kShortRobot ? 128 : 256) * kKilobyte;
   return wanted < board.arena_room ? wanted : board.arena_room;
 }
 

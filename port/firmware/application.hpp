@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The application: opens the scene in place, plans, reports. One model of robot a program.
+// The application: opens the scene in place, plans, reports. One model of robot, or one robot, a program.
 #pragma once
 
 #include "firmware/board.hpp"
@@ -9,8 +9,8 @@
 
 namespace krait::firmware {
 
-// What model.cpp has, by the line of port/models that it is compiled for: the model's name, whether it has trailers,
-// and the robot that is asked for, which lasts.
+// What model.cpp has, by the line of port/models that it is compiled for, or compiled_robot.cpp: the name of the model
+// or robot, whether it has a number of trailers to ask for, and the robot, which lasts.
 extern const char* const kModel;
 extern const bool kHasTrailers;
 Robot robot_for(const Request& request);
@@ -21,8 +21,8 @@ int run(const Board& board, int count, const char* const* words);
 // Views the scene that lies on the board. Its header says how long it is; bytes that are none are refused.
 Failure open_scene(const Board& board, Scene& scene);
 
-// The planner's block that is asked for, in bytes; at most what the board has unless more is asked for.
-std::uint64_t block_bytes(const Board& board, const Request& request);
+// The planner's block that is asked for, in bytes; else by the robot's size, at most what the board has.
+std::uint64_t block_bytes(const Board& board, const Request& request, const Robot& robot);
 
 // The robot standing still where it is asked to start, trailers at its heading, or at the scene's first start, trailers
 // at the start's angles.

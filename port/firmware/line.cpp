@@ -24,6 +24,17 @@ Line& Line::put(std::uint64_t number, int least_digits) {
   return *this;
 }
 
+Line& Line::put_decimal(float number) {
+  constexpr std::uint32_t kMillion = 1'000'000;
+  auto whole = static_cast<std::uint32_t>(number);
+  auto millionths = static_cast<std::uint32_t>((number - static_cast<float>(whole)) * 1e6F + 0.5F);
+  if (millionths == kMillion) {
+    ++whole;
+    millionths = 0;
+  }
+  return put(std::uint64_t{whole}).put('.').put(std::uint64_t{millionths}, 6);
+}
+
 const char* Line::end() {
   text_[length_] = '\n';
   text_[length_ + 1] = '\0';
@@ -74,15 +85,8 @@ JsonLine& JsonLine::add_seconds(const char* name, std::uint64_t nanoseconds) {
 }
 
 JsonLine& JsonLine::add_decimal(const char* name, float number) {
-  constexpr std::uint32_t kMillion = 1'000'000;
-  auto whole = static_cast<std::uint32_t>(number);
-  auto millionths = static_cast<std::uint32_t>((number - static_cast<float>(whole)) * 1e6F + 0.5F);
-  if (millionths == kMillion) {
-    ++whole;
-    millionths = 0;
-  }
   put_name(name);
-  line_.put(std::uint64_t{whole}).put('.').put(std::uint64_t{millionths}, 6);
+  line_.put_decimal(number);
   return *this;
 }
 

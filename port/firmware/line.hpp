@@ -13,6 +13,7 @@ class Line {
   Line& put(char c);
   Line& put(const char* text);
   Line& put(std::uint64_t number, int least_digits = 1);  // decimal
+  Line& put_decimal(float number);                        // 0 <= number < 4e9, to 6 decimals
 
   bool empty() const { return length_ == 0; }
   // With a line feed. Valid until the line changes.
@@ -31,7 +32,7 @@ class JsonLine {
   JsonLine& add(const char* name, std::uint64_t number);
   JsonLine& add_hash(const char* name, std::uint64_t hash);  // 16 hexadecimal digits, as text
   JsonLine& add_seconds(const char* name, std::uint64_t nanoseconds);
-  JsonLine& add_decimal(const char* name, float number);  // 0 <= number < 4e9, to 6 decimals
+  JsonLine& add_decimal(const char* name, float number);  // as Line::put_decimal
   JsonLine& add_null(const char* name);
 
   // Closes the object.

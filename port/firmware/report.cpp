@@ -8,22 +8,27 @@ namespace {
 
 void say(const Board& board, const char* text) { board.port.log(board.port.context, text); }
 
-// What to do about an argument of the query.
-const char* hint(Argument argument) {
+// What is wrong with an argument that was asked for, and what to do. The ranges are Parameters::range's, whose code
+// firmware does without.
+const char* hint(Argument argument, const Request& request) {
   switch (argument) {
+    case Argument::clearance:
+      return ": --clearance is from 0 to 10 metres";
+    case Argument::dt:
+      return ": --dt is from 0.001 to 1 seconds";
     case Argument::start:
-      return ": the scene has no start for this robot, or the numbers are out of range: "
-             "compile with --start X,Y,HEADING, or ask with it";
+      if (request.has_start) return ": --start is out of range for this robot";
+      return ": the scene has no start for this robot: compile with --start X,Y,HEADING, or ask with it";
     case Argument::goal:
-      return ": the scene has no such goal, or the numbers are out of range: "
-             "compile with --goal X,Y,RADIUS, or ask with it";
+      if (request.has_goal) return ": --goal lies outside of the scene, or its radius or heading is out of range";
+      return ": the scene has no goal: compile with --goal X,Y,RADIUS, or ask with it";
     default:
       return "";
   }
 }
 
 // Why a request is refused.
-void put_reason(Line& line, const Board& board, const Failure& failure) {
+void put_reason(Line& line, const Board& board, const Request& request, const Failure& failure) {
   line.put(to_string(failure.status));
   switch (failure.status) {
     case Status::arena_too_small:
@@ -38,7 +43,9 @@ void put_reason(Line& line, const Board& board, const Failure& failure) {
     case Status::bad_argument:
     case Status::bad_robot:
       line.put(": ").put(to_string(static_cast<Argument>(failure.element)));
-      line.put(hint(static_cast<Argument>(failure.element)));
+      line.put(hint(static_cast<Argument>(failure.element), request));
+      if (failure.most > 0.0F)
+        line.put(", less than ").put_decimal(failure.most).put(" for a robot so fast and so short");
       break;
     default:
       break;
@@ -126,7 +133,7 @@ int write(const Board& board, const Request& request, const Report& report) {
   const int code = exit_code(report.failure.status);
   if (code >= kBadInput) {
     static Line reason;  // too large for a small stack; written once
-    put_reason(reason.put("krait: "), board, report.failure);
+    put_reason(reason.put("krait: "), board, request, report.failure);
     say(board, reason.end());
   }
   static JsonLine line;  // likewise

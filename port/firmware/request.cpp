@@ -37,6 +37,19 @@ bool parse_triple(const char* text, Triple& triple) {
 
 bool is_heading(double radians) { return radians >= -kTurn && radians <= kTurn; }
 
+const char* parse_parameter(const char* option, const char* value, Request& request) {
+  if (same(option, "--clearance")) {
+    request.has_clearance = true;
+    return parse_decimal(value, request.clearance) ? nullptr : "--clearance: give metres, as 0.05";
+  }
+  if (same(option, "--dt")) {
+    request.has_dt = true;
+    return parse_decimal(value, request.dt) ? nullptr : "--dt: give seconds, as 0.05";
+  }
+  return "unknown option: --robot, --seed, --memory, --iterations, --start, --goal, --heading, --heading-tolerance, "
+         "--clearance, --dt and --icount are known";
+}
+
 const char* parse_query(const char* option, const char* value, Request& request) {
   if (same(option, "--start")) {
     request.has_start = true;
@@ -57,13 +70,12 @@ const char* parse_query(const char* option, const char* value, Request& request)
     request.has_heading_tolerance = true;
     return parse_decimal(value, request.heading_tolerance) ? nullptr : "--heading-tolerance: give radians, as 0.1";
   }
-  return "unknown option: --robot, --seed, --memory, --iterations, --start, --goal, --heading, --heading-tolerance and "
-         "--icount are known";
+  return parse_parameter(option, value, request);
 }
 
 const char* parse_robot(const char* text, const char* model, bool has_trailers, Request& request) {
   const std::size_t length = std::strlen(model);
-  if (std::strncmp(text, model, length) != 0) return "--robot: this firmware plans for another model";
+  if (std::strncmp(text, model, length) != 0) return "--robot: this firmware plans for another robot";
   request.robot = text;
   const char* rest = text + length;
   if (!has_trailers) return *rest == '\0' ? nullptr : "--robot: this model has no trailers";

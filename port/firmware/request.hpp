@@ -24,15 +24,19 @@ struct Request {
   bool has_goal = false;
   bool has_heading = false;
   bool has_heading_tolerance = false;
+  bool has_clearance = false;
+  bool has_dt = false;
   Triple start;                    // and the heading, radians; without it, the scene's first start
   Triple goal;                     // and the radius, metres; without it, the scene's first goal
   double heading = 0.0;            // radians: of body 0 at the end, with `goal` only
   double heading_tolerance = 0.1;  // radians
+  double clearance = 0.0;          // metres; without it, the library's default
+  double dt = 0.0;                 // seconds, a time step; likewise
 };
 
 // Reads `--robot MODEL[:N] --seed S --memory B[K|M] --iterations N --start X,Y,HEADING --goal X,Y,RADIUS --heading H
-// --heading-tolerance T --icount` for a program that plans for `model`,
-// which has trailers or not. Gives null, or what is wrong. The words must stay.
+// --heading-tolerance T --clearance C --dt S --icount` for a program that plans for `model`, which has a number of
+// trailers to ask for or not. Gives null, or what is wrong. The words must stay.
 const char* parse(int count, const char* const* words, const char* model, bool has_trailers, Request& request);
 
 }  // namespace krait::firmware

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// krait robot: a robot in numbers and as a picture. krait robots: the shipped ones.
+// krait robot: a robot in numbers, as a picture and as C++. krait robots: the shipped ones.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -11,6 +11,7 @@
 #include "host/picture/robot_drawing.hpp"
 #include "host/robot_file/shipped.hpp"
 #include "host/run/robot_facts.hpp"
+#include "host/run/robot_source.hpp"
 #include "host/workspace/printed.hpp"
 #include "host/workspace/ring.hpp"
 
@@ -23,6 +24,7 @@ struct RobotOptions {
   std::string robot;
   std::string svg;
   std::string png;
+  std::string cpp;
 };
 
 std::string model_of(const RobotSpec& robot) {
@@ -135,7 +137,7 @@ void print_report(const RobotOptions& options, const RobotSpec& robot, const Rob
 void show_robot(const RobotOptions& options) {
   const std::vector<std::string> inputs =
       is_robot_file(options.robot) ? std::vector<std::string>{options.robot} : std::vector<std::string>{};
-  check_outputs({{"--svg", options.svg}, {"--png", options.png}}, inputs);
+  check_outputs({{"--svg", options.svg}, {"--png", options.png}, {"--cpp", options.cpp}}, inputs);
   const RobotSpec robot = parse_robot(options.robot);
   const Parameters parameters;
   const auto dt = static_cast<double>(parameters.dt);
@@ -143,6 +145,7 @@ void show_robot(const RobotOptions& options) {
   const RobotPicture picture = picture_of(options, robot, facts, dt);
   if (!options.svg.empty()) write_file(options.svg, draw_robot_svg(picture));
   if (!options.png.empty()) write_file(options.png, draw_robot_png(picture));
+  if (!options.cpp.empty()) write_file(options.cpp, robot_source(robot, options.robot, options.cpp));
   print_report(options, robot, facts, dt);
 }
 
@@ -162,6 +165,7 @@ void add_robot(CLI::App& app) {
       ->required();
   one->add_option("--svg", options->svg, "draw it to scale, with its sizes");
   one->add_option("--png", options->png, "draw it to scale, with its sizes");
+  one->add_option("--cpp", options->cpp, "write it as a header in C++, for firmware (port/PORTING.md)");
   one->callback([options] { show_robot(*options); });
   CLI::App* all = app.add_subcommand("robots", "list the shipped robots: real machines with published numbers");
   all->callback([] { list_robots(); });

@@ -2,6 +2,7 @@
 #include "host/run/session.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "host/rivals/plain.hpp"
 #include "host/rivals/prior.hpp"
@@ -12,6 +13,13 @@
 
 namespace krait::host {
 namespace {
+
+// To a millisecond, rounded down.
+std::string longest_dt(double seconds) {
+  const double milliseconds = std::floor(1000 * seconds);
+  return printed("dt: at most %.3g s for a robot so fast and so short: try --dt %.3g", milliseconds / 1000,
+                 milliseconds / 1000);
+}
 
 std::string explanation(const Failure& failure, const SearchRequest& request) {
   const std::string argument = to_string(static_cast<Argument>(failure.element));
@@ -28,9 +36,7 @@ std::string explanation(const Failure& failure, const SearchRequest& request) {
       return argument + " cannot be used";
     case Status::bad_argument:
       if (argument == to_string(Argument::goal)) return "the goal's centre lies outside the workspace's bounds";
-      if (failure.most > 0) {
-        return printed("dt: at most %.2g s for a robot so fast and so short", static_cast<double>(failure.most));
-      }
+      if (failure.most > 0) return longest_dt(static_cast<double>(failure.most));
       return argument +
              " is not finite or out of its range (numbers in metres, seconds and radians; krait plan --help)";
     case Status::bad_arithmetic:

@@ -93,6 +93,18 @@ TEST_F(CliRobot, ItIsDrawnToBothFormats) {
   }
 }
 
+// Whatever the files are called and the robot says of itself.
+TEST_F(CliRobot, ItIsWrittenAsAHeader) {
+  write("my car.json", R"({"about": "ends in \\", "model": "car", "parameters": {"wheelbase": 1, "max_speed": 0.3}})");
+  expect_done({"robot", "my car.json", "--cpp", "2--x.hpp"});
+  const std::string header = read_text(path("2--x.hpp"));
+  EXPECT_THAT(header, StartsWith("// The robot my car.json: ends in \\, as krait plan has it.\n"));
+  EXPECT_THAT(header, HasSubstr("\nnamespace robot_2_x {\n"));
+  EXPECT_THAT(header, HasSubstr("kName[] = \"my_car\";"));
+  EXPECT_THAT(header, HasSubstr("    .wheelbase = 1.0F,\n"));
+  EXPECT_THAT(header, HasSubstr("    .max_speed = 0.3F,\n"));
+}
+
 TEST_F(CliRobot, ExtremeRobotsAreDrawn) {
   write("thin.json", R"({"model": "snake", "links": 25, "parameters": {"body_width": 0.001, "hitch_length": 1000}})");
   write("wide.json", R"({"model": "diff_drive", "parameters": {"track_width": 1000, "body_width": 100}})");

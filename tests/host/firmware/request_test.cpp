@@ -73,9 +73,18 @@ TEST(FirmwareRequest, ReadsStartGoalAndHeading) {
   EXPECT_EQ(request.seed, 7U);
 }
 
+TEST(FirmwareRequest, ReadsClearanceAndTimeStep) {
+  Request request;
+  ASSERT_EQ(parse_words({"--clearance", "0.05", "--dt", "0.02"}, request), nullptr);
+  EXPECT_TRUE(request.has_clearance && request.has_dt);
+  EXPECT_EQ(request.clearance, 0.05);
+  EXPECT_EQ(request.dt, 0.02);
+}
+
 TEST(FirmwareRequest, AsksForTheScenesOwnWithoutThem) {
   Request request;
   ASSERT_EQ(parse_words({}, request), nullptr);
+  EXPECT_FALSE(request.has_clearance || request.has_dt);
   EXPECT_FALSE(request.has_start || request.has_goal || request.has_heading);
 }
 
@@ -90,6 +99,8 @@ TEST(FirmwareRequest, RefusesWithTheOptionsName) {
             "--heading-tolerance: give --heading with it");
   EXPECT_EQ(complaint({"--start", "2,3,90"}).rfind("--start: the heading is in radians", 0), 0U);
   EXPECT_EQ(complaint({"--heading", "-90", "--goal", "2,3,1"}).rfind("--heading: in radians", 0), 0U);
+  EXPECT_EQ(complaint({"--clearance", "wide"}), "--clearance: give metres, as 0.05");
+  EXPECT_EQ(complaint({"--dt", "0.1s"}), "--dt: give seconds, as 0.05");
   EXPECT_EQ(complaint({"--start"}), "an option lacks its value");
   EXPECT_EQ(complaint({"--speed", "1"}).rfind("unknown option", 0), 0U);
 }

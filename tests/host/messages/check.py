@@ -52,6 +52,7 @@ FILES = {
     "text.json": room(bounds={"min": ["a", 0], "max": [20, 10]}),
     "outside.json": room(starts=[{"name": "west", "position": [30, 5], "heading": 0}]),
     "two.json": room(starts=[{"name": "a", "position": [3, 5], "heading": 0}] * 2),
+    "nostart.json": room(starts=[]),
     "nogoal.json": room(goals=[]),
     "tank.json": {"model": "tank", "links": 0, "parameters": {}},
     "short.json": {"model": "car", "links": 0, "parameters": {"wheelbase": -1}},
@@ -77,6 +78,8 @@ def fill(folder, environment):
     for name, content in TEXTS.items():
         (folder / name).write_text(content)
     for command in ["krait compile room.json -o room.krait",
+                    "krait compile nostart.json -o nostart.krait",
+                    "krait compile nogoal.json -o nogoal.krait",
                     "krait plan room.json --robot car --clearance 0.001 -o plan.json",
                     "head -c 400 room.krait >cut.krait"]:
         subprocess.run(["bash", "-c", command], cwd=folder, env=environment, check=True, stdout=subprocess.DEVNULL)
