@@ -39,6 +39,7 @@ class Painter : private Pen {
     bodies();
     heading();
     marks();
+    places();
     cairo_restore(cr_);
     map_rectangle();
     stroke(kInk, 1.2);
@@ -199,6 +200,17 @@ class Painter : private Pen {
   void start_mark(Point at) {
     disc(at, 5.5);
     fill_and_stroke(kRobotStart, kInk, 1.8);
+  }
+
+  // Numbered as in the line of facts.
+  void places() {
+    font(10.5, true);
+    for (std::size_t i = 0; i < picture_.marks.size(); ++i) {
+      const Point at = figure_.at(picture_.marks[i].at);
+      disc(at, 7.5);
+      fill_and_stroke(kInk, kPaper, 1.5);
+      write(std::to_string(i + 1), {at.x, at.y + 3.8}, Align::center, kPaper);
+    }
   }
 
   void heading() {

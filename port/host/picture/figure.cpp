@@ -72,6 +72,9 @@ void check_search(const Picture& picture) {
     if (vertex.parent > i) fail(element("tree", i) + " has a parent that comes after it");
     if (i > 0 && vertex.iteration < picture.tree[i - 1].iteration) fail("tree is not ascending by iteration");
   }
+  for (std::size_t i = 0; i < picture.marks.size(); ++i) {
+    check_point(picture.marks[i].at.x, picture.marks[i].at.y, element("marks", i));
+  }
 }
 
 void check_state(const std::vector<float>& state, std::size_t size, const std::string& where) {
@@ -150,6 +153,8 @@ std::vector<std::string> facts(const Picture& picture) {
   all.push_back("seed " + std::to_string(plan.seed));
   if (plan.states.empty()) {
     all.push_back(plan.status.empty() ? "no plan" : "no plan: " + printable(plan.status));
+    int number = 0;
+    for (const Mark& mark : picture.marks) all.push_back(std::to_string(++number) + " " + printable(mark.text));
     return all;
   }
   if (!plan.status.empty()) all.push_back(printable(plan.status));

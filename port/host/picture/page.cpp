@@ -153,6 +153,12 @@ json start(const Picture& picture) {
   return {{"points", points.text()}, {"headings", headings.text()}};
 }
 
+std::string marks(const Picture& picture) {
+  Array points;
+  for (const Mark& mark : picture.marks) points.point(mark.at.x, mark.at.y);
+  return points.text();
+}
+
 std::string ramp() {
   Array colors;
   for (int level = 0; level <= kInfiniteLevel; ++level) {
@@ -229,6 +235,7 @@ std::string draw_html(const Picture& picture) {
                      {"names", names(plan)},
                      {"motion", motion(plan)},
                      {"start", start(picture)},
+                     {"marks", marks(picture)},
                      {"ramp", ramp()}};
   return filled(page::index_html, {{"title", escaped(title)},
                                    {"facts", escaped(line)},

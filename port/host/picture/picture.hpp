@@ -29,6 +29,12 @@ struct TreeVertex {
   std::uint32_t iteration = 0;
 };
 
+// A place that a search without a plan is about, and a few words beside it.
+struct Mark {
+  Point at;
+  std::string text;
+};
+
 // All in local coordinates (world = local + plan.origin).
 struct Picture {
   std::string title;
@@ -39,6 +45,7 @@ struct Picture {
                                   // be empty
   std::vector<TreeVertex> tree;   // ascending by iteration; may be thinned or empty
   std::vector<float> start;       // the state that the search began with, drawn where there is no plan; may be empty
+  std::vector<Mark> marks;        // why there is no plan; may be empty
   PlanFile plan;                  // its states may be empty; robot.bodies are needed if they or `start` are not
 };
 

@@ -45,6 +45,17 @@ class PlannerSession : public Session {
     if constexpr (requires { planner_.effort(); }) return planner_.effort();
     return {};
   }
+  std::vector<std::vector<float>> states_in([[maybe_unused]] Index region) const override {
+    std::vector<std::vector<float>> states;
+    if constexpr (requires { planner_.groups(); }) {
+      planner_.groups().for_each_vertex(region, [&](Index vertex) {
+        const float* const state = planner_.tree().state(vertex);
+        states.emplace_back(state, state + robot_.state_size());
+      });
+    }
+    return states;
+  }
+  const Robot& robot() const override { return robot_; }
   float cost_to_go() const override {
     if constexpr (requires { planner_.cost_to_go(); }) return planner_.cost_to_go();
     return kInfinity;

@@ -31,7 +31,10 @@ class Session {
   virtual Statistics statistics() const = 0;
   virtual const detail::Regions& regions() const = 0;
   virtual Bottleneck bottleneck() = 0;
-  virtual Effort effort() const = 0;     // none of a planner without groups
+  virtual Effort effort() const = 0;  // none of a planner without groups
+  // States from which the tree grows out of the region; none of a planner without groups.
+  virtual std::vector<std::vector<float>> states_in(Index region) const = 0;
+  virtual const Robot& robot() const = 0;
   virtual float cost_to_go() const = 0;  // infinite of a planner without groups
   // The states and controls of the plan, if there is one.
   virtual void copy_plan(PlanFile& file) const = 0;

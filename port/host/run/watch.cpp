@@ -7,6 +7,7 @@
 #include "decomposition/regions.hpp"
 #include "host/run/run.hpp"
 #include "host/run/session.hpp"
+#include "host/run/why.hpp"
 
 namespace krait::host {
 namespace {
@@ -125,6 +126,8 @@ Picture watch_search(const std::string& scene_path, const SceneBytes& bytes, con
   const std::unique_ptr<Session> session = start_session(scene, request, block);
   picture.start = session->query().start;
   watch(*session, plan.statistics.at("iterations").get<std::uint64_t>(), picture);
+  session->stop_for_time();  // as its budget, its memory or its user did
+  if (plan.states.empty()) picture.marks = where_no_plan(*session, scene, request);
   return picture;
 }
 

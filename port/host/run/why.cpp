@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "decomposition/locate.hpp"
+#include "host/run/hindrance.hpp"
 #include "host/run/query.hpp"
 #include "host/workspace/printed.hpp"
 
@@ -63,13 +64,27 @@ std::string why_no_route(const Bottleneck& bottleneck, const krait::Scene& scene
   return why + grown(scene, needed - width);
 }
 
-// Where the widest way is hardly wider than the robot.
-std::vector<std::string> where_it_is_tight(const Bottleneck& bottleneck, const krait::Scene& scene) {
+// Whether the widest way is hardly wider than the robot.
+bool is_tight(const Bottleneck& bottleneck) {
   constexpr float kTight = 1.5F;  // times what the robot needs
-  if (bottleneck.needed == 0.0F || bottleneck.width > kTight * bottleneck.needed) return {};
+  return bottleneck.needed > 0.0F && bottleneck.width <= kTight * bottleneck.needed;
+}
+
+std::vector<std::string> where_it_is_tight(const Bottleneck& bottleneck, const krait::Scene& scene) {
+  if (!is_tight(bottleneck)) return {};
   return {"the widest way to the goal is " + metres(static_cast<double>(bottleneck.width)) + " wide at " +
           place(scene, bottleneck.at) + ", where the robot needs at least " +
           metres(static_cast<double>(bottleneck.needed))};
+}
+
+std::string what_stops_it(const Hindrances& found, const krait::Scene& scene, const SearchRequest& request) {
+  const auto share = [&](int ways) { return printed("%d of %d ways from there end ", ways, found.ways); };
+  if (found.beyond > found.stopped) {
+    return share(found.beyond) + (request.robot.links > 0 ? "where its trailers fold" : "at a limit of the robot");
+  }
+  if (found.stopped == 0) return "what is in the way there?";
+  return share(found.stopped) + "with " + body_name(request.robot, found.contact.body) + " at " +
+         other_name(found.contact, request.robot) + ", as at " + place(scene, found.contact.at);
 }
 
 bool cannot_reverse(const RobotSpec& robot) {
@@ -143,10 +158,27 @@ std::vector<std::string> why_no_plan(Session& session, const krait::Scene& scene
   std::vector<std::string> lines = where_it_is_tight(session.bottleneck(), scene);
   if (const Effort effort = session.effort(); effort.tries > 0) {
     lines.push_back("most expansions, " + std::to_string(effort.tries) + ", grew from around " +
-                    place(scene, effort.at) + ": what is in the way there?");
+                    place(scene, effort.at) + ": " +
+                    what_stops_it(hindrances_of(session, scene, request.parameters), scene, request));
   }
   for (std::string& line : what_to_try(session.status(), session.statistics(), request)) lines.push_back(line);
   return lines;
+}
+
+std::vector<Mark> where_no_plan(Session& session, const krait::Scene& scene, const SearchRequest& request) {
+  const auto local = [](Vec2 at) { return Point{static_cast<double>(at.x), static_cast<double>(at.y)}; };
+  std::vector<Mark> marks;
+  const Bottleneck bottleneck = session.bottleneck();
+  if (bottleneck.width > 0.0F && is_tight(bottleneck)) {
+    marks.push_back({local(bottleneck.at), bottleneck.at_goal ? "roomiest place" : "narrowest place"});
+  }
+  if (const Effort effort = session.effort(); effort.tries > 0) marks.push_back({local(effort.at), "tried most"});
+  const Hindrances found = hindrances_of(session, scene, request.parameters);
+  if (found.stopped > 0 && found.stopped >= found.beyond) {
+    const std::string body = request.robot.links > 0 ? " body " + std::to_string(found.contact.body) : " it";
+    marks.push_back({local(found.contact.at), "stops" + body});
+  }
+  return marks;
 }
 
 }  // namespace krait::host

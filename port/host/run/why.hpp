@@ -16,4 +16,7 @@ std::string why_not_there(const Contact& contact, const krait::Scene& scene, con
 // Why a search that has ended has no plan, a line each; empty where it has one.
 std::vector<std::string> why_no_plan(Session& session, const krait::Scene& scene, const SearchRequest& request);
 
+// The places that those lines name, local coordinates.
+std::vector<Mark> where_no_plan(Session& session, const krait::Scene& scene, const SearchRequest& request);
+
 }  // namespace krait::host

@@ -104,6 +104,17 @@ TEST_F(CliWhy, HopelessQueriesNameWhatIsInTheWayAndWhatToTry) {
   }
 }
 
+// The second door is wide enough for a disc in the body, which is broader than long, not for the body.
+TEST_F(CliWhy, TheBodyThatStopsMostWaysIsNamed) {
+  write("walled.json", walled({{8, 5, 2}, {12, 5, 0.55}}).dump());
+  write("broad.json", R"({"model": "unicycle", "parameters": {"body_length": 0.3, "body_width": 0.6}})");
+  const Outcome outcome = krait({"plan", "walled.json", "--robot", "broad.json", "--iterations", "3000"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.output, testing::ContainsRegex("most expansions, [0-9]+, grew from around 1[12]\\.[0-9,.]+: "
+                                                     "[0-9]+ of [0-9]+ ways from there end with the robot at an "
+                                                     "obstacle \\(piece [0-9]+\\), as at 1[12]"));
+}
+
 TEST_F(CliWhy, AHeadingInDegreesIsAskedAbout) {
   expect_refused({"plan", "room.krait", "--robot", "car", "--start", "3,5,90"},
                  "were degrees meant? 90 degrees are 1.5708");

@@ -34,6 +34,16 @@ TEST_F(FailedPicture, HasTheRobotAtItsStart) {
   EXPECT_EQ(small.start[0], small.tree.front().x);
 }
 
+// Past the door it cannot turn before the bounds.
+TEST_F(FailedPicture, MarksWhereItTriedMostAndWhatStoppedIt) {
+  const std::vector<Mark> marks = picture(20'000).marks;
+  ASSERT_EQ(marks.size(), 2U);
+  EXPECT_EQ(marks[0].text, "tried most");
+  EXPECT_GT(marks[0].at.x, 10);
+  EXPECT_EQ(marks[1].text, "stops it");
+  EXPECT_NEAR(marks[1].at.x, 20, 0.1);
+}
+
 // A chord across a bend could lead through an obstacle: every line is a step, at most 2.5 m/s for 0.1 s.
 TEST_F(FailedPicture, ThinnedBranchesKeepTheirBends) {
   const Picture large = picture(20'000);

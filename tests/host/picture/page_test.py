@@ -333,7 +333,9 @@ class Page(unittest.TestCase):
     def test_without_plan_shows_the_search(self):
         self.open("unsolved")
         self.assertEqual(self.state("mode"), "search")
-        self.assertIn("budget_used", self.browser.find_element(By.TAG_NAME, "header").text)
+        header = self.browser.find_element(By.TAG_NAME, "header").text
+        self.assertIn("budget_used · 1 tried most · 2 stops body 1", header)
+        self.assertColor(self.pixel(3.75, 4), (0x17, 0x1b, 0x22))
         self.scrub(self.state("iterations"))
         self.assertGreater(self.state("vertices"), 5000)
 

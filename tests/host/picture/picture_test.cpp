@@ -173,6 +173,14 @@ TEST(Png, WithoutAPlanTheRobotStandsAtItsStart) {
   EXPECT_THAT(color_at(picture, {8, 12}), IsColor(kRobotStart));
 }
 
+TEST(Png, PlacesThatHaveNoWayAreNumberedAndNamed) {
+  Picture picture = bare_picture(20, 20);
+  EXPECT_THAT(color_at(picture, {8.1, 12}), IsColor(kFree));
+  picture.marks = {{{12, 4}, "tried most"}, {{8, 12}, "stops body 1"}};
+  EXPECT_THAT(color_at(picture, {8.1, 12}), IsColor(kInk));
+  EXPECT_THAT(draw_html(picture), HasSubstr(" · 1 tried most · 2 stops body 1"));
+}
+
 TEST(Png, RobotStandsWhereItEnds) {
   const Picture picture = synthetic_picture();
   const std::vector<float>& last = picture.plan.states.back();
@@ -305,6 +313,11 @@ INSTANTIATE_TEST_SUITE_P(
                     Bad{"tree_disordered", [](Picture& p) { p.tree[1].iteration = 99999; }, "ascending"},
                     Bad{"tree_parent", [](Picture& p) { p.tree[7].parent = 8; }, "tree[7]"},
                     Bad{"tree_nan", [](Picture& p) { p.tree[7].x = static_cast<float>(kNan); }, "tree[7]"},
+                    Bad{"mark_nan",
+                        [](Picture& p) {
+                          p.marks = {{{1, kNan}, "nowhere"}};
+                        },
+                        "marks[0]"},
                     Bad{"start_short",
                         [](Picture& p) {
                           p.start = {1, 2};

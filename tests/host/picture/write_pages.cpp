@@ -35,6 +35,7 @@ int main(int count, char** arguments) {
   unsolved.plan.states.clear();
   unsolved.plan.controls.clear();
   unsolved.plan.status = "budget_used";
+  unsolved.marks = {{{4, 4}, "tried most"}, {{5, 4}, "stops body 1"}};
   write_all(directory + "unsolved", unsolved);
 
   Picture hostile = picture;

@@ -43,6 +43,7 @@
     points: metres(raw.start.points),
     headings: Float64Array.from(decode(raw.start.headings, Int16Array), (units) => units * Math.PI / 32768),
   };
+  const marks = metres(raw.marks);
   const samples = motion.times.length;
   const stateSize = samples ? motion.states.length / samples : 0;
   const names = Array.from({length: stateSize}, (_, i) => raw.names[i] ?? `state[${i}]`);
@@ -278,6 +279,28 @@
     strokePath(2, '#171b22');
     drawLabel('start', at[0], at[1]);
   };
+  // Where there is no plan for what reason, numbered as in the line of facts.
+  const drawMarks = () => {
+    const ratio = canvas.width / size.width;
+    context.save();
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    context.font = '600 11px system-ui, "DejaVu Sans", sans-serif';
+    context.textAlign = 'center';
+    for (let i = 0; 2 * i < marks.length; ++i) {
+      const x = (marks[2 * i] - view.x) * view.scale + size.width / 2;
+      const y = size.height / 2 - (marks[2 * i + 1] - view.y) * view.scale;
+      context.beginPath();
+      context.arc(x, y, 8, 0, 2 * Math.PI);
+      context.fillStyle = '#171b22';
+      context.fill();
+      context.lineWidth = 1.5;
+      context.strokeStyle = '#ffffff';
+      context.stroke();
+      context.fillStyle = '#ffffff';
+      context.fillText(String(i + 1), x, y + 4);
+    }
+    context.restore();
+  };
   const drawLabel = (text, x, y) => {
     const ratio = canvas.width / size.width;
     context.save();
@@ -316,6 +339,7 @@
     if (!samples && layers.bodies) drawRobot(startPoses());
     drawStart();
     drawGoalLabel();
+    drawMarks();
     ++drawn;
   };
 
