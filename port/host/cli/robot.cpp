@@ -93,8 +93,10 @@ std::string step_line(const RobotFacts& facts, double dt) {
     return printed("%.3g s is too long: plan with --dt %.2g or less", dt,
                    std::floor(facts.longest_time_step * 1000) / 1000);
   }
-  return printed("%.3g s; Runge-Kutta steps in it: %d in the tree, %d in a plan (fastest rate %.3g a second)", dt,
-                 facts.tree_parts, facts.plan_parts, facts.fastest_rate);
+  return printed(
+      "%.3g s; Runge-Kutta steps in it: %d in the tree, %d in a plan (fastest rate %.3g a second), which is "
+      "%.2g mm off after a second at top speed and full lock",
+      dt, facts.tree_parts, facts.plan_parts, facts.fastest_rate, 1000 * facts.step_error);
 }
 
 // What surprises who has not read the convention, a line each.

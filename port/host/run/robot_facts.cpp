@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "host/run/robots.hpp"
+#include "host/verify/dynamics.hpp"
 #include "host/workspace/printed.hpp"
 #include "motion/rk4.hpp"
 #include "robot/shape.hpp"
@@ -120,6 +121,45 @@ void stop_facts(const RobotSpec& robot, RobotFacts& facts) {
   facts.stopping_distance = 0.5 * facts.top_speed * facts.stopping_time;
 }
 
+// At top speed and full lock to the left, trailers straight; one wheel of two stands still.
+void begin_turn(const RobotSpec& robot, State& state, Control& control) {
+  if (has_steering(robot)) {
+    state[3] = parameter(robot, "max_speed");
+    state[4] = parameter(robot, "max_steering");
+  } else if (robot.model == "unicycle") {
+    control = {parameter(robot, "max_speed"), parameter(robot, "max_turn_rate")};
+  } else {
+    state[4] = parameter(robot, "max_wheel_speed");
+  }
+}
+
+// Metres, of the body that is off most after a second: the core's steps of dt, as a plan is driven, against the
+// verifier's of a hundredth, in double precision.
+double error_of_steps(const RobotSpec& robot, const Robot& core, double dt, int parts) {
+  const Dynamics dynamics(robot);
+  State exact = dynamics.at_rest({0, 0}, 0, {});
+  Control control = {0, 0};
+  begin_turn(robot, exact, control);
+  float states[2][kMaxState] = {};
+  for (std::size_t i = 0; i < exact.size(); ++i) states[0][i] = static_cast<float>(exact[i]);
+  const float held[2] = {static_cast<float>(control[0]), static_cast<float>(control[1])};
+  const int steps = std::max(1, static_cast<int>(std::lround(1 / dt)));
+  for (int i = 0; i < steps; ++i) {
+    krait::Pose poses[kMaxBodies];
+    core.place(states[i % 2], poses);
+    detail::propagate_in_parts(core, states[i % 2], poses, held, static_cast<float>(dt), parts, states[1 - i % 2]);
+    exact = dynamics.integrate(exact, control, dt, 100).back();
+  }
+  const float* const end = states[steps % 2];
+  const std::vector<Frame> off = dynamics.frames(State(end, end + exact.size()));
+  const std::vector<Frame> right = dynamics.frames(exact);
+  double error = 0;
+  for (std::size_t k = 0; k < off.size(); ++k) {
+    error = std::max(error, std::hypot(off[k].origin.x - right[k].origin.x, off[k].origin.y - right[k].origin.y));
+  }
+  return error;
+}
+
 // Metres that the steered axle lies outside of body 0, ahead or behind; 0: inside, or none.
 double front_axle_out(const RobotSpec& robot) {
   if (!has_steering(robot)) return 0;
@@ -172,6 +212,9 @@ RobotFacts facts_of(const std::string& name, const RobotSpec& robot, const Param
   facts.fastest_rate = static_cast<double>(view.fastest_rate(parameters.dt));
   facts.longest_time_step = static_cast<double>(
       detail::can_integrate(view, parameters.dt) ? parameters.dt : detail::longest_time_step(view, parameters.dt));
+  if (!(facts.longest_time_step < decimal(parameters.dt))) {
+    facts.step_error = error_of_steps(robot, view, decimal(parameters.dt), facts.plan_parts);
+  }
   turn_facts(robot, facts);
   stop_facts(robot, facts);
   return facts;

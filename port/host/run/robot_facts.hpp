@@ -33,6 +33,7 @@ struct RobotFacts {
   double longest_time_step = 0;  // seconds, that init takes; 0: none
   int tree_parts = 1;            // Runge-Kutta steps of a time step while the tree grows
   int plan_parts = 1;            // and while a plan is driven
+  double step_error = 0;         // metres, that a body is off after a second at top speed and full lock in those steps
 };
 
 // That the steered axle lies outside of body 0, by how much, and what may be wrong: one line; empty where it lies

@@ -36,6 +36,15 @@ TEST(RobotFacts, ACarsTurnIsARightTriangle) {
   EXPECT_FALSE(car.folds_at_lock);
 }
 
+// A plan's steps are held to some micrometres, and single precision adds its own.
+TEST(RobotFacts, APlansTimeStepsAreAccurate) {
+  for (const char* name : {"car", "truck:2", "snake:5", "unicycle", "diff_drive", "husky", "semitrailer"}) {
+    const double error = facts(parse_robot(name)).step_error;
+    EXPECT_GT(error, 0) << name;
+    EXPECT_LT(error, 1e-5) << name;
+  }
+}
+
 TEST(RobotFacts, ACentreInsideOfABodyLeavesNoHole) {
   const RobotFacts car = facts(with(parse_robot("car"), {{"wheelbase", 0.1}, {"max_steering", 1.5}}));
   EXPECT_LT(car.lock_radius, 0.3);
