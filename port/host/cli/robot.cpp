@@ -93,10 +93,14 @@ std::string step_line(const RobotFacts& facts, double dt) {
     return printed("%.3g s is too long: plan with --dt %.2g or less", dt,
                    std::floor(facts.longest_time_step * 1000) / 1000);
   }
-  return printed(
-      "%.3g s; Runge-Kutta steps in it: %d in the tree, %d in a plan (fastest rate %.3g a second), which is "
-      "%.2g mm off after a second at top speed and full lock",
-      dt, facts.tree_parts, facts.plan_parts, facts.fastest_rate, 1000 * facts.step_error);
+  return printed("%.3g s; Runge-Kutta steps in it: %d in the tree, %d in a plan (fastest rate %.3g a second)", dt,
+                 facts.tree_parts, facts.plan_parts, facts.fastest_rate);
+}
+
+// Empty where no plan can be driven in such steps.
+std::string accuracy_line(const RobotFacts& facts) {
+  if (!(facts.step_error > 0)) return "";
+  return printed("%.2g mm off after a second at top speed and full lock", 1000 * facts.step_error);
 }
 
 // What surprises who has not read the convention, a line each.
@@ -118,6 +122,7 @@ RobotPicture picture_of(const RobotOptions& options, const RobotSpec& robot, con
   picture.lines.push_back("turning: " + turning_line(robot, facts));
   picture.lines.push_back("stopping: " + stopping_line(facts));
   picture.lines.push_back("time step: " + step_line(facts, dt));
+  if (const std::string line = accuracy_line(facts); !line.empty()) picture.lines.push_back("accuracy: " + line);
   for (const std::string& warning : warnings_of(robot)) picture.lines.push_back("warning: " + warning);
   return picture;
 }
@@ -133,6 +138,9 @@ void print_report(const RobotOptions& options, const RobotSpec& robot, const Rob
   std::printf("%-10s%s\n", "sweeps", swept_line(robot, facts).c_str());
   std::printf("%-10s%s\n", "stops", stopping_line(facts).c_str());
   std::printf("%-10s%s\n", "time step", step_line(facts, dt).c_str());
+  if (const std::string line = accuracy_line(facts); !line.empty()) {
+    std::printf("%-10s%s\n", "accuracy", line.c_str());
+  }
   for (const std::string& warning : warnings_of(robot)) std::printf("%-10s%s\n", "warning", warning.c_str());
 }
 

@@ -37,6 +37,7 @@ TEST_F(CliRobot, OneIsReportedWithUnitsAndSources) {
   EXPECT_THAT(text, HasSubstr("turning   turns on the spot, within 0.1851 m"));
   EXPECT_THAT(text, HasSubstr("stops     from 0.31 m/s within 0.05339 m and 0.3444 s"));
   EXPECT_THAT(text, HasSubstr("time step 0.1 s; Runge-Kutta steps in it: 1 in the tree, 4 in a plan"));
+  EXPECT_THAT(text, testing::ContainsRegex("\naccuracy  [0-9.e-]+ mm off after a second at top speed and full lock\n"));
 }
 
 TEST_F(CliRobot, OnlyItsOwnParametersAreReported) {
