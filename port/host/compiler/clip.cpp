@@ -24,12 +24,8 @@ Ring clip(const Ring& ring, Depth depth) {
   return kept;
 }
 
-}  // namespace
-
-GridRing place_within(const Ring& world, const Frame& frame) {
-  Ring ring;
-  for (const Point p : world) ring.push_back(frame.local(p));
-  const GridBox& b = frame.bounds;
+// In grid steps, local.
+GridRing placed(Ring ring, const GridBox& b) {
   ring = clip(ring, [&](Point p) { return p.x - b.min.x; });
   ring = clip(ring, [&](Point p) { return b.max.x - p.x; });
   ring = clip(ring, [&](Point p) { return p.y - b.min.y; });
@@ -42,6 +38,20 @@ GridRing place_within(const Ring& world, const Frame& frame) {
   }
   while (placed.size() > 1 && placed.front() == placed.back()) placed.pop_back();
   return placed;
+}
+
+}  // namespace
+
+GridRing place_within(const Ring& world, const Frame& frame) {
+  Ring ring;
+  for (const Point p : world) ring.push_back(frame.local(p));
+  return placed(std::move(ring), frame.bounds);
+}
+
+GridRing clip_within(const GridRing& ring, const GridBox& bounds) {
+  Ring local;
+  for (const GridPoint p : ring) local.push_back({double(p.x), double(p.y)});
+  return placed(std::move(local), bounds);
 }
 
 void check_finite(const Ring& ring, const std::string& label) {

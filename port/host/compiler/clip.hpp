@@ -12,6 +12,9 @@ namespace krait::host::compiler {
 // Winding numbers within the bounds stay as they were.
 GridRing place_within(const Ring& world, const Frame& frame);
 
+// The same of a ring on the grid.
+GridRing clip_within(const GridRing& ring, const GridBox& bounds);
+
 // Throws InputError, naming the label, if a coordinate is NaN, infinite or beyond 1e9 m.
 void check_finite(const Ring& ring, const std::string& label);
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <sstream>
 
 #include "host/compiler/compiler.hpp"
+#include "host/compiler/reduction_options.hpp"
 #include "host/import/import.hpp"
 #include "host/input/file.hpp"
 #include "host/input/json.hpp"
@@ -19,37 +19,17 @@ namespace {
 
 using namespace krait::host;
 
-// Three numbers with commas between, the third at most `most_last`.
-std::vector<double> numbers(const std::string& text, const std::string& option, const std::string& form,
-                            double most_last) {
-  std::vector<double> values;
-  std::istringstream in(text);
-  for (std::string field; std::getline(in, field, ',');) {
-    std::size_t used = 0;
-    double value = 0;
-    try {
-      value = std::stod(field, &used);
-    } catch (const std::exception&) {
-      used = 0;
-    }
-    const double most = values.size() < 2 ? kMaxCoordinate : most_last;
-    if (used == 0 || used != field.size() || !(std::abs(value) <= most))
-      throw InputError(option + " '" + text + "': give " + form);
-    values.push_back(value);
-  }
-  if (values.size() != 3) throw InputError(option + " '" + text + "': give " + form);
-  return values;
-}
-
 void set_start(Workspace& workspace, const std::string& text) {
-  const auto v = numbers(text, "--start", "X,Y,HEADING (metres to 1e7, metres to 1e7, radians to 2 pi)", kMaxAngle);
+  const auto v = numbers("--start", text, {kMaxCoordinate, kMaxCoordinate, kMaxAngle},
+                         "X,Y,HEADING (metres to 1e7, metres to 1e7, radians to 2 pi)");
   check_heading("--start '" + text + "'", v[2]);
   workspace.starts = {{"start", {v[0], v[1]}, v[2], {}}};
 }
 
 // A polygon inside the disc, rounding to the scene's grid included.
 void add_goal(Workspace& workspace, const std::string& text) {
-  const auto v = numbers(text, "--goal", "X,Y,RADIUS (metres to 1e7)", kMaxCoordinate);
+  const auto v =
+      numbers("--goal", text, {kMaxCoordinate, kMaxCoordinate, kMaxCoordinate}, "X,Y,RADIUS (metres to 1e7)");
   constexpr int kCorners = 32;
   constexpr double kPi = 3.14159265358979323846, kRounding = 0.0002;
   if (!(v[2] > 0.001)) throw InputError("--goal '" + text + "': the radius must be above 1 mm");
@@ -67,6 +47,7 @@ struct Arguments {
   std::string datum;
   ImportOptions map;
   double tolerance = -1;
+  ReductionOptions reduction;
 };
 
 void run(const Arguments& arguments, Progress& progress) {
@@ -79,6 +60,7 @@ void run(const Arguments& arguments, Progress& progress) {
   check_outputs({output}, workspace.files);
   if (!arguments.start.empty()) set_start(workspace, arguments.start);
   if (!arguments.goal.empty()) add_goal(workspace, arguments.goal);
+  workspace = arguments.reduction.apply(std::move(workspace));
   const CompiledScene scene =
       compile(workspace, {arguments.tolerance, [&](const std::string& step) { progress.show(step); }});
   write_file(arguments.output, std::string(scene.bytes.begin(), scene.bytes.end()));
@@ -118,6 +100,7 @@ int main(int argc, char** argv) {
                  "(default: 0 for drawings; for maps one cell, but no passage gets narrower than two cells by it)")
       ->check(number_in(0, 1e6, "metres"))
       ->option_text("METRES, 0 to 1e6");
+  arguments.reduction.add(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp& help) {

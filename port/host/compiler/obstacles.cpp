@@ -7,6 +7,7 @@
 
 #include "host/compiler/cells.hpp"
 #include "host/compiler/clip.hpp"
+#include "host/compiler/rings.hpp"
 #include "host/compiler/snap.hpp"
 #include "host/compiler/unite.hpp"
 #include "krait/format.hpp"
@@ -86,8 +87,11 @@ class Collector {
     Edges edges = outline(map, on_grid);
     const bool inside =
         std::all_of(edges.begin(), edges.end(), [&](const Edge& e) { return within(e.from, b) && within(e.to, b); });
-    if (!inside) throw InputError("the map's cells reach beyond its own bounds");
-    parts_.push_back(std::move(edges));
+    if (inside) {
+      parts_.push_back(std::move(edges));
+    } else {
+      add_clipped(std::move(edges));
+    }
     add_outside(frame_ring);
   }
 
@@ -110,10 +114,20 @@ class Collector {
     ++tangles_;
   }
 
+  // The part within the bounds of a map that was cropped.
+  void add_clipped(Edges edges) {
+    Edges clipped;
+    for (const GridRing& ring : rings_of(std::move(edges)))
+      append_ring(clipped, clip_within(ring, frame_.bounds), {1, 0});
+    if (!clipped.empty()) add_tangle({std::move(clipped)});
+  }
+
   // Within the bounds, but not on the map.
   void add_outside(const Ring& map_frame) {
     GridRing hole;
     for (const Point p : map_frame) hole.push_back(frame_.nearest(p));
+    const bool inside = std::all_of(hole.begin(), hole.end(), [&](GridPoint p) { return within(p, frame_.bounds); });
+    if (!inside) hole = place_within(map_frame, frame_);
     if (hole == ring_of(frame_.bounds)) return;
     Edges edges;
     append_ring(edges, ring_of(frame_.bounds), {1, 0});

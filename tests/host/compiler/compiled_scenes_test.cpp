@@ -8,6 +8,7 @@
 #include <random>
 
 #include "check_scene.hpp"
+#include "host/reduce/crop.hpp"
 
 namespace krait::host::test {
 namespace {
@@ -365,6 +366,22 @@ TEST(Maps, OfNoiseWithoutEndAreRefused) {
 TEST(Maps, EmptyAndFull) {
   EXPECT_TRUE(checked(map_room(cells({"...", "..."}, 0.5))).pieces.empty());
   EXPECT_THROW(checked(map_room(cells({"###", "###"}, 0.5))), InputError);
+}
+
+// The box cuts cells and, of a turned map, corners.
+TEST(Maps, Cropped) {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> share(0.1, 0.9);
+  for (int round = 0; round < 12; ++round) {
+    const Workspace map = map_room(random_cells(random, 40, 30, 0.2), {3, -2}, round % 3 == 0 ? 0 : 0.3 * round);
+    const Point size{map.max.x - map.min.x, map.max.y - map.min.y};
+    const Point middle{map.min.x + share(random) * size.x, map.min.y + share(random) * size.y};
+    const double reach = 0.3 * size.x;
+    const Workspace part =
+        cropped(map, {middle.x - reach, middle.y - reach}, {middle.x + reach, middle.y + share(random) * reach});
+    const SceneView v = checked(part, 0);
+    EXPECT_NEAR(double(v.header.bounds_max_x) + v.header.origin_x, part.max.x, 3e-4);
+  }
 }
 
 TEST(Maps, YawedAndFarAway) {

@@ -66,6 +66,7 @@ TEXTS = {
     "map.yaml": map_server(0.05),
     "scale.yaml": map_server(0),
     "cut.map": "type octile\nheight 3\nwidth 3\nmap\n...\n.@.\n",
+    "rooms.map": "type octile\nheight 9\nwidth 9\nmap\n" + "....@....\n" * 4 + ".........\n" + "....@....\n" * 4,
     "drawing.svg": "<svg><rect x='1'",
     "picture.bmp": "BM",
     "letter.txt": "Dear robot,\n",

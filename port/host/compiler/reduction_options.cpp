@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "host/compiler/reduction_options.hpp"
+
+#include <cmath>
+
+#include "host/input/json.hpp"
+#include "host/input/number_option.hpp"
+
+namespace krait::host {
+
+std::vector<double> numbers(const std::string& option, const std::string& text, const std::vector<double>& bounds,
+                            const std::string& form) {
+  std::vector<double> values;
+  std::string_view rest = text;
+  for (const double bound : bounds) {
+    const std::size_t comma = values.size() + 1 < bounds.size() ? rest.find(',') : rest.size();
+    const auto value = parse_number(rest.substr(0, comma));
+    if (comma == std::string_view::npos || !value || std::abs(*value) > bound)
+      throw InputError(option + " '" + text + "': give " + form);
+    values.push_back(*value);
+    rest.remove_prefix(std::min(comma + 1, rest.size()));
+  }
+  return values;
+}
+
+void ReductionOptions::add(CLI::App& app) {
+  constexpr double kLeast = 0.001, kMost = 4000;  // metres
+  const auto metres = [&](const char* name, std::optional<double>& value, const char* about) {
+    app.add_option(name, value, about)->check(number_in(kLeast, kMost, "metres"))->option_text("METRES");
+  };
+  app.add_option("--crop", crop, "keeps only this box of the map; what lies outside is wall")
+      ->option_text("X0,Y0,X1,Y1");
+  metres("--cell", cell,
+         "a map's cells become as large as this, or a drawing is drawn in such cells; a cell is\n"
+         "occupied where any part of it was");
+  metres("--fill", fill,
+         "closes what a disc of this radius cannot touch: gaps, pockets, and what it cannot reach from\n"
+         "the starts");
+  metres("--corridor", corridor, "keeps only what is this near to the shortest ways from the starts to the goals");
+  app.add_option("--for", robot,
+                 "closes what this robot cannot touch, as --fill does for a disc, on cells, and takes a corridor's "
+                 "ways for it:\n" +
+                     model_forms(", ", "N trailers, 0 to " + std::to_string(kMaxLinks)) +
+                     ", a shipped robot, or a ROBOT.json")
+      ->option_text("ROBOT")
+      ->excludes("--fill");
+}
+
+Workspace ReductionOptions::apply(Workspace workspace) const {
+  Reduction reduction;
+  if (!crop.empty()) {
+    const auto v = numbers("--crop", crop, std::vector<double>(4, kMaxCoordinate), "X0,Y0,X1,Y1 (metres to 1e7)");
+    if (!(v[0] < v[2] && v[1] < v[3])) throw InputError("--crop '" + crop + "': give X0 below X1 and Y0 below Y1");
+    reduction.crop = Box{{v[0], v[1]}, {v[2], v[3]}};
+  }
+  reduction.cell = cell;
+  reduction.corridor = corridor;
+  if (fill) reduction.disc = Girth{*fill, *fill, 0};
+  if (!robot.empty()) reduction.disc = girth_of(parse_robot(robot));
+  const bool has_cells = workspace.cells || cell;
+  if (fill || (has_cells && !robot.empty())) reduction.fill = reduction.disc;
+  return reduced(std::move(workspace), reduction);
+}
+
+}  // namespace krait::host

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The options by which a map is made smaller.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/reduce/reduce.hpp"
+
+namespace krait::host {
+
+// As many numbers as there are bounds, with commas between, each from minus to plus its bound. Throws InputError that
+// names the option and the form.
+std::vector<double> numbers(const std::string& option, const std::string& text, const std::vector<double>& bounds,
+                            const std::string& form);
+
+struct ReductionOptions {
+  std::string crop;
+  std::optional<double> cell, fill, corridor;
+  std::string robot;
+
+  void add(CLI::App& app);
+  // Throws InputError.
+  Workspace apply(Workspace workspace) const;
+};
+
+}  // namespace krait::host
