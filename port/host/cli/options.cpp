@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 
+#include "host/input/bytes.hpp"
 #include "host/workspace/heading.hpp"
 #include "host/workspace/printed.hpp"
 
@@ -13,7 +14,6 @@ namespace krait::host {
 namespace {
 
 constexpr double kLeastTolerance = 1e-4;  // radians, of headings
-constexpr std::uint64_t kMostMemory = std::uint64_t{64} << 30U;
 
 // Three numbers with commas between, each from minus to plus its bound; nothing if the text has another form.
 std::optional<std::array<double, 3>> parse_triple(std::string_view text, const std::array<double, 3>& most) {
@@ -46,21 +46,7 @@ std::pair<double, double> range_of(Argument argument) {
 
 }  // namespace
 
-std::uint64_t parse_memory(const std::string& text) {
-  std::uint64_t value = 0;
-  const char* end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, value);
-  const std::string_view unit(rest, static_cast<std::size_t>(end - rest));
-  unsigned shift = 64;
-  if (unit.empty()) shift = 0;
-  if (unit == "K") shift = 10;
-  if (unit == "M") shift = 20;
-  if (unit == "G") shift = 30;
-  if (error != std::errc() || shift == 64 || value > (kMostMemory >> shift)) {
-    throw InputError("--memory " + text + ": give bytes, as 131072, 128K, 64M or 1G, at most 64G");
-  }
-  return value << shift;
-}
+std::uint64_t parse_memory(const std::string& text) { return parse_bytes("--memory", text); }
 
 void parse_start(const std::string& text, SearchRequest& request) {
   if (const auto pose = parse_triple(text, {kMaxCoordinate, kMaxCoordinate, kMaxAngle})) {

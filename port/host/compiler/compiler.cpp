@@ -137,7 +137,7 @@ CompiledScene compile(const Workspace& workspace, const CompileOptions& options)
   parts.free_boundary = boundary(coarse, free);
 
   tell("triangulating the free space");
-  parts.mesh = free_mesh(with_goals(space.boundary, parts.goals), bounds);
+  parts.mesh = free_mesh(with_goals(space.boundary, parts.goals), bounds, options.coarse);
   if (parts.mesh.triangles.empty()) {
     throw InputError(
         "no free space is left: obstacles cover all of the workspace (are its unknown cells free? see --unknown; a "

@@ -17,6 +17,9 @@ struct CompileOptions {
   // stay two cells wide.
   double tolerance = -1;
   std::function<void(const std::string&)> progress;  // told the name of each step as it begins; may be empty
+  // Triangles may be slender: some half as many, so that flash and memory are smaller, and the search is guided by
+  // less.
+  bool coarse = false;
 };
 
 struct CompiledScene {

@@ -61,13 +61,16 @@ void run(const Arguments& arguments, Progress& progress) {
   if (!arguments.start.empty()) set_start(workspace, arguments.start);
   if (!arguments.goal.empty()) add_goal(workspace, arguments.goal);
   workspace = arguments.reduction.apply(std::move(workspace));
-  const CompiledScene scene =
-      compile(workspace, {arguments.tolerance, [&](const std::string& step) { progress.show(step); }});
+  const CompileOptions options{arguments.tolerance, [&](const std::string& step) { progress.show(step); },
+                               arguments.reduction.coarse};
+  std::vector<std::string> report;
+  const CompiledScene scene = arguments.reduction.compiled(workspace, options, report);
   write_file(arguments.output, std::string(scene.bytes.begin(), scene.bytes.end()));
   progress.end();
   const auto warn = [](const std::string& text) { std::fprintf(stderr, "krait-compile: warning: %s\n", text.c_str()); };
   std::for_each(workspace.warnings.begin(), workspace.warnings.end(), warn);
   std::for_each(scene.warnings.begin(), scene.warnings.end(), warn);
+  for (const std::string& line : report) std::fprintf(stderr, "krait-compile: %s\n", line.c_str());
 }
 
 }  // namespace

@@ -53,17 +53,17 @@ Mesh free_faces(const Triangulation& t) {
   return mesh;
 }
 
-MeshSize mesh_size(const GridBox& bounds, std::size_t edges) {
+MeshSize mesh_size(const GridBox& bounds, std::size_t edges, bool coarse) {
   const double extent = double(std::max(bounds.max.x - bounds.min.x, bounds.max.y - bounds.min.y));
-  return {extent / 10, extent / 500, 5'000 + 20 * edges};
+  return {extent / 10, coarse ? extent / 10 : extent / 500, 5'000 + 20 * edges};
 }
 
 }  // namespace
 
-Mesh free_mesh(const Edges& edges, const GridBox& bounds) {
+Mesh free_mesh(const Edges& edges, const GridBox& bounds, bool coarse) {
   const Edges dividing = snap(dividing_edges(triangulate(edges))).edges;
   if (dividing.empty()) return {};
-  const std::vector<GridPoint> added = refinement(dividing, mesh_size(bounds, dividing.size()));
+  const std::vector<GridPoint> added = refinement(dividing, mesh_size(bounds, dividing.size(), coarse));
   return free_faces(triangulate(snap(dividing, added).edges, added));
 }
 

@@ -21,6 +21,7 @@ struct Mesh {
 
 // `edges` are snapped; winding[0] is not 0 in the free space, winding[1] is a goal's number + 1 in that goal.
 // New vertices on a slanting edge may bend it by less than a grid step.
-Mesh free_mesh(const Edges& edges, const GridBox& bounds);
+// Coarse: no vertices are added but where an edge would be too long.
+Mesh free_mesh(const Edges& edges, const GridBox& bounds, bool coarse = false);
 
 }  // namespace krait::host::compiler

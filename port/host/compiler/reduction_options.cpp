@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "host/compiler/fit.hpp"
+#include "host/input/bytes.hpp"
 #include "host/input/json.hpp"
 #include "host/input/number_option.hpp"
 
@@ -44,6 +46,18 @@ void ReductionOptions::add(CLI::App& app) {
                      ", a shipped robot, or a ROBOT.json")
       ->option_text("ROBOT")
       ->excludes("--fill");
+  app.add_flag("--coarse", coarse,
+               "about half as many regions: less flash and RAM, and a search that is guided by less");
+  app.add_option("--flash", flash,
+                 "with --for: makes the finest scene file that is no larger, from fine to coarse:\n"
+                 "outlines with the error that --tolerance allows (default: half of the clearance that\n"
+                 "krait plan keeps), coarse regions, larger cells, corridors")
+      ->option_text("BYTES, as 1M")
+      ->needs("--for");
+  app.add_option("--ram", ram,
+                 "the same for the robot's block with room for " + std::to_string(kFitVertices) + " vertices")
+      ->option_text("BYTES, as 256K")
+      ->needs("--for");
 }
 
 Workspace ReductionOptions::apply(Workspace workspace) const {
@@ -60,6 +74,18 @@ Workspace ReductionOptions::apply(Workspace workspace) const {
   const bool has_cells = workspace.cells || cell;
   if (fill || (has_cells && !robot.empty())) reduction.fill = reduction.disc;
   return reduced(std::move(workspace), reduction);
+}
+
+CompiledScene ReductionOptions::compiled(const Workspace& workspace, const CompileOptions& options,
+                                         std::vector<std::string>& report) const {
+  if (flash.empty() && ram.empty()) return compile(workspace, options);
+  Budget budget;
+  if (!flash.empty()) budget.flash = parse_bytes("--flash", flash);
+  if (!ram.empty()) budget.ram = parse_bytes("--ram", ram);
+  budget.tolerance = options.tolerance;
+  Fitted fitted = fit(workspace, parse_robot(robot), budget, options.progress);
+  report = std::move(fitted.report);
+  return std::move(fitted.scene);
 }
 
 }  // namespace krait::host

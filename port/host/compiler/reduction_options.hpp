@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "host/compiler/compiler.hpp"
 #include "host/reduce/reduce.hpp"
 
 namespace krait::host {
@@ -19,11 +20,15 @@ std::vector<double> numbers(const std::string& option, const std::string& text, 
 struct ReductionOptions {
   std::string crop;
   std::optional<double> cell, fill, corridor;
-  std::string robot;
+  std::string robot, flash, ram;
+  bool coarse = false;
 
   void add(CLI::App& app);
-  // Throws InputError.
+  // The workspace cropped, in its cells, filled and within its corridor. Throws InputError.
   Workspace apply(Workspace workspace) const;
+  // The scene of what apply() returned; what fit() reports is appended to `report`. Throws InputError.
+  CompiledScene compiled(const Workspace& workspace, const CompileOptions& options,
+                         std::vector<std::string>& report) const;
 };
 
 }  // namespace krait::host

@@ -43,6 +43,20 @@ std::vector<std::size_t> marked_at(const CellMap& map, const CellMask& marked, c
   return cells;
 }
 
+// The marked cells and those that are in one block with them, of `size` metres.
+CellMask in_blocks(const CellMap& map, CellMask marked, double size) {
+  const int side = std::max(1, static_cast<int>(size / map.resolution)), across = (map.columns - 1) / side + 1;
+  const auto block = [&](std::size_t cell) {
+    const int column = static_cast<int>(cell % static_cast<std::size_t>(map.columns));
+    const int row = static_cast<int>(cell / static_cast<std::size_t>(map.columns));
+    return static_cast<std::size_t>(row / side * across + column / side);
+  };
+  CellMask blocks(block(marked.size() - 1) + static_cast<std::size_t>(across), 0);
+  for (std::size_t i = 0; i < marked.size(); ++i) blocks[block(i)] |= marked[i];
+  for (std::size_t i = 0; i < marked.size(); ++i) marked[i] = blocks[block(i)];
+  return marked;
+}
+
 // The ways of a disc between the starts and the goals of a map.
 class Ways {
  public:
@@ -103,7 +117,7 @@ CellMap within_corridor(const CellMap& map, double width, const Girth& girth, co
   }
   CellMask on_way = sure.on_way();
   for (std::size_t i = 0; i < on_way.size(); ++i) on_way[i] |= possible.on_way()[i];
-  return without(map, within_reach(map, on_way, width));
+  return without(map, in_blocks(map, within_reach(map, on_way, width), width / 2));
 }
 
 }  // namespace krait::host

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "host/reduce/cells.hpp"
+#include "host/reduce/corners.hpp"
 #include "host/reduce/disc.hpp"
 
 namespace krait::host {
@@ -22,7 +23,8 @@ std::vector<std::size_t> marked_cells(const CellMask& marked) {
 }  // namespace
 
 CellMap filled(const CellMap& map, const Girth& girth, const std::vector<Point>& starts) {
-  CellMask centers = disc_centers(map, girth.inner, Fit::possible);
+  const CellMask all_centers = disc_centers(map, girth.inner, Fit::possible);
+  CellMask centers = all_centers;
   if (!starts.empty()) {
     std::vector<std::size_t> seeds;
     for (const Point start : starts) {
@@ -33,7 +35,9 @@ CellMap filled(const CellMap& map, const Girth& girth, const std::vector<Point>&
   CellMask near = within_reach(map, centers, girth.outer);
   for (std::size_t i = 0; i < near.size(); ++i) near[i] &= map.occupied[i] == 0;
   const auto steps = static_cast<std::size_t>(std::numbers::sqrt2 * girth.outer / map.resolution + 2);
-  return without(map, connected(map, near, marked_cells(centers), steps));
+  CellMask untouched = connected(map, near, marked_cells(centers), steps);
+  for (std::uint8_t& cell : untouched) cell = cell == 0;
+  return occupied_where_simpler(map, untouched, all_centers);
 }
 
 }  // namespace krait::host

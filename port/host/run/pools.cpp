@@ -9,13 +9,15 @@
 
 namespace krait::host {
 
-std::uint64_t least_block(const krait::Scene& scene, const Robot& robot) {
-  return Planner::bytes_required(scene, robot, {.vertices = 2});
+std::uint64_t block_for(const krait::Scene& scene, const Robot& robot, std::uint32_t vertices) {
+  return Planner::bytes_required(scene, robot, {.vertices = vertices});
 }
+
+std::uint64_t least_block(const krait::Scene& scene, const Robot& robot) { return block_for(scene, robot, 2); }
 
 double bytes_a_vertex(const krait::Scene& scene, const Robot& robot) {
   constexpr std::uint32_t kMany = 10'000;
-  const std::uint64_t many = Planner::bytes_required(scene, robot, {.vertices = 2 + kMany});
+  const std::uint64_t many = block_for(scene, robot, 2 + kMany);
   return static_cast<double>(many - least_block(scene, robot)) / kMany;
 }
 

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "host/compiler/fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "host/reduce/reduce.hpp"
+#include "host/run/pools.hpp"
+#include "host/run/robots.hpp"
+#include "host/run/shortest_way.hpp"
+#include "host/workspace/printed.hpp"
+
+namespace krait::host {
+namespace {
+
+constexpr double kRounding = 0.001;  // metres: the most that the compiler moves an outline of cells by
+
+constexpr double kHopeless = 4;  // times the budget: finer steps are not tried
+
+// One way to make the scene; metres.
+struct Step {
+  bool coarse = false;
+  double growth = 0;  // of outlines
+  std::optional<double> cell, corridor;
+};
+
+struct Outcome {
+  CompiledScene scene;
+  std::uint64_t ram = 0;
+  bool has_way = true;
+};
+
+class Fitter {
+ public:
+  Fitter(const Workspace& workspace, const RobotSpec& robot, const Budget& budget)
+      : workspace_(workspace), robot_(robot), core_(robot), girth_(girth_of(robot)), budget_(budget) {
+    const double clearance = 0.02 * 2 * girth_.inner + (has_cells() ? workspace.cells->resolution / 2 : 0);
+    error_ = budget.tolerance >= 0 ? budget.tolerance / 2 : std::max(0.0, clearance / 2 - kRounding);
+  }
+
+  // The coarsest first.
+  std::vector<Step> steps() const {
+    std::vector<Step> steps;
+    const bool has_query = !workspace_.starts.empty() && !workspace_.goals.empty();
+    for (double widths = 2; widths <= 32 && has_cells() && has_query; widths *= std::numbers::sqrt2)
+      steps.push_back({true, error_, {}, widths * girth_.outer});
+    const double cell = error_ / 2 / std::numbers::sqrt2;
+    if (has_cells() && cell >= 2 * workspace_.cells->resolution) steps.push_back({true, error_ / 2, cell, {}});
+    for (const bool coarse : {true, false}) {
+      for (const double share : {1.0, 0.5, 0.0}) steps.push_back({coarse, share * error_, {}, {}});
+    }
+    return steps;
+  }
+
+  Outcome make(const Step& step, const std::function<void(const std::string&)>& progress) const {
+    Reduction reduction{{}, step.cell, {}, step.corridor, girth_};
+    if (step.cell) reduction.fill = girth_;
+    const Workspace workspace = reduced(workspace_, reduction);
+    Outcome outcome{compile(workspace, {2 * step.growth, progress, step.coarse})};
+    const std::vector<std::uint8_t>& bytes = outcome.scene.bytes;
+    krait::Scene scene;
+    (void)krait::Scene::open(bytes.data(), bytes.size(), scene);
+    outcome.ram = block_for(scene, core_.view(), kFitVertices);
+    outcome.has_way = has_way(scene);
+    return outcome;
+  }
+
+  // How many times as large as its part of the budget the larger one of flash and RAM is.
+  double excess(const Outcome& outcome) const {
+    const auto share = [](std::uint64_t bytes, std::uint64_t most) {
+      return most == 0 ? 0 : double(bytes) / double(most);
+    };
+    return std::max(share(outcome.scene.bytes.size(), budget_.flash), share(outcome.ram, budget_.ram));
+  }
+
+  bool fits(const Outcome& outcome) const { return excess(outcome) <= 1; }
+
+  std::string done(const Step& step) const {
+    std::string text = printed("obstacles grown by at most %.3g m", error_of(step));
+    if (step.cell) text += printed(", cells of %.3g m", *step.cell);
+    if (step.coarse) text += ", coarse regions";
+    if (step.corridor) text += printed(", what is further than %.3g m from the shortest ways closed", *step.corridor);
+    return text;
+  }
+
+  std::string bytes(const Outcome& outcome) const {
+    const auto of = [](std::uint64_t most) {
+      return most == 0 ? std::string() : printed(" of %llu", static_cast<unsigned long long>(most));
+    };
+    return printed("%zu", outcome.scene.bytes.size()) + of(budget_.flash) + " bytes of flash, " +
+           printed("%llu", static_cast<unsigned long long>(outcome.ram)) + of(budget_.ram) +
+           printed(" of RAM with room for %u vertices", kFitVertices);
+  }
+
+ private:
+  bool has_cells() const { return workspace_.cells.has_value(); }
+
+  static double error_of(const Step& step) { return step.growth + (step.cell ? *step.cell * std::numbers::sqrt2 : 0); }
+
+  // Of the robot's inner disc from the first start to the first goal; true where there is no such question.
+  bool has_way(const krait::Scene& scene) const {
+    if (scene.start_count() == 0 || scene.goal_count() == 0) return true;
+    const krait::Goal goal = krait::Goal::named(0);
+    Index inside = 0;
+    while (inside < scene.triangle_count() && !goal.covers(scene, inside)) ++inside;
+    if (inside == scene.triangle_count()) return false;
+    const auto width = static_cast<float>(2 * girth_.inner);
+    return !std::isnan(shortest_way(scene, goal, width, scene.start(0).position, scene.centroid(inside)));
+  }
+
+  const Workspace& workspace_;
+  const RobotSpec& robot_;
+  CoreRobot core_;
+  Girth girth_;
+  Budget budget_;
+  double error_ = 0;
+};
+
+}  // namespace
+
+Fitted fit(const Workspace& workspace, const RobotSpec& robot, const Budget& budget,
+           const std::function<void(const std::string&)>& progress) {
+  const Fitter fitter(workspace, robot, budget);
+  std::optional<Fitted> best;
+  std::string refusal, closed;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Step& step : fitter.steps()) {
+    try {
+      Outcome outcome = fitter.make(step, progress);
+      const std::string bytes = fitter.bytes(outcome);
+      if (!fitter.fits(outcome)) {
+        const double excess = fitter.excess(outcome);
+        if (excess < least) refusal = bytes + " (" + fitter.done(step) + ")";
+        least = std::min(least, excess);
+        if (best || excess > kHopeless) break;
+        continue;
+      }
+      if (outcome.has_way) {
+        best = Fitted{std::move(outcome.scene), {fitter.done(step), bytes}};
+      } else {
+        closed = fitter.done(step);
+      }
+    } catch (const InputError& error) {
+      closed = error.what();
+    }
+  }
+  if (best) return std::move(*best);
+  if (refusal.empty())
+    throw InputError("no way from the start to the goal is wide enough for the robot, even with " + closed);
+  throw InputError(
+      "does not fit: " + refusal + (closed.empty() ? "" : "; coarser: " + closed) +
+      ": crop the map, give it a start and a goal so that a corridor may be kept, or allow more error with "
+      "--tolerance");
+}
+
+}  // namespace krait::host

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The finest scene of a map that fits a machine.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "host/compiler/compiler.hpp"
+#include "host/robot_file/robot_file.hpp"
+#include "host/workspace/workspace.hpp"
+
+namespace krait::host {
+
+struct Budget {
+  std::uint64_t flash = 0;  // bytes of the scene file; 0: any number
+  std::uint64_t ram = 0;    // bytes of the planner's block, with room for kFitVertices vertices; 0: any number
+  double tolerance =
+      -1;  // metres that a passage may get narrower by; negative: as much as krait plan's usual clearance
+};
+
+inline constexpr std::uint32_t kFitVertices = 1000;
+
+struct Fitted {
+  CompiledScene scene;
+  std::vector<std::string> report;  // what was done, the error in metres, the bytes; lines to print
+};
+
+// Compiles the workspace by steps, each coarser than the one before:
+//   1. its outlines as they are, and simplified by up to the error E that is allowed, half the tolerance;
+//   2. the same with coarse regions;
+//   3. the same in larger cells, half of E for these and half for the outlines, where that makes cells twice as large;
+//   4. the same as the last of 2 within corridors around the ways from the starts to the goals, 32 to 2 times as wide
+//   as
+//      the robot's bodies reach from their middles.
+// Begins with the coarsest, since its compilation is the shortest, and returns the last one that fits before one that
+// does not; where none has fitted and one takes four times the budget, finer ones are not tried. Steps that leave the
+// robot's inner disc no way from the first start to the first goal are passed over. 3 and 4 need a map of cells, 4 a
+// start and a goal. Throws InputError with the bytes where no step fits.
+Fitted fit(const Workspace& workspace, const RobotSpec& robot, const Budget& budget,
+           const std::function<void(const std::string&)>& progress);
+
+}  // namespace krait::host

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Scenes that fit a machine: within the bytes, the finest of the steps, never freer than the map.
+#include "host/compiler/fit.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "host/reduce/cells.hpp"
+#include "host/run/pools.hpp"
+#include "host/run/robots.hpp"
+#include "scene_view.hpp"
+
+namespace krait::host::test {
+namespace {
+
+// Boxes of up to 24 cells, with a start and a goal in opposite corners.
+Workspace clutter(int cells, int boxes, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  Workspace w;
+  w.name = "clutter";
+  w.cells =
+      CellMap{cells, cells, 0.05, {0, 0}, 0, std::vector<std::uint8_t>(std::size_t(cells) * std::size_t(cells), 0)};
+  w.max = {cells * 0.05, cells * 0.05};
+  const auto any = [&](int least, int most) { return std::uniform_int_distribution(least, most)(random); };
+  for (int k = 0; k < boxes; ++k) {
+    const int x = any(0, cells - 1), y = any(0, cells - 1), width = any(1, 24), height = any(1, 24);
+    for (int row = y; row < std::min(cells, y + height); ++row) {
+      for (int column = x; column < std::min(cells, x + width); ++column) {
+        const bool ends = std::max(row, column) < 60 || std::min(row, column) >= cells - 60;
+        if (!ends) w.cells->occupied[cell_number(*w.cells, column, row)] = 1;
+      }
+    }
+  }
+  w.starts = {{"start", {1.5, 1.5}, 0, {}}};
+  const double goal = cells * 0.05 - 1.5;
+  w.goals = {{"goal", {{goal, goal}, {goal + 1, goal}, {goal + 1, goal + 1}, {goal, goal + 1}}}};
+  return w;
+}
+
+Budget budget(std::uint64_t flash, std::uint64_t ram, double tolerance = -1) { return {flash, ram, tolerance}; }
+
+std::string refusal(const Workspace& w, const Budget& b, const char* robot) {
+  try {
+    fit(w, parse_robot(robot), b, {});
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Fit, KeepsToTheBudgetAndNothingBecomesFree) {
+  const Workspace w = clutter(500, 220, 1);
+  const RobotSpec robot = parse_robot("turtlebot4");
+  const CoreRobot core(robot);
+  std::size_t before = 0;
+  for (const std::uint64_t kilobytes : {90, 160, 320, 2000}) {
+    const Fitted fitted = fit(w, robot, budget(kilobytes << 10U, kilobytes << 10U), {});
+    const std::vector<std::uint8_t>& bytes = fitted.scene.bytes;
+    EXPECT_LE(bytes.size(), kilobytes << 10U);
+    EXPECT_GE(bytes.size(), before) << "more room, less detail";
+    before = bytes.size();
+    krait::Scene scene;
+    ASSERT_TRUE(krait::Scene::open(bytes.data(), bytes.size(), scene).ok());
+    EXPECT_LE(block_for(scene, core.view(), kFitVertices), kilobytes << 10U);
+    EXPECT_THAT(fitted.report.at(1), testing::StartsWith(std::to_string(bytes.size()) + " of "));
+    const SceneView v = Reader(bytes).read();
+    EXPECT_LT(v.header.tolerance, 0.02F) << "half of the clearance: 2 % of 0.33 m and half a cell";
+    for (std::size_t i = 0; i < w.cells->occupied.size(); i += 37) {
+      if (w.cells->occupied[i] == 0) continue;
+      const Point p = middle_in_world(*w.cells, i);
+      for (const Ring& triangle : v.triangles) ASSERT_FALSE(convex_contains(triangle, p)) << p.x << ' ' << p.y;
+    }
+  }
+}
+
+TEST(Fit, WhereAllFitsIsTheFinest) {
+  const Workspace w = clutter(300, 60, 2);
+  const Fitted fitted = fit(w, parse_robot("turtlebot4"), budget(64U << 20U, 64U << 20U), {});
+  EXPECT_EQ(fitted.report.at(0), "obstacles grown by at most 0 m");
+  EXPECT_EQ(fitted.scene.bytes, compile(w, {0, {}}).bytes);
+}
+
+TEST(Fit, ALargerErrorTakesLargerCells) {
+  const Workspace w = clutter(500, 220, 3);
+  const std::string fine = fit(w, parse_robot("turtlebot4"), budget(90U << 10U, 0), {}).report.at(0);
+  const std::string cells = fit(w, parse_robot("turtlebot4"), budget(90U << 10U, 0, 0.6), {}).report.at(0);
+  EXPECT_THAT(cells, testing::Not(testing::Eq(fine)));
+  EXPECT_THAT(fine, testing::HasSubstr("shortest ways"));
+  EXPECT_THAT(cells, testing::Not(testing::HasSubstr("shortest ways")));
+}
+
+TEST(Fit, RefusesWithTheBytes) {
+  const Workspace w = clutter(300, 60, 4);
+  EXPECT_THAT(refusal(w, budget(0, 20'000), "turtlebot4"),
+              testing::AllOf(testing::StartsWith("does not fit: "), testing::HasSubstr(" of 20000 of RAM"),
+                             testing::HasSubstr("crop the map")));
+  EXPECT_THAT(refusal(w, budget(9000, 0), "turtlebot4"), testing::HasSubstr(" of 9000 bytes of flash"));
+}
+
+TEST(Fit, SaysWhereNoWayIsWideEnough) {
+  Workspace w = clutter(300, 0, 5);
+  for (int row = 0; row < 300; ++row) {
+    if (row / 10 != 12) w.cells->occupied[cell_number(*w.cells, 150, row)] = 1;
+  }
+  EXPECT_EQ(refusal(w, budget(1U << 20U, 1U << 20U), "turtlebot4"), "") << "a door of 0.5 m";
+  EXPECT_THAT(refusal(w, budget(1U << 20U, 1U << 20U), "husky"),
+              testing::HasSubstr("no way from the start to the goal"));
+}
+
+}  // namespace
+}  // namespace krait::host::test
