@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "host/reduce/cell_ways.hpp"
 #include "host/reduce/cells.hpp"
@@ -105,10 +106,13 @@ CellMap within_corridor(const CellMap& map, double width, const Girth& girth, co
     throw InputError(option +
                      printed(": narrower than the robot, whose bodies reach %.4g m from their middles", girth.outer));
   }
-  Ways sure(map, girth, Fit::sure), possible(map, girth, Fit::possible);
+  Ways sure(map, girth, Fit::sure);
+  std::optional<Ways> possible;
   std::vector<bool> reached(goals.size(), false);
   for (const Start& start : starts) {
-    if (sure.mark_from(start, goals, width, reached) || possible.mark_from(start, goals, width, reached)) continue;
+    if (sure.mark_from(start, goals, width, reached)) continue;
+    if (!possible) possible.emplace(map, girth, Fit::possible);
+    if (possible->mark_from(start, goals, width, reached)) continue;
     throw InputError(option + printed(": a disc of radius %.4g m has no way from start '", girth.inner) + start.name +
                      "' to " + (goals.size() == 1 ? "goal '" + goals[0].name + "'" : "any goal"));
   }
@@ -116,7 +120,7 @@ CellMap within_corridor(const CellMap& map, double width, const Girth& girth, co
     if (!reached[g]) warnings.push_back(option + ": no way leads to goal '" + goals[g].name + "'");
   }
   CellMask on_way = sure.on_way();
-  for (std::size_t i = 0; i < on_way.size(); ++i) on_way[i] |= possible.on_way()[i];
+  for (std::size_t i = 0; possible && i < on_way.size(); ++i) on_way[i] |= possible->on_way()[i];
   return without(map, in_blocks(map, within_reach(map, on_way, width), width / 2));
 }
 
