@@ -5,7 +5,10 @@
 
 namespace krait {
 
-[[gnu::flatten]] void turn_to(const float* angles, int count, Pose* frames) {
+#ifdef KRAIT_LANES
+[[gnu::flatten]]
+#endif
+void turn_to(const float* angles, int count, Pose* frames) {
 #ifdef KRAIT_LANES
   if (count >= detail::lanes::kLeastAngles) return detail::lanes::turn_frames(angles, count, frames);
 #endif

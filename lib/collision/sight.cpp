@@ -46,7 +46,7 @@ bool Sight::apart_from_pieces(Vec2 center) const {
   return true;
 }
 
-[[gnu::flatten]] float Sight::slack_near(Vec2 center) const {
+float Sight::slack_near(Vec2 center) const {
   const Box bounds = scene_->bounds();
   const bool within = center.x - bounds.min.x > radius_ && bounds.max.x - center.x > radius_ &&
                       center.y - bounds.min.y > radius_ && bounds.max.y - center.y > radius_;

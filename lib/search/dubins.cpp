@@ -72,6 +72,11 @@ void CurvedLine::add(int turn, float length) {
   length_ += length;
 }
 
+void CurvedLine::face(SinCos heading) {
+  turned_ += angle_between(end_.heading, heading);
+  end_.heading = heading;
+}
+
 Pose CurvedLine::at(float arc) const {
   if (arc < 0.0F || count_ == 0) return along(count_ == 0 ? end_ : pieces_[0].from, 0, arc);
   for (int i = 0; i < count_; ++i) {

@@ -7,7 +7,8 @@
 
 namespace krait::detail {
 
-// A line of arcs and straight pieces, each of which begins where the one before it ends, in its direction.
+// A line of arcs and straight pieces, each of which begins where the one before it ends, in its direction but for turns
+// on the spot between them.
 class CurvedLine {
  public:
   static constexpr int kMostPieces = 4;
@@ -19,7 +20,11 @@ class CurvedLine {
   // Adds a piece of `length` metres, at least 0, that turns left (1), right (-1) or not (0). Not to kMostPieces.
   void add(int turn, float length);
 
+  // Turns the line's end on the spot, the shorter way around.
+  void face(SinCos heading);
+
   float length() const { return length_; }  // metres
+  float turned() const { return turned_; }  // radians, on the spot
   const Pose& end() const { return end_; }
 
   // The pose `arc` metres along the line; beyond its ends on the straight lines that it ends with.
@@ -39,6 +44,7 @@ class CurvedLine {
   Pose end_{};
   float radius_ = 1.0F;
   float length_ = 0.0F;
+  float turned_ = 0.0F;
 };
 
 inline constexpr int kDubinsWords = 6;  // LSL, RSR, LSR, RSL, LRL, RLR

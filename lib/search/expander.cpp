@@ -14,6 +14,7 @@ Nimbleness nimbleness(const Robot& robot, float length, float dt) {
           robot.turning_radius(length),
           robot.top_speed(length),
           inner_radius(robot.body(0), {}),
+          farthest(robot.body(0).vertices, robot.body(0).count),
           robot.reversible() && robot.body_count() == 1,
           dt};
 }
@@ -122,12 +123,13 @@ bool Expander::begin_shot() {
   shooting_ = last_metres_.next(tools_.check->poses()[0]);
   if (shooting_) brake_.begin(drive_.state());
   shot_legs_ = 0;
-  brake_steps_ = LastMetres::kHold;
+  brake_steps_ = LastMetres::kLongest;
   return shooting_;
 }
 
 Outcome Expander::shoot(const Watch& watch) {
-  const bool aimed = brake_steps_ < LastMetres::kHold || begin_shot_leg();
+  const Pose& at = tools_.check->poses()[0];
+  const bool aimed = !last_metres_.leg_over(brake_steps_, at) || begin_shot_leg();
   if (aimed && take_step(brake_)) {
     watch(brake_.state(), brake_.next());
     brake_.go();

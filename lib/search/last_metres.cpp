@@ -4,7 +4,8 @@
 namespace krait::detail {
 namespace {
 
-constexpr float kLeastRadius = 0.4F;                 // in lengths of body 0: of a robot that turns on the spot
+constexpr float kLeastRadius = 0.4F;                 // in lengths of body 0: of a robot that turns on the spot, and
+                                                     // of as many metres a radian of a turn counts
 constexpr float kRadii[] = {1.05F, 1.5F, 3.0F};      // of the lines' arcs, in turning radii
 constexpr float kCaptureRadii = 4.0F;                // how near the goal must be, in turning radii, and
 constexpr float kCaptureLengths = 3.5F;              // as many lengths of body 0 more
@@ -23,10 +24,21 @@ constexpr float kSettle = 3.0F;                      // time steps in which the 
 constexpr float kSlowest = 0.02F;                    // of the top speed
 constexpr float kNearEnough = 0.25F;                 // of the goal's radius: there it stops
 constexpr std::uint32_t kMostStops = 5;
+constexpr float kTight = 4.0F;       // lengths of body 0 that a turn counts where there may be no room for it
+constexpr float kFaced = 0.1F;       // radians off a straight piece's direction: there it begins
+constexpr float kTurned = 0.5F;      // of the goal's tolerance
+constexpr float kTurnLook = 2.0F;    // lengths of body 0: how far ahead a robot steers that turns on the spot,
+constexpr float kTurnCreep = 1e-3F;  // and at which share of the top speed
 
 SinCos opposite(SinCos heading) { return {-heading.sin, -heading.cos}; }
 
 Vec2 direction(const Pose& pose) { return {pose.heading.cos, pose.heading.sin}; }
+
+// Of a way; `otherwise` where it is no longer than `least`.
+SinCos heading_of(Vec2 way, float least, SinCos otherwise) {
+  const float far = length(way);
+  return far > least ? SinCos{way.y / far, way.x / far} : otherwise;
+}
 
 }  // namespace
 
@@ -36,18 +48,22 @@ void LastMetres::assign(const Scene& scene, const Goal& goal, const Nimbleness& 
   robot_ = robot;
   const float least = kLeastRadius * robot.length;
   const float radius = robot.turning_radius > least ? robot.turning_radius : least;
-  for (int i = 0; i < kRadii; ++i) radii_[i] = detail::kRadii[i] * radius;
+  const bool spins = robot.turning_radius == 0.0F;
+  radii_[0] = 0.0F;
+  for (int i = spins ? 1 : 0; i < kRadii; ++i) radii_[i] = detail::kRadii[spins ? i - 1 : i] * radius;
   lead_count_ = 0;
+  short_leads_ = 0;
   if (goal.facing().hitches == kInfinity) {
     for (const float lead : kShortLeads) leads_[lead_count_++] = lead * robot.length;
-    short_leads_ = lead_count_;
+    if (!spins) short_leads_ = lead_count_;
     for (const float lead : kLeads) leads_[lead_count_++] = lead * robot.length;
   } else {
-    short_leads_ = 0;
     for (const float lead : kHitchLeads) leads_[lead_count_++] = lead * robot.length;
   }
   capture_ = kCaptureRadii * radius + kCaptureLengths * robot.length + leads_[lead_count_ - 1];
   sight_ = Sight(scene, 0.9F * robot.half_width, kSightStep * robot.length);
+  spin_ = Sight(scene, robot.reach, kSightStep * robot.length);
+  near_ = kNearEnough * goal.radius();
   shot_count_ = 0;
   shot_ = 0;
 }
@@ -81,7 +97,10 @@ void LastMetres::consider_leads(const Pose& from, int first, int last) {
 void LastMetres::consider(const Pose& from, Shot shot) {
   CurvedLine line;
   if (!draw(from, shot, line)) return;
-  shot.length = line.length();
+  shot.length = line.length() + kLeastRadius * robot_.length * line.turned();
+  if (on_the_spot(shot) && spin_.slack(before_goal(shot, leads_[shot.lead])) < 0.0F) {
+    shot.length += kTight * robot_.length;
+  }
   const float most = kDetour * length(goal_.center() - from.position) + kDetourLengths * robot_.length;
   if (shot.length > most) return;
   const bool full = shot_count_ == kMostShots;
@@ -92,17 +111,30 @@ void LastMetres::consider(const Pose& from, Shot shot) {
   shots_[at] = shot;
 }
 
-bool LastMetres::draw(const Pose& from, const Shot& shot, CurvedLine& line) const {
+SinCos LastMetres::end_direction(const Shot& shot) const {
   const SinCos heading = math::sin_cos(goal_.facing().heading);
-  Pose to{goal_.center(), shot.opposite ? opposite(heading) : heading};
-  Pose begin = from;
-  if (shot.backward) {
-    begin.heading = opposite(begin.heading);
-    to.heading = opposite(to.heading);
+  return shot.opposite != shot.backward ? opposite(heading) : heading;
+}
+
+Vec2 LastMetres::before_goal(const Shot& shot, float lead) const {
+  const SinCos heading = end_direction(shot);
+  return goal_.center() - lead * Vec2{heading.cos, heading.sin};
+}
+
+bool LastMetres::draw(const Pose& from, const Shot& shot, CurvedLine& line) const {
+  const float lead = leads_[shot.lead];
+  const Pose to{before_goal(shot, lead), end_direction(shot)};
+  const Pose begin{from.position, shot.backward ? opposite(from.heading) : from.heading};
+  if (on_the_spot(shot)) {
+    if (shot.word != 0) return false;
+    line = CurvedLine(begin, 1.0F);
+    line.face(heading_of(to.position - begin.position, near_, to.heading));
+    line.add(0, length(to.position - begin.position));
+    line.face(to.heading);
+  } else if (!dubins(shot.word, begin, to, radii_[shot.radius], line)) {
+    return false;
   }
-  to.position = to.position - leads_[shot.lead] * direction(to);
-  if (!dubins(shot.word, begin, to, radii_[shot.radius], line)) return false;
-  line.add(0, leads_[shot.lead]);
+  line.add(0, lead);
   return true;
 }
 
@@ -123,21 +155,31 @@ bool LastMetres::looks_free(const CurvedLine& line) const {
 bool LastMetres::next(const Pose& from) {
   if (shot_ == shot_count_) return false;
   const Shot& shot = shots_[shot_++];
-  backward_ = shot.backward;
   arc_ = 0.0F;
   stops_ = 0;
+  turning_ = false;
+  straight_ = on_the_spot(shot);
+  lead_ = straight_ ? leads_[shot.lead] : 0.0F;
   return draw(from, shot, line_);
 }
 
 bool LastMetres::aim(const Pose& at, float speed, float stopping_way, Target& target) {
-  for (int i = 0; i < 2; ++i) {
-    const Pose on = line_.at(arc_);
-    arc_ = arc_ + math::clamp(dot(at.position - on.position, direction(on)), 0.0F, kOff * robot_.length);
+  const Shot& shot = shots_[shot_ - 1];
+  if (!straight_ && !keep_to_line(at)) return false;
+  if (!straight_ && lead_ > 0.0F && arrived()) {
+    straight_ = true;
+    lead_ = 0.0F;
   }
-  if (length(at.position - line_.at(arc_).position) > kOff * robot_.length) return false;
-  const float left = line_.length() - arc_;
-  const bool stops = left <= kNearEnough * goal_.radius();
+  if (straight_ && !begin_straight(shot, at)) return turn(at, target);
+  const bool stops = arrived();
+  if (stops && robot_.turning_radius == 0.0F) {
+    facing_ = shot.backward ? opposite(end_direction(shot)) : end_direction(shot);
+    enough_ = kTurned * goal_.facing().tolerance;
+    if (off(at) > enough_) return turn(at, target);
+  }
+  turning_ = false;
   if (stops && ++stops_ > kMostStops) return false;
+  const float left = line_.length() - arc_;
   const float way = math::absolute(stopping_way);
   float wanted = left / (kSettle * robot_.dt);
   if (way > 0.0F) {
@@ -145,15 +187,56 @@ bool LastMetres::aim(const Pose& at, float speed, float stopping_way, Target& ta
     if (braking < wanted) wanted = braking;
   }
   const float share = math::clamp(wanted / robot_.top_speed, kSlowest, 1.0F);
-  target.speed = stops ? 0.0F : (backward_ ? -share : share);
+  target.speed = stops ? 0.0F : (shot.backward ? -share : share);
   target.turn = 1.0F;
-  float look = kLook * robot_.length + kLookSteps * robot_.dt * speed;
-  target.point = line_.at(arc_ + look).position;
-  for (int i = 0; i < 8 && !scene_->inside_bounds(target.point); ++i) {
-    look = 0.7F * look;
-    target.point = line_.at(arc_ + look).position;
-  }
+  target.point = point_ahead(line_, arc_, kLook * robot_.length + kLookSteps * robot_.dt * speed);
   return true;
+}
+
+bool LastMetres::leg_over(std::uint32_t steps, const Pose& at) const {
+  return turning_ ? steps >= kLongest || off(at) <= enough_ : steps >= kHold;
+}
+
+bool LastMetres::keep_to_line(const Pose& at) {
+  for (int i = 0; i < 2; ++i) {
+    const Pose on = line_.at(arc_);
+    arc_ = arc_ + math::clamp(dot(at.position - on.position, direction(on)), 0.0F, kOff * robot_.length);
+  }
+  return length(at.position - line_.at(arc_).position) <= kOff * robot_.length;
+}
+
+bool LastMetres::begin_straight(const Shot& shot, const Pose& at) {
+  const Vec2 way = before_goal(shot, lead_) - at.position;
+  const SinCos ahead = heading_of(way, near_, end_direction(shot));
+  facing_ = shot.backward ? opposite(ahead) : ahead;
+  enough_ = kFaced;
+  if (off(at) > enough_) return false;
+  straight_ = false;
+  turning_ = false;
+  arc_ = 0.0F;
+  line_ = CurvedLine({at.position, ahead}, 1.0F);
+  line_.add(0, length(way));
+  return true;
+}
+
+bool LastMetres::turn(const Pose& at, Target& target) {
+  const float off = this->off(at);
+  if (turning_ && off >= off_) return false;
+  turning_ = true;
+  off_ = off;
+  target.speed = kTurnCreep;
+  target.turn = 1.0F;
+  target.point = point_ahead(CurvedLine({at.position, facing_}, 1.0F), 0.0F, kTurnLook * robot_.length);
+  return true;
+}
+
+Vec2 LastMetres::point_ahead(const CurvedLine& line, float arc, float look) const {
+  Vec2 point = line.at(arc + look).position;
+  for (int i = 0; i < 8 && !scene_->inside_bounds(point); ++i) {
+    look = 0.7F * look;
+    point = line.at(arc + look).position;
+  }
+  return point;
 }
 
 }  // namespace krait::detail

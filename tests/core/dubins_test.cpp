@@ -155,6 +155,20 @@ TEST_F(Dubins, TheShortestWordIsNoShorterThanTheLineBetweenThePoses) {
   }
 }
 
+TEST(CurvedLine, TurnsOnTheSpotTheShorterWayBetweenPieces) {
+  detail::CurvedLine line({{1, 2}, math::sin_cos(0)}, 1);
+  line.face(math::sin_cos(1.5F * kPi));
+  line.add(0, 2);
+  line.face(math::sin_cos(kPi));
+  line.add(0, 1);
+  EXPECT_NEAR(line.turned(), kPi, 1e-6);
+  EXPECT_EQ(line.length(), 3);
+  EXPECT_NEAR(line.at(1.5F).position.y, 0.5, 1e-6);
+  EXPECT_NEAR(angle_between(line.at(1.5F).heading, math::sin_cos(-0.5F * kPi)), 0, 1e-6);
+  EXPECT_NEAR(line.end().position.x, 0, 1e-6);
+  EXPECT_NEAR(line.end().position.y, 0, 1e-6);
+}
+
 TEST(CurvedLine, GoesOnStraightBeyondItsEnds) {
   detail::CurvedLine line({{1, 2}, math::sin_cos(0)}, 1);
   line.add(1, 0.5F * kPi);

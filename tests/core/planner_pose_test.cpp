@@ -32,6 +32,18 @@ struct Silent : Unicycle {
 };
 static_assert(RobotModel<Silent>);
 
+// A user's robot that turns on the spot until it faces the target, and only then drives; at half a turn in 21 seconds.
+struct Turret : Unicycle {
+  Turret() : Unicycle(small_unicycle()) {}
+  bool reversible() const { return false; }
+  void steer(StateView s, const Target& target, Steering&, ControlRef u) const {
+    const float error = heading_error(s, target);
+    const bool faces = math::absolute(error) < 0.1F;
+    u << (faces ? target.speed : 0.0F), math::clamp(error / target.dt, -0.15F, 0.15F);
+  }
+};
+static_assert(RobotModel<Turret>);
+
 template <class R>
 std::vector<float> standing(const R& robot, Vec2 at) {
   std::vector<float> state(static_cast<std::size_t>(robot.state_size()), 0.0F);
@@ -67,7 +79,8 @@ double excess(const Goal& goal, const std::vector<float>& state, int bodies) {
 template <class R>
 class Poses {
  public:
-  explicit Poses(const R& robot) : bench_(two_rooms(3), robot), start_(standing(robot, {3, 4})) {}
+  explicit Poses(const R& robot) : Poses(robot, two_rooms(3), {3, 4}) {}
+  Poses(const R& robot, const Room& room, Vec2 start) : bench_(room, robot), start_(standing(robot, start)) {}
 
   Bench<R>& bench() { return bench_; }
   Query query(const Goal& goal, std::uint64_t seed) const { return {start_.data(), goal, seed}; }
@@ -109,6 +122,53 @@ TEST(PlannerPose, EveryModelEndsInThePoseAtRest) {
   expect_poses(Snake(chain(2)));
   expect_poses(DifferentialDrive(DifferentialDriveParameters()));
   expect_poses(small_unicycle());
+}
+
+// The most vertices of a plan to the point, of 200 seeds in each of four headings.
+template <class R>
+std::uint64_t most_vertices(Poses<R>& poses, Vec2 point) {
+  poses.bench().limits.iterations = 1000;
+  std::uint64_t most = 0;
+  for (std::uint64_t seed = 1; seed <= 200 && !::testing::Test::HasFailure(); ++seed) {
+    for (int quarter = 0; quarter < 4; ++quarter) {
+      const Goal goal = Goal::pose(point, 0.1F, 0.5F * kPi * static_cast<float>(quarter), 0.1F);
+      EXPECT_LE(poses.miss(goal, seed), 0) << "quarter " << quarter << ", seed " << seed;
+      EXPECT_LE(poses.bench().planner.statistics().plan_end_speed, detail::kRestSpeed);
+      most = std::max(most, poses.bench().planner.statistics().vertices);
+    }
+  }
+  return most;
+}
+
+// A closet of 0.85 m, its door of 0.6 m to the south; a robot of 0.5 m by 0.4 m has just the room to turn in it.
+Room closet() {
+  Room room;
+  room.bounds = {0, 0, 8, 8};
+  room.boxes = {
+      {3.9, 4.95, 5.15, 5.1}, {3.9, 4, 4.1, 4.95}, {4.95, 4, 5.15, 4.95}, {4.1, 4, 4.225, 4.1}, {4.825, 4, 4.95, 4.1}};
+  room.goals = {{6, 6, 7, 7}};
+  return room;
+}
+
+TEST(PlannerPose, WhatTurnsOnTheSpotDoesSoInACloset) {
+  Poses<Unicycle> unicycle(small_unicycle(), closet(), {1, 1});
+  EXPECT_LE(most_vertices(unicycle, {4.525F, 4.525F}), 3000U);
+  Poses<DifferentialDrive> drive(DifferentialDrive(DifferentialDriveParameters()), closet(), {1, 1});
+  EXPECT_LE(most_vertices(drive, {4.525F, 4.525F}), 1500U);
+}
+
+TEST(PlannerPose, HalfATurnOnTheSpotMayTakeTwentySeconds) {
+  Poses<Turret> poses{Turret()};
+  EXPECT_LE(most_vertices(poses, kPoint), 4000U);
+}
+
+// The robot stands in the goal, and only its heading is wrong.
+TEST(PlannerPose, WhatStandsInThePlaceOnlyTurns) {
+  Poses<DifferentialDrive> poses(DifferentialDrive(DifferentialDriveParameters()), two_rooms(3), kPoint);
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    EXPECT_LE(poses.miss(Goal::pose(kPoint, 0.1F, kPi, 0.1F), seed), 0) << seed;
+    EXPECT_LE(poses.bench().planner.statistics().plan_length, 1.5F) << seed;
+  }
 }
 
 TEST(PlannerPose, HitchesAreAsStraightAsAsked) {

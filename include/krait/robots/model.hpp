@@ -135,8 +135,9 @@ concept StatesRates = requires(const R& robot, StateView s, ControlView u, float
 ///   Without it a plan ends at any speed
 /// - `stopping_way(s)`: metres along body 0's x axis, negative backwards: how far from the position it comes to rest,
 ///   roughly, when it brakes in s. Used to know where it pays to brake for the goal; without it, 0
-/// - `turning_radius()`: metres, at least 0: of the sharpest turn that it drives for long, forwards. Used to find the
-///   way to a pose; without it, the length of body 0
+/// - `turning_radius()`: metres, at least 0: of the sharpest turn that it drives for long, forwards; 0: it turns on the
+///   spot, at any target speed above 0 toward a point that it does not face. Used to find the way to a pose; without
+///   it, the length of body 0
 /// - `top_speed()`: m/s, above 0: of the position, straight ahead at a target's speed of 1. Used to come to rest at a
 ///   pose; without it, a length of body 0 a second
 /// - `fastest_rate(dt)`: 1/s, at least 0: Runge-Kutta steps of h seconds with h fastest_rate(dt) <= kStepRate (rk4.hpp)
