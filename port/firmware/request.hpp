@@ -36,7 +36,7 @@ struct Request {
 
 // Reads `--robot MODEL[:N] --seed S --memory B[K|M] --iterations N --start X,Y,HEADING --goal X,Y,RADIUS --heading H
 // --heading-tolerance T --clearance C --dt S --icount` for a program that plans for `model`, which has a number of
-// trailers to ask for or not. Gives null, or what is wrong. The words must stay.
+// trailers to ask for or not. Returns null, or what is wrong. The words must stay.
 const char* parse(int count, const char* const* words, const char* model, bool has_trailers, Request& request);
 
 }  // namespace krait::firmware

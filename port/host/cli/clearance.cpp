@@ -4,25 +4,13 @@
 #include <algorithm>
 
 #include "host/run/session.hpp"
+#include "host/run/tracked_clearance.hpp"
 #include "host/workspace/printed.hpp"
 
 namespace krait::host {
 namespace {
 
-constexpr double kShare = 0.02;  // of the robot's width
-
 bool has_cells(const std::optional<Workspace>& map) { return map && map->cells; }
-
-// Metres, of the widest body.
-double width_of(const RobotSpec& robot) {
-  double widest = 0;
-  for (const Ring& body : robot.bodies) {
-    const auto by_y = [](const Point& a, const Point& b) { return a.y < b.y; };
-    const auto [right, left] = std::minmax_element(body.begin(), body.end(), by_y);
-    widest = std::max(widest, left->y - right->y);
-  }
-  return widest;
-}
 
 // What has no room for the request's clearance; empty where start and widest way have.
 std::string too_narrow(const krait::Scene& scene, const SearchRequest& request, Block& block) {
@@ -41,7 +29,7 @@ std::string too_narrow(const krait::Scene& scene, const SearchRequest& request, 
 Clearance usual_clearance(const krait::Scene& scene, const SearchRequest& request, const std::optional<Workspace>& map,
                           Block& block) {
   const float most = Parameters::range(Argument::clearance).most / 2;
-  const double tracked = kShare * width_of(request.robot) + (has_cells(map) ? map->cells->resolution / 2 : 0);
+  const double tracked = tracked_clearance(request.robot, map ? &*map : nullptr);
   Clearance clearance;
   clearance.kept = clearance.usual = std::clamp(static_cast<float>(tracked), kLeastClearance, most);
   for (SearchRequest twice = request; clearance.kept > kLeastClearance;) {

@@ -15,20 +15,6 @@ namespace {
 
 constexpr double kLeastTolerance = 1e-4;  // radians, of headings
 
-// Three numbers with commas between, each from minus to plus its bound; nothing if the text has another form.
-std::optional<std::array<double, 3>> parse_triple(std::string_view text, const std::array<double, 3>& most) {
-  std::array<double, 3> values{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t comma = text.find(',');
-    if ((comma == std::string_view::npos) != (i == 2)) return std::nullopt;
-    const auto value = parse_number(text.substr(0, comma));
-    if (!value || std::abs(*value) > most[i]) return std::nullopt;
-    values[i] = *value;
-    text = i < 2 ? text.substr(comma + 1) : std::string_view();
-  }
-  return values;
-}
-
 // Whether it is a whole turn at most is judged later, where degrees are asked about.
 CLI::Validator heading_number() {
   const auto check = [](const std::string& text) -> std::string {
@@ -49,7 +35,7 @@ std::pair<double, double> range_of(Argument argument) {
 std::uint64_t parse_memory(const std::string& text) { return parse_bytes("--memory", text); }
 
 void parse_start(const std::string& text, SearchRequest& request) {
-  if (const auto pose = parse_triple(text, {kMaxCoordinate, kMaxCoordinate, kMaxAngle})) {
+  if (const auto pose = parse_numbers(text, {kMaxCoordinate, kMaxCoordinate, kMaxAngle})) {
     check_heading("--start " + text, (*pose)[2]);
     request.start = StartPose{{(*pose)[0], (*pose)[1]}, (*pose)[2]};
   } else if (text.find(',') != std::string::npos) {
@@ -61,7 +47,7 @@ void parse_start(const std::string& text, SearchRequest& request) {
 }
 
 void parse_goal(const std::string& text, SearchRequest& request) {
-  if (const auto disc = parse_triple(text, {kMaxCoordinate, kMaxCoordinate, kMaxCoordinate}); disc && (*disc)[2] > 0) {
+  if (const auto disc = parse_numbers(text, {kMaxCoordinate, kMaxCoordinate, kMaxCoordinate}); disc && (*disc)[2] > 0) {
     request.goal = GoalDisc{{(*disc)[0], (*disc)[1]}, (*disc)[2]};
   } else if (text.find(',') != std::string::npos) {
     throw InputError("--goal " + text + ": give X,Y,RADIUS (metres to 1e7, the radius above 0) or a goal's name");

@@ -4,25 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/workspace/ring.hpp"
+
 namespace krait::host::compiler {
 namespace {
-
-// The part of the ring on one side of a line (Sutherland and Hodgman 1974); windings within stay the same.
-// depth(p) >= 0 is kept.
-template <class Depth>
-Ring clip(const Ring& ring, Depth depth) {
-  Ring kept;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point a = ring[i], b = ring[(i + 1) % ring.size()];
-    const double da = depth(a), db = depth(b);
-    if (da >= 0) kept.push_back(a);
-    if ((da < 0) != (db < 0)) {
-      const double t = da / (da - db);
-      kept.push_back({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)});
-    }
-  }
-  return kept;
-}
 
 // In grid steps, local.
 GridRing placed(Ring ring, const GridBox& b) {

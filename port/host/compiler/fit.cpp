@@ -11,6 +11,7 @@
 #include "host/run/pools.hpp"
 #include "host/run/robots.hpp"
 #include "host/run/shortest_way.hpp"
+#include "host/run/tracked_clearance.hpp"
 #include "host/workspace/printed.hpp"
 
 namespace krait::host {
@@ -37,8 +38,8 @@ class Fitter {
  public:
   Fitter(const Workspace& workspace, const RobotSpec& robot, const Budget& budget)
       : workspace_(workspace), robot_(robot), core_(robot), girth_(girth_of(robot)), budget_(budget) {
-    const double clearance = 0.02 * 2 * girth_.inner + (has_cells() ? workspace.cells->resolution / 2 : 0);
-    error_ = budget.tolerance >= 0 ? budget.tolerance / 2 : std::max(0.0, clearance / 2 - kRounding);
+    error_ = budget.tolerance >= 0 ? budget.tolerance / 2
+                                   : std::max(0.0, tracked_clearance(robot, &workspace) / 2 - kRounding);
   }
 
   // The coarsest first.

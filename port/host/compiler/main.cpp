@@ -60,11 +60,12 @@ void run(const Arguments& arguments, Progress& progress) {
   check_outputs({output}, workspace.files);
   if (!arguments.start.empty()) set_start(workspace, arguments.start);
   if (!arguments.goal.empty()) add_goal(workspace, arguments.goal);
-  workspace = arguments.reduction.apply(std::move(workspace));
+  const std::optional<RobotSpec> robot = arguments.reduction.spec();
+  workspace = arguments.reduction.apply(std::move(workspace), robot);
   const CompileOptions options{arguments.tolerance, [&](const std::string& step) { progress.show(step); },
                                arguments.reduction.coarse};
   std::vector<std::string> report;
-  const CompiledScene scene = arguments.reduction.compiled(workspace, options, report);
+  const CompiledScene scene = arguments.reduction.compiled(workspace, robot, options, report);
   write_file(arguments.output, std::string(scene.bytes.begin(), scene.bytes.end()));
   progress.end();
   const auto warn = [](const std::string& text) { std::fprintf(stderr, "krait-compile: warning: %s\n", text.c_str()); };

@@ -10,6 +10,7 @@
 #include "host/compiler/rings.hpp"
 #include "host/compiler/snap.hpp"
 #include "host/compiler/unite.hpp"
+#include "host/workspace/cell_frame.hpp"
 #include "krait/format.hpp"
 
 namespace krait::host::compiler {
@@ -73,17 +74,13 @@ class Collector {
     if (map.occupied.size() != static_cast<std::size_t>(map.rows) * static_cast<std::size_t>(map.columns)) {
       throw InputError("the map's cells are not rows times columns");
     }
-    const double cos = std::cos(map.yaw), sin = std::sin(map.yaw);
-    const auto world = [&](double column, double row) {
-      const double x = column * map.resolution, y = row * map.resolution;
-      return Point{map.origin.x + cos * x - sin * y, map.origin.y + sin * x + cos * y};
-    };
+    const CellFrame cells(map);
     const double columns = map.columns, rows = map.rows;
-    const Ring frame_ring{world(0, 0), world(columns, 0), world(columns, rows), world(0, rows)};
+    const Ring frame_ring{cells.world(0, 0), cells.world(columns, 0), cells.world(columns, rows), cells.world(0, rows)};
     check_finite(frame_ring, "the map");
     if (map.resolution * 4096 < 3) throw InputError("the map's cells are smaller than 0.75 mm: scale its resolution");
     const GridBox& b = frame_.bounds;
-    const auto on_grid = [&](int column, int row) { return frame_.nearest(world(column, row)); };
+    const auto on_grid = [&](int column, int row) { return frame_.nearest(cells.world(column, row)); };
     Edges edges = outline(map, on_grid);
     const bool inside =
         std::all_of(edges.begin(), edges.end(), [&](const Edge& e) { return within(e.from, b) && within(e.to, b); });

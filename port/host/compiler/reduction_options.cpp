@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "host/compiler/reduction_options.hpp"
 
-#include <cmath>
-
 #include "host/compiler/fit.hpp"
 #include "host/input/bytes.hpp"
 #include "host/input/json.hpp"
@@ -12,17 +10,9 @@ namespace krait::host {
 
 std::vector<double> numbers(const std::string& option, const std::string& text, const std::vector<double>& bounds,
                             const std::string& form) {
-  std::vector<double> values;
-  std::string_view rest = text;
-  for (const double bound : bounds) {
-    const std::size_t comma = values.size() + 1 < bounds.size() ? rest.find(',') : rest.size();
-    const auto value = parse_number(rest.substr(0, comma));
-    if (comma == std::string_view::npos || !value || std::abs(*value) > bound)
-      throw InputError(option + " '" + text + "': give " + form);
-    values.push_back(*value);
-    rest.remove_prefix(std::min(comma + 1, rest.size()));
-  }
-  return values;
+  const std::optional<std::vector<double>> values = parse_numbers(text, bounds);
+  if (!values) throw InputError(option + " '" + text + "': give " + form);
+  return *values;
 }
 
 void ReductionOptions::add(CLI::App& app) {
@@ -60,7 +50,12 @@ void ReductionOptions::add(CLI::App& app) {
       ->needs("--for");
 }
 
-Workspace ReductionOptions::apply(Workspace workspace) const {
+std::optional<RobotSpec> ReductionOptions::spec() const {
+  if (robot.empty()) return std::nullopt;
+  return parse_robot(robot);
+}
+
+Workspace ReductionOptions::apply(Workspace workspace, const std::optional<RobotSpec>& spec) const {
   Reduction reduction;
   if (!crop.empty()) {
     const auto v = numbers("--crop", crop, std::vector<double>(4, kMaxCoordinate), "X0,Y0,X1,Y1 (metres to 1e7)");
@@ -70,20 +65,20 @@ Workspace ReductionOptions::apply(Workspace workspace) const {
   reduction.cell = cell;
   reduction.corridor = corridor;
   if (fill) reduction.disc = Girth{*fill, *fill, 0};
-  if (!robot.empty()) reduction.disc = girth_of(parse_robot(robot));
+  if (spec) reduction.disc = girth_of(*spec);
   const bool has_cells = workspace.cells || cell;
-  if (fill || (has_cells && !robot.empty())) reduction.fill = reduction.disc;
+  if (fill || (has_cells && spec)) reduction.fill = reduction.disc;
   return reduced(std::move(workspace), reduction);
 }
 
-CompiledScene ReductionOptions::compiled(const Workspace& workspace, const CompileOptions& options,
-                                         std::vector<std::string>& report) const {
-  if (flash.empty() && ram.empty()) return compile(workspace, options);
+CompiledScene ReductionOptions::compiled(const Workspace& workspace, const std::optional<RobotSpec>& spec,
+                                         const CompileOptions& options, std::vector<std::string>& report) const {
+  if (!spec || (flash.empty() && ram.empty())) return compile(workspace, options);
   Budget budget;
   if (!flash.empty()) budget.flash = parse_bytes("--flash", flash);
   if (!ram.empty()) budget.ram = parse_bytes("--ram", ram);
   budget.tolerance = options.tolerance;
-  Fitted fitted = fit(workspace, parse_robot(robot), budget, options.progress);
+  Fitted fitted = fit(workspace, *spec, budget, options.progress);
   report = std::move(fitted.report);
   return std::move(fitted.scene);
 }

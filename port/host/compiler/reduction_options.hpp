@@ -24,11 +24,13 @@ struct ReductionOptions {
   bool coarse = false;
 
   void add(CLI::App& app);
-  // The workspace cropped, in its cells, filled and within its corridor. Throws InputError.
-  Workspace apply(Workspace workspace) const;
+  // The robot of --for, if there is one. Throws InputError.
+  std::optional<RobotSpec> spec() const;
+  // The workspace cropped, in its cells, filled and within its corridor, for that robot. Throws InputError.
+  Workspace apply(Workspace workspace, const std::optional<RobotSpec>& spec) const;
   // The scene of what apply() returned; what fit() reports is appended to `report`. Throws InputError.
-  CompiledScene compiled(const Workspace& workspace, const CompileOptions& options,
-                         std::vector<std::string>& report) const;
+  CompiledScene compiled(const Workspace& workspace, const std::optional<RobotSpec>& spec,
+                         const CompileOptions& options, std::vector<std::string>& report) const;
 };
 
 }  // namespace krait::host

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/export/cell_boxes.hpp"
 
-#include <cmath>
+#include "host/workspace/cell_frame.hpp"
 
 namespace krait::host {
 namespace {
@@ -22,18 +22,15 @@ std::vector<Run> runs_of(const CellMap& cells, int row) {
   return runs;
 }
 
-Obstacle box(const CellMap& cells, const Run& run, int top) {
-  const double c = std::cos(cells.yaw), s = std::sin(cells.yaw);
-  const auto corner = [&](int column, int row) -> Point {
-    const double x = column * cells.resolution, y = row * cells.resolution;
-    return {cells.origin.x + c * x - s * y, cells.origin.y + s * x + c * y};
-  };
+Obstacle box(const CellFrame& cells, const Run& run, int top) {
   return {"cells",
-          {corner(run.first, run.bottom), corner(run.end, run.bottom), corner(run.end, top), corner(run.first, top)},
+          {cells.world(run.first, run.bottom), cells.world(run.end, run.bottom), cells.world(run.end, top),
+           cells.world(run.first, top)},
           {}};
 }
 
 void add_boxes(const CellMap& cells, std::vector<Obstacle>& obstacles) {
+  const CellFrame frame(cells);
   std::vector<Run> open;  // ascending; they may go on in the next row
   for (int row = 0; row <= cells.rows; ++row) {
     std::vector<Run> runs = row < cells.rows ? runs_of(cells, row) : std::vector<Run>();
@@ -43,7 +40,7 @@ void add_boxes(const CellMap& cells, std::vector<Obstacle>& obstacles) {
       if (k < runs.size() && runs[k].first == before.first && runs[k].end == before.end) {
         runs[k].bottom = before.bottom;
       } else {
-        obstacles.push_back(box(cells, before, row));
+        obstacles.push_back(box(frame, before, row));
       }
     }
     open = std::move(runs);

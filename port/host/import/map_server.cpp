@@ -7,6 +7,7 @@
 
 #include "host/import/image.hpp"
 #include "host/import/yaml.hpp"
+#include "host/workspace/cell_frame.hpp"
 #include "host/workspace/printed.hpp"
 
 namespace krait::host {
@@ -132,19 +133,12 @@ void warn(const std::string& file, const Counts& counts, const Rules& rules, Wor
   }
 }
 
-Point placed(const CellMap& cells, double x, double y) {
-  const double c = std::cos(cells.yaw);
-  const double s = std::sin(cells.yaw);
-  return {cells.origin.x + c * x - s * y, cells.origin.y + s * x + c * y};
-}
-
 // The bounds are the rectangle that contains the placed map; what of it lies outside a turned map is an obstacle.
 void set_bounds(const Field& field, Workspace& workspace) {
   const CellMap& cells = *workspace.cells;
-  const double width = cells.columns * cells.resolution;
-  const double height = cells.rows * cells.resolution;
-  const Ring corners = {placed(cells, 0, 0), placed(cells, width, 0), placed(cells, width, height),
-                        placed(cells, 0, height)};
+  const CellFrame frame(cells);
+  const double columns = cells.columns, rows = cells.rows;
+  const Ring corners = {frame.world(0, 0), frame.world(columns, 0), frame.world(columns, rows), frame.world(0, rows)};
   workspace.min = workspace.max = corners[0];
   for (const Point& corner : corners) {
     if (std::abs(corner.x) > kMaxFarCoordinate || std::abs(corner.y) > kMaxFarCoordinate) {

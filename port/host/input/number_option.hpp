@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "host/input/json.hpp"
 
@@ -19,6 +20,22 @@ inline std::optional<double> parse_number(std::string_view text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
   return value;
+}
+
+// As many numbers as there are bounds, with commas between, each from minus to plus its bound; nothing if the text has
+// another form.
+inline std::optional<std::vector<double>> parse_numbers(std::string_view text, const std::vector<double>& bounds) {
+  std::vector<double> values;
+  for (const double bound : bounds) {
+    const bool last = values.size() + 1 == bounds.size();
+    const std::size_t comma = text.find(',');
+    if ((comma == std::string_view::npos) != last) return std::nullopt;
+    const std::optional<double> value = parse_number(text.substr(0, comma));
+    if (!value || std::abs(*value) > bound) return std::nullopt;
+    values.push_back(*value);
+    if (!last) text.remove_prefix(comma + 1);
+  }
+  return values;
 }
 
 // Lets an option take finite numbers from `least` to `most` only; the refusal names the unit.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cells of a map by number, and where they lie in the world.
+// The cells of a map by number, those around a place and those around a cell.
 #pragma once
 
 #include <algorithm>
@@ -7,36 +7,26 @@
 #include <cstddef>
 #include <optional>
 
+#include "host/workspace/cell_frame.hpp"
 #include "host/workspace/workspace.hpp"
 
 namespace krait::host {
+
+inline constexpr double kCellRounding = 1e-6;  // of a cell: what decimals lose in double arithmetic
 
 inline std::size_t cell_number(const CellMap& map, int column, int row) {
   return static_cast<std::size_t>(row) * static_cast<std::size_t>(map.columns) + static_cast<std::size_t>(column);
 }
 
-// Of a place in the map's own frame, in cells: (0, 0) is the lower left corner of the first cell.
-inline Point in_cells(const CellMap& map, Point world) {
-  const double x = (world.x - map.origin.x) / map.resolution, y = (world.y - map.origin.y) / map.resolution;
-  const double c = std::cos(map.yaw), s = std::sin(map.yaw);
-  return {c * x + s * y, c * y - s * x};
-}
-
-// The place in the world of one in cells.
-inline Point in_world(const CellMap& map, Point cells) {
-  const double x = cells.x * map.resolution, y = cells.y * map.resolution;
-  const double c = std::cos(map.yaw), s = std::sin(map.yaw);
-  return {map.origin.x + c * x - s * y, map.origin.y + s * x + c * y};
-}
-
-inline Point middle_in_world(const CellMap& map, std::size_t cell) {
+// The middle of a cell in the world.
+inline Point middle(const CellMap& map, const CellFrame& frame, std::size_t cell) {
   const auto columns = static_cast<std::size_t>(map.columns);
-  return in_world(map, {double(cell % columns) + 0.5, double(cell / columns) + 0.5});
+  return frame.world(double(cell % columns) + 0.5, double(cell / columns) + 0.5);
 }
 
-// The cell that holds the place; nothing off the map.
-inline std::optional<std::size_t> cell_at(const CellMap& map, Point world) {
-  const Point p = in_cells(map, world);
+// The cell that holds the place in the world; nothing off the map.
+inline std::optional<std::size_t> cell_at(const CellMap& map, const CellFrame& frame, Point world) {
+  const Point p = frame.cells(world);
   if (!(p.x >= 0 && p.y >= 0 && p.x < map.columns && p.y < map.rows)) return std::nullopt;
   return cell_number(map, static_cast<int>(p.x), static_cast<int>(p.y));
 }
@@ -44,8 +34,8 @@ inline std::optional<std::size_t> cell_at(const CellMap& map, Point world) {
 // Calls visit(cell) for the cells that come within `reach` metres of the place.
 template <class Visit>
 void each_around(const CellMap& map, Point world, double reach, Visit visit) {
-  const Point p = in_cells(map, world);
-  const double r = reach / map.resolution + 1e-6;
+  const Point p = CellFrame(map).cells(world);
+  const double r = reach / map.resolution + kCellRounding;
   const auto limited = [](double at, int cells) { return static_cast<int>(std::clamp(at, 0.0, double(cells))); };
   const auto gap = [](double at, int cell) { return std::max({0.0, cell - at, at - cell - 1}); };
   for (int row = limited(p.y - r - 1, map.rows); row < limited(p.y + r + 2, map.rows); ++row) {

@@ -46,16 +46,16 @@ class Parts {
   CellMask known_, joined_;
 };
 
-bool free_in(const CellMap& map, Point world) {
-  const auto cell = cell_at(map, world);
-  return cell && map.occupied[*cell] == 0;
-}
-
 }  // namespace
 
 // The free cells of `before` that are not free in `after` come back one by one, the one with the most room first: where
 // one joins two parts, every other way between them is narrower.
 std::vector<ClosedPassage> closed_passages(const CellMap& before, const CellMap& after) {
+  const CellFrame frame(before), frame_after(after);
+  const auto stays_free = [&](std::size_t cell) {
+    const auto there = cell_at(after, frame_after, middle(before, frame, cell));
+    return there && after.occupied[*there] == 0;
+  };
   Parts parts(before.occupied.size());
   std::vector<std::size_t> lost;
   const auto join = [&](std::size_t cell) {
@@ -67,7 +67,7 @@ std::vector<ClosedPassage> closed_passages(const CellMap& before, const CellMap&
   };
   for (std::size_t cell = 0; cell < before.occupied.size(); ++cell) {
     if (before.occupied[cell] != 0) continue;
-    if (!free_in(after, middle_in_world(before, cell))) {
+    if (!stays_free(cell)) {
       lost.push_back(cell);
       continue;
     }
@@ -81,7 +81,7 @@ std::vector<ClosedPassage> closed_passages(const CellMap& before, const CellMap&
     parts.add(cell, false);
     if (!join(cell)) continue;
     const double room = 2 * std::sqrt(double(distances[cell])) - 1;
-    passages.push_back({middle_in_world(before, cell), room * before.resolution});
+    passages.push_back({middle(before, frame, cell), room * before.resolution});
   }
   return passages;
 }

@@ -17,7 +17,7 @@ namespace {
 
 // The marked cell whose middle is the nearest to the place, of those within `most` metres of it.
 std::optional<std::size_t> marked_near(const CellMap& map, const CellMask& marked, Point world, double most) {
-  const Point p = in_cells(map, world);
+  const Point p = CellFrame(map).cells(world);
   double least = std::numeric_limits<double>::infinity();
   std::optional<std::size_t> best;
   each_around(map, world, most, [&](std::size_t cell) {

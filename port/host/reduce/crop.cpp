@@ -11,8 +11,6 @@
 namespace krait::host {
 namespace {
 
-constexpr double kRounding = 1e-6;  // of a cell: what decimals lose in double arithmetic
-
 bool apart(const Workspace& w, Point min, Point max) {
   return !(min.x < w.max.x && w.min.x < max.x && min.y < w.max.y && w.min.y < max.y);
 }
@@ -22,22 +20,23 @@ struct Span {
 };
 
 Span span(double low, double high, int cells) {
-  const double first = std::clamp(std::floor(low + kRounding), 0.0, double(cells));
-  const double last = std::clamp(std::ceil(high - kRounding), first, double(cells));
+  const double first = std::clamp(std::floor(low + kCellRounding), 0.0, double(cells));
+  const double last = std::clamp(std::ceil(high - kCellRounding), first, double(cells));
   return {static_cast<int>(first), static_cast<int>(last)};
 }
 
 // The columns and rows that meet the box.
 CellMap part_of(const CellMap& map, Point min, Point max) {
-  const std::array<Point, 4> corners = {in_cells(map, min), in_cells(map, {max.x, min.y}), in_cells(map, max),
-                                        in_cells(map, {min.x, max.y})};
+  const CellFrame frame(map);
+  const std::array<Point, 4> corners = {frame.cells(min), frame.cells({max.x, min.y}), frame.cells(max),
+                                        frame.cells({min.x, max.y})};
   const auto [left, right] = std::minmax({corners[0].x, corners[1].x, corners[2].x, corners[3].x});
   const auto [low, high] = std::minmax({corners[0].y, corners[1].y, corners[2].y, corners[3].y});
   const Span columns = span(left, right, map.columns), rows = span(low, high, map.rows);
   CellMap part{columns.last - columns.first,
                rows.last - rows.first,
                map.resolution,
-               in_world(map, {double(columns.first), double(rows.first)}),
+               frame.world(columns.first, rows.first),
                map.yaw,
                {}};
   for (int row = rows.first; row < rows.last; ++row) {

@@ -15,25 +15,14 @@ struct Disc {
   double radius = 0;
 };
 
-// The part of a convex ring that is at least `depth` inside of the edge from a to b.
-Ring cut(const Ring& ring, Point a, Point b, double depth) {
-  const double length = std::hypot(b.x - a.x, b.y - a.y);
-  const auto inside = [&](Point p) { return cross(a, b, p) / length - depth; };
-  Ring kept;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point p = ring[i], q = ring[(i + 1) % ring.size()];
-    const double dp = inside(p), dq = inside(q);
-    if (dp >= 0) kept.push_back(p);
-    if ((dp < 0) != (dq < 0)) kept.push_back({p.x + (q.x - p.x) * dp / (dp - dq), p.y + (q.y - p.y) * dp / (dp - dq)});
-  }
-  return kept;
-}
-
 // The centres of the discs of this radius in a convex ring, counter-clockwise.
 Ring centers(const Ring& body, double radius) {
   Ring ring = body;
-  for (std::size_t i = 0; i < body.size() && !ring.empty(); ++i)
-    ring = cut(ring, body[i], body[(i + 1) % body.size()], radius);
+  for (std::size_t i = 0; i < body.size() && !ring.empty(); ++i) {
+    const Point a = body[i], b = body[(i + 1) % body.size()];
+    const double edge = std::hypot(b.x - a.x, b.y - a.y);
+    ring = clip(ring, [&](Point p) { return cross(a, b, p) / edge - radius; });
+  }
   return ring;
 }
 

@@ -20,19 +20,20 @@ bool goes_around(const Ring& ring, Point p) {
 }  // namespace
 
 std::vector<std::size_t> cells_of(const CellMap& map, const Goal& goal) {
+  const CellFrame frame(map);
   std::vector<std::size_t> cells;
   Point min{1e18, 1e18}, max{-1e18, -1e18};
   for (const Point world : goal.polygon) {
-    const Point p = in_cells(map, world);
+    const Point p = frame.cells(world);
     min = {std::min(min.x, p.x), std::min(min.y, p.y)};
     max = {std::max(max.x, p.x), std::max(max.y, p.y)};
-    if (const auto cell = cell_at(map, world)) cells.push_back(*cell);
+    if (const auto cell = cell_at(map, frame, world)) cells.push_back(*cell);
   }
   const auto limited = [](double value, int count) { return static_cast<int>(std::clamp(value, 0.0, double(count))); };
   for (int row = limited(min.y, map.rows); row < limited(max.y + 1, map.rows); ++row) {
     for (int column = limited(min.x, map.columns); column < limited(max.x + 1, map.columns); ++column) {
       const std::size_t cell = cell_number(map, column, row);
-      if (goes_around(goal.polygon, middle_in_world(map, cell))) cells.push_back(cell);
+      if (goes_around(goal.polygon, middle(map, frame, cell))) cells.push_back(cell);
     }
   }
   return cells;

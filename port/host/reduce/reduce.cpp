@@ -24,9 +24,10 @@ void require_cells(const Workspace& workspace, const char* option) {
 
 // Whether a start has a way over free cells, side by side, to a goal.
 bool has_way(const CellMap& map, const Workspace& w) {
+  const CellFrame frame(map);
   std::vector<std::size_t> seeds;
   for (const Start& start : w.starts) {
-    if (const auto cell = cell_at(map, start.position)) seeds.push_back(*cell);
+    if (const auto cell = cell_at(map, frame, start.position)) seeds.push_back(*cell);
   }
   CellMask free = map.occupied;
   for (std::uint8_t& cell : free) cell = cell == 0;

@@ -10,16 +10,14 @@
 namespace krait::host {
 namespace {
 
-constexpr double kRounding = 1e-6;  // of a cell: what decimals lose in double arithmetic
-
 std::string option(double size) { return printed("--cell %.10g", size); }
 
 // Whole cells of a length of `cells` old ones.
-int whole(double cells) { return static_cast<int>(std::floor(cells + kRounding)); }
+int whole(double cells) { return static_cast<int>(std::floor(cells + kCellRounding)); }
 
 // An empty map of as many whole cells as the lengths hold.
 CellMap empty_map(double width, double height, double size, Point origin, double yaw) {
-  const double columns = std::floor(width / size + kRounding), rows = std::floor(height / size + kRounding);
+  const double columns = std::floor(width / size + kCellRounding), rows = std::floor(height / size + kCellRounding);
   if (columns < 1 || rows < 1)
     throw InputError(option(size) + printed(": the map is only %.10g m by %.10g m", width, height));
   if (columns * rows > kMostCells) {
@@ -37,7 +35,7 @@ struct Range {
 };
 
 Range met_by(int old, double factor, int cells) {
-  const int first = whole(old / factor), last = static_cast<int>(std::ceil((old + 1) / factor - kRounding)) - 1;
+  const int first = whole(old / factor), last = static_cast<int>(std::ceil((old + 1) / factor - kCellRounding)) - 1;
   return {first, std::min(last, cells - 1)};
 }
 
@@ -49,10 +47,10 @@ class Painter {
   // Every cell that the closed segment meets.
   void line(Point a, Point b) {
     if (a.y > b.y) std::swap(a, b);
-    const int last = std::min(map_.rows - 1, below(b.y + kRounding));
-    for (int row = std::max(0, below(a.y - kRounding)); row <= last; ++row) {
-      const double y0 = std::clamp(double(row) - kRounding, a.y, b.y);
-      const double y1 = std::clamp(double(row) + 1 + kRounding, a.y, b.y);
+    const int last = std::min(map_.rows - 1, below(b.y + kCellRounding));
+    for (int row = std::max(0, below(a.y - kCellRounding)); row <= last; ++row) {
+      const double y0 = std::clamp(double(row) - kCellRounding, a.y, b.y);
+      const double y1 = std::clamp(double(row) + 1 + kCellRounding, a.y, b.y);
       const double x0 = at(a, b, y0), x1 = at(a, b, y1);
       const bool flat = a.y == b.y;
       mark(row, flat ? std::min(a.x, b.x) : std::min(x0, x1), flat ? std::max(a.x, b.x) : std::max(x0, x1));
@@ -94,8 +92,8 @@ class Painter {
   }
 
   void mark(int row, double from, double to) {
-    const int last = std::min(map_.columns - 1, left_of(to + kRounding));
-    for (int column = std::max(0, left_of(from - kRounding)); column <= last; ++column)
+    const int last = std::min(map_.columns - 1, left_of(to + kCellRounding));
+    for (int column = std::max(0, left_of(from - kCellRounding)); column <= last; ++column)
       map_.occupied[cell_number(map_, column, row)] = 1;
   }
 
@@ -119,10 +117,11 @@ class Painter {
 };
 
 Ring in_cells(const CellMap& map, const Ring& world, const std::string& label) {
+  const CellFrame frame(map);
   Ring ring;
   for (const Point p : world) {
     if (!std::isfinite(p.x) || !std::isfinite(p.y)) throw InputError(label + ": a coordinate is not a finite number");
-    ring.push_back(krait::host::in_cells(map, p));
+    ring.push_back(frame.cells(p));
   }
   return ring;
 }

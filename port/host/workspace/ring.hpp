@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Areas of rings, by their signs, and whether two are one.
+// Areas of rings, by their signs, their parts on one side of a line, and whether two are one.
 #pragma once
 
 #include <algorithm>
@@ -18,6 +18,23 @@ inline double twice_area(const Ring& ring) {
   double sum = 0;
   for (std::size_t i = 1; i + 1 < ring.size(); ++i) sum += cross(ring[0], ring[i], ring[i + 1]);
   return sum;
+}
+
+// The part of the ring where depth(p) >= 0, on one side of a line (Sutherland and Hodgman 1974). Winding numbers there
+// stay as they were.
+template <class Depth>
+Ring clip(const Ring& ring, Depth depth) {
+  Ring kept;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point a = ring[i], b = ring[(i + 1) % ring.size()];
+    const double da = depth(a), db = depth(b);
+    if (da >= 0) kept.push_back(a);
+    if ((da < 0) != (db < 0)) {
+      const double t = da / (da - db);
+      kept.push_back({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)});
+    }
+  }
+  return kept;
 }
 
 // Whether both have the same points in the same order.

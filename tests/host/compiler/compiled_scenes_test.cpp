@@ -7,6 +7,7 @@
 #include <limits>
 #include <random>
 
+#include "../cell_map.hpp"
 #include "check_scene.hpp"
 #include "host/reduce/crop.hpp"
 
@@ -26,18 +27,6 @@ std::string complaint(const Workspace& w, double tolerance = -1) {
     return error.what();
   }
   return "";
-}
-
-// '#' is occupied, rows from the top.
-CellMap cells(const std::vector<std::string>& rows, double resolution) {
-  CellMap map;
-  map.rows = static_cast<int>(rows.size());
-  map.columns = static_cast<int>(rows.front().size());
-  map.resolution = resolution;
-  for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
-    for (const char c : *row) map.occupied.push_back(c == '#');
-  }
-  return map;
 }
 
 Workspace map_room(CellMap map, Point origin = {0, 0}, double yaw = 0) {

@@ -69,7 +69,7 @@ TEST(Fit, KeepsToTheBudgetAndNothingBecomesFree) {
     EXPECT_LT(v.header.tolerance, 0.02F) << "half of the clearance: 2 % of 0.33 m and half a cell";
     for (std::size_t i = 0; i < w.cells->occupied.size(); i += 37) {
       if (w.cells->occupied[i] == 0) continue;
-      const Point p = middle_in_world(*w.cells, i);
+      const Point p = middle(*w.cells, CellFrame(*w.cells), i);
       for (const Ring& triangle : v.triangles) ASSERT_FALSE(convex_contains(triangle, p)) << p.x << ' ' << p.y;
     }
   }

@@ -11,6 +11,8 @@
 #include <limits>
 #include <random>
 
+#include "../cell_map.hpp"
+#include "../ring_oracle.hpp"
 #include "host/reduce/cell_distances.hpp"
 #include "host/reduce/cells.hpp"
 #include "host/reduce/closed.hpp"
@@ -25,18 +27,6 @@ using Random = std::mt19937_64;
 
 double uniform(Random& random, double least, double most) {
   return std::uniform_real_distribution(least, most)(random);
-}
-
-// '#' is occupied, rows from the top.
-CellMap cells(const std::vector<std::string>& rows, double resolution = 1) {
-  CellMap map;
-  map.rows = static_cast<int>(rows.size());
-  map.columns = static_cast<int>(rows.front().size());
-  map.resolution = resolution;
-  for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
-    for (const char c : *row) map.occupied.push_back(c == '#');
-  }
-  return map;
 }
 
 Workspace room(CellMap map) {
@@ -231,7 +221,7 @@ TEST(Fill, ClosesWhatNoStartLeadsTo) {
   Workspace w = room(map);
   const CellMap open = *reduced(w, {{}, {}, Girth{2, 2, 0}, {}, {}}).cells;
   EXPECT_FALSE(open.at(15, 9));
-  w.starts = {{"left", middle_in_world(map, cell_number(map, 4, 4)), 0, {}}};
+  w.starts = {{"left", middle(map, CellFrame(map), cell_number(map, 4, 4)), 0, {}}};
   const CellMap left = *reduced(w, {{}, {}, Girth{2, 2, 0}, {}, {}}).cells;
   EXPECT_FALSE(left.at(5, 9));
   EXPECT_TRUE(left.at(15, 9));
@@ -314,30 +304,6 @@ TEST(Resample, RefusesFinerCellsAndOnesLargerThanTheMap) {
   EXPECT_THAT(complaint(w, {{}, 1.5, {}, {}, {}}), testing::HasSubstr("the map is only 2 m by 1 m"));
 }
 
-double to_segment(Point p, Point a, Point b) {
-  const double dx = b.x - a.x, dy = b.y - a.y, squared = dx * dx + dy * dy;
-  const double t = squared > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / squared, 0.0, 1.0) : 0;
-  return std::hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
-}
-
-double to_ring(Point p, const Ring& ring) {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < ring.size(); ++i)
-    nearest = std::min(nearest, to_segment(p, ring[i], ring[(i + 1) % ring.size()]));
-  return nearest;
-}
-
-int winding(Point p, const Ring& ring) {
-  int count = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point a = ring[i], b = ring[(i + 1) % ring.size()];
-    const double side = (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
-    if (a.y <= p.y && b.y > p.y && side > 0) ++count;
-    if (a.y > p.y && b.y <= p.y && side < 0) --count;
-  }
-  return count;
-}
-
 Ring random_ring(Random& random, Point middle, double reach) {
   Ring ring;
   for (int i = std::uniform_int_distribution(1, 7)(random); i > 0; --i)
@@ -360,14 +326,14 @@ TEST(Resample, ADrawingIsOccupiedWhereAnObstacleMeetsACellAndNowhereElse) {
     EXPECT_TRUE(drawn.obstacles.empty());
     for (int k = 0; k < 300; ++k) {
       const Point p{uniform(random, 0, 30), uniform(random, 0, 20)};
-      const auto cell = cell_at(*drawn.cells, p);
+      const auto cell = cell_at(*drawn.cells, CellFrame(*drawn.cells), p);
       if (!cell) continue;
       bool inside = false;
       double nearest = std::numeric_limits<double>::infinity();
       for (const Obstacle& o : w.obstacles) {
         inside = inside || (winding(p, o.outer) != 0 && (o.holes.empty() || winding(p, o.holes[0]) == 0));
-        nearest = std::min(nearest, to_ring(p, o.outer));
-        if (!o.holes.empty()) nearest = std::min(nearest, to_ring(p, o.holes[0]));
+        nearest = std::min(nearest, distance(p, o.outer));
+        if (!o.holes.empty()) nearest = std::min(nearest, distance(p, o.holes[0]));
       }
       if (inside) {
         EXPECT_TRUE(drawn.cells->occupied[*cell]) << round;
@@ -384,7 +350,7 @@ TEST(Crop, KeepsTheCellsThatTheBoxMeets) {
   for (int round = 0; round < 60; ++round) {
     const CellMap map = random_map(random);
     Workspace w = room(map);
-    const Point a = in_world(map, {map.columns / 2.0, map.rows / 2.0});
+    const Point a = CellFrame(map).world(map.columns / 2.0, map.rows / 2.0);
     w.min = {a.x - 100, a.y - 100};
     w.max = {a.x + 100, a.y + 100};
     const double reach = uniform(random, 1, 40) * map.resolution;
@@ -393,7 +359,8 @@ TEST(Crop, KeepsTheCellsThatTheBoxMeets) {
     EXPECT_LE(part.cells->occupied.size(), map.occupied.size());
     for (int k = 0; k < 100; ++k) {
       const Point p{uniform(random, part.min.x, part.max.x), uniform(random, part.min.y, part.max.y)};
-      const auto before = cell_at(map, p), after = cell_at(*part.cells, p);
+      const auto before = cell_at(map, CellFrame(map), p);
+      const auto after = cell_at(*part.cells, CellFrame(*part.cells), p);
       ASSERT_EQ(before.has_value(), after.has_value()) << round;
       if (before) {
         EXPECT_EQ(map.occupied[*before], part.cells->occupied[*after]) << round;
@@ -424,9 +391,9 @@ TEST(Corridor, KeepsWhatIsNearTheWayOnly) {
   const Ring way{{2.05, 1.05}, {4.82, 9.1}, {5.05, 9.25}, {5.28, 9.1}, {8, 1}};
   for (int row = 0; row < 100; ++row) {
     for (int column = 0; column < 100; ++column) {
-      const Point p = middle_in_world(map, cell_number(map, column, row));
+      const Point p = middle(map, CellFrame(map), cell_number(map, column, row));
       double nearest = std::numeric_limits<double>::infinity();
-      for (std::size_t i = 1; i < way.size(); ++i) nearest = std::min(nearest, to_segment(p, way[i - 1], way[i]));
+      for (std::size_t i = 1; i < way.size(); ++i) nearest = std::min(nearest, distance(p, way[i - 1], way[i]));
       if (nearest < 0.3 && !map.at(column, row)) {
         EXPECT_FALSE(result.at(column, row)) << p.x << ' ' << p.y;
       }
@@ -491,7 +458,7 @@ TEST(Girth, IsThatOfTheBodies) {
       Random random(7);
       for (int k = 0; k < 4000; ++k) {
         const Point p{uniform(random, -20, 20) * 0.5, uniform(random, -3, 3) * 0.5};
-        if (winding(p, body) != 0) widest = std::max(widest, to_ring(p, body));
+        if (winding(p, body) != 0) widest = std::max(widest, distance(p, body));
       }
       EXPECT_GE(girth.outer, widest) << name;
     }
