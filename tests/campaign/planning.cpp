@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "planning.hpp"
 
+#include <stdexcept>
+
 #include "krait/krait.hpp"
 
 namespace krait::campaign {
@@ -68,9 +70,10 @@ Planned plan(const Scene& scene, const Query& query) {
       return plan_with(Car(robot.chain), scene, query);
     case Model::unicycle:
       return plan_with(Unicycle(robot.unicycle), scene, query);
-    default:
+    case Model::diff_drive:
       return plan_with(DifferentialDrive(robot.drive), scene, query);
   }
+  throw std::logic_error("a model that nothing plans for");
 }
 
 }  // namespace krait::campaign

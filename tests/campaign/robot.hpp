@@ -27,7 +27,7 @@ struct Robot {
   DifferentialDriveParameters drive;
   std::vector<std::vector<Vec2>> own_bodies;  // one a body, in place of the boxes; or empty
 
-  bool is_chain() const { return model != Model::unicycle && model != Model::diff_drive; }
+  bool is_chain() const { return model == Model::snake || model == Model::truck || model == Model::car; }
   int trailers() const { return model == Model::snake || model == Model::truck ? chain.trailers : 0; }
   int bodies() const { return 1 + trailers(); }
 };

@@ -12,38 +12,6 @@
 namespace krait::test {
 namespace {
 
-float log_uniform(std::mt19937& random, double low, double high) {
-  return static_cast<float>(std::exp(wide(uniform_float(random, std::log(low), std::log(high)))));
-}
-
-template <class R>
-R random_robot(std::mt19937& random) {
-  if constexpr (std::is_base_of_v<Chain, R>) {
-    ChainParameters p;
-    p.trailers = static_cast<int>(below(random, 26));
-    p.wheelbase = log_uniform(random, 0.05, 5);
-    p.hitch_length = log_uniform(random, 0.05, 5);
-    p.max_speed = log_uniform(random, 0.05, 20);
-    p.min_speed = below(random, 2) == 0 ? 0.0F : -p.max_speed;
-    p.max_acceleration = log_uniform(random, 0.05, 50);
-    p.max_steering = log_uniform(random, 0.05, 1.5);
-    p.max_steering_rate = log_uniform(random, 0.05, 50);
-    return R(p);
-  } else if constexpr (std::is_same_v<R, Unicycle>) {
-    UnicycleParameters p;
-    p.max_speed = log_uniform(random, 0.05, 20);
-    p.max_turn_rate = log_uniform(random, 0.05, 50);
-    return R(p);
-  } else {
-    DifferentialDriveParameters p;
-    p.wheel_radius = log_uniform(random, 0.01, 1);
-    p.track_width = log_uniform(random, 0.05, 3);
-    p.max_wheel_speed = log_uniform(random, 0.5, 200);
-    p.max_wheel_acceleration = log_uniform(random, 0.5, 2000);
-    return R(p);
-  }
-}
-
 struct Errors {
   double angle = 0;     // radians
   double position = 0;  // of the way of a time step
@@ -53,12 +21,6 @@ struct Errors {
     position = std::max(position, std::hypot(truth[0] - s[0], truth[1] - s[1]) / way);
   }
 };
-
-double largest_speed(const Chain& robot) { return wide(robot.parameters().max_speed); }
-double largest_speed(const Unicycle& robot) { return wide(robot.parameters().max_speed); }
-double largest_speed(const DifferentialDrive& robot) {
-  return wide(robot.parameters().wheel_radius) * wide(robot.parameters().max_wheel_speed);
-}
 
 template <class R>
 class IntegrationOf : public ::testing::Test {

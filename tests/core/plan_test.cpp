@@ -16,40 +16,6 @@
 namespace krait::test {
 namespace {
 
-template <class R>
-R small_robot();
-template <>
-Snake small_robot<Snake>() {
-  ChainParameters p;
-  p.trailers = 3;
-  p.body_length = 0.4F;
-  p.body_width = 0.3F;
-  p.wheelbase = 0.4F;
-  p.hitch_length = 0.45F;
-  return Snake(p);
-}
-template <>
-Truck small_robot<Truck>() {
-  ChainParameters p = small_robot<Snake>().parameters();
-  p.trailers = 1;
-  p.min_speed = -0.5F;
-  return Truck(p);
-}
-template <>
-Car small_robot<Car>() {
-  ChainParameters p = small_robot<Snake>().parameters();
-  p.body_length = 0.6F;
-  return Car(p);
-}
-template <>
-Unicycle small_robot<Unicycle>() {
-  return small_unicycle();
-}
-template <>
-DifferentialDrive small_robot<DifferentialDrive>() {
-  return DifferentialDrive({});
-}
-
 // FNV-1a of 64 bits over bytes, from its description.
 class Fnv {
  public:

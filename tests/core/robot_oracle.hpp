@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The robots' dynamics and placement in double precision, written from the formulas of lib/DESIGN.md, and instances,
-// random states and controls of every model for typed tests.
+// The robots' dynamics and placement in double precision, written from the formulas of lib/DESIGN.md, and all that
+// typed tests need of every model: instances, random states and controls.
 #pragma once
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -135,6 +136,82 @@ inline std::vector<DifferentialDrive> instances<DifferentialDrive>() {
   wide_track.track_width = 1.2F;
   wide_track.wheel_radius = 0.2F;
   return {DifferentialDrive({}), DifferentialDrive(wide_track)};
+}
+
+// A robot that fits through a door of 2 m.
+template <class R>
+R small_robot();
+template <>
+inline Snake small_robot<Snake>() {
+  ChainParameters p;
+  p.trailers = 3;
+  p.body_length = 0.4F;
+  p.body_width = 0.3F;
+  p.wheelbase = 0.4F;
+  p.hitch_length = 0.45F;
+  return Snake(p);
+}
+template <>
+inline Truck small_robot<Truck>() {
+  ChainParameters p = small_robot<Snake>().parameters();
+  p.trailers = 1;
+  p.min_speed = -0.5F;
+  return Truck(p);
+}
+template <>
+inline Car small_robot<Car>() {
+  ChainParameters p = small_robot<Snake>().parameters();
+  p.body_length = 0.6F;
+  return Car(p);
+}
+template <>
+inline Unicycle small_robot<Unicycle>() {
+  return Unicycle({});
+}
+template <>
+inline DifferentialDrive small_robot<DifferentialDrive>() {
+  return DifferentialDrive({});
+}
+
+inline float log_uniform(std::mt19937& random, double low, double high) {
+  return static_cast<float>(std::exp(wide(uniform_float(random, std::log(low), std::log(high)))));
+}
+
+// A robot of any parameters that matter to its motion.
+template <class R>
+R random_robot(std::mt19937& random) {
+  if constexpr (std::is_base_of_v<Chain, R>) {
+    ChainParameters p;
+    p.trailers = static_cast<int>(below(random, 26));
+    p.wheelbase = log_uniform(random, 0.05, 5);
+    p.hitch_length = log_uniform(random, 0.05, 5);
+    p.max_speed = log_uniform(random, 0.05, 20);
+    p.min_speed = below(random, 2) == 0 ? 0.0F : -p.max_speed;
+    p.max_acceleration = log_uniform(random, 0.05, 50);
+    p.max_steering = log_uniform(random, 0.05, 1.5);
+    p.max_steering_rate = log_uniform(random, 0.05, 50);
+    return R(p);
+  } else if constexpr (std::is_same_v<R, Unicycle>) {
+    UnicycleParameters p;
+    p.max_speed = log_uniform(random, 0.05, 20);
+    p.max_turn_rate = log_uniform(random, 0.05, 50);
+    return R(p);
+  } else {
+    static_assert(std::is_same_v<R, DifferentialDrive>);
+    DifferentialDriveParameters p;
+    p.wheel_radius = log_uniform(random, 0.01, 1);
+    p.track_width = log_uniform(random, 0.05, 3);
+    p.max_wheel_speed = log_uniform(random, 0.5, 200);
+    p.max_wheel_acceleration = log_uniform(random, 0.5, 2000);
+    return R(p);
+  }
+}
+
+// Metres a second, of the position.
+inline double largest_speed(const Chain& robot) { return wide(robot.parameters().max_speed); }
+inline double largest_speed(const Unicycle& robot) { return wide(robot.parameters().max_speed); }
+inline double largest_speed(const DifferentialDrive& robot) {
+  return wide(robot.parameters().wheel_radius) * wide(robot.parameters().max_wheel_speed);
 }
 
 using Models = ::testing::Types<Snake, Truck, Car, Unicycle, DifferentialDrive>;

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <limits>
 
+#include "host/rivals/plain.hpp"
 #include "krait/robots/defaults.hpp"
 #include "planner_fixture.hpp"
 #include "robot/shape.hpp"
-#include "search/adaptive_search.hpp"
 
 namespace krait::test {
 namespace {
@@ -235,11 +235,6 @@ std::vector<Lie> every_lie() {
   return lies;
 }
 
-// Without shortcuts, which ask a robot for less.
-struct PlainSearch : detail::AdaptiveSearch {
-  PlainSearch() { shortcuts_ = false; }
-};
-
 // The way to the goal leads past x = 5 m, on which side of the door there is room.
 template <class P>
 void expect_no_plan_through(Lie lie, bool continuous) {
@@ -263,7 +258,7 @@ class LyingTrain : public ::testing::TestWithParam<Lie> {};
 TEST_P(LyingTrain, GetsNoPlanThroughItsLie) {
   for (const bool continuous : {true, false}) {
     expect_no_plan_through<Planner>(GetParam(), continuous);
-    expect_no_plan_through<PlainSearch>(GetParam(), continuous);
+    expect_no_plan_through<rivals::PlainPlanner>(GetParam(), continuous);
   }
 }
 
