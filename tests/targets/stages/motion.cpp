@@ -114,28 +114,14 @@ void driving(const firmware::Board& board, const char* name, const R& robot) {
   report(board, {"drive", name}, hash);
 }
 
-template <RobotModel R>
-void all(const firmware::Board& board, const char* name, const R& robot) {
-  runge_kutta(board, name, robot);
-  steering(board, name, robot);
-  driving(board, name, robot);
-}
-
 }  // namespace
 
 void motion(const firmware::Board& board) {
-  static const Snake long_snake = snake(15);
-  static const Snake short_snake = snake(5);
-  static const Truck towing = truck(2);
-  static const Car car(Car::defaults());
-  static const Unicycle unicycle{UnicycleParameters{}};
-  static const DifferentialDrive drive{DifferentialDriveParameters{}};
-  all(board, "unicycle", unicycle);
-  all(board, "diff_drive", drive);
-  all(board, "car", car);
-  all(board, "truck:2", towing);
-  all(board, "snake:5", short_snake);
-  all(board, "snake:15", long_snake);
+  for_each_robot([&](const char* name, const auto& robot) {
+    runge_kutta(board, name, robot);
+    steering(board, name, robot);
+    driving(board, name, robot);
+  });
 }
 
 }  // namespace krait::stages

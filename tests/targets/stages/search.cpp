@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Whole searches: every state that was ever placed, in order, then the counts and the plan.
+#include <optional>
+
 #include "krait/krait.hpp"
 #include "krait/robots/defaults.hpp"
 #include "stages.hpp"
@@ -45,8 +47,10 @@ void add_plan(const Plan& plan, Hash& hash) {
 }
 
 template <RobotModel R>
-void search(const firmware::Board& board, const Scene& scene, const char* name, const Witness<R>& robot) {
+void search(const firmware::Board& board, const Scene& scene, const char* name, const R& watched) {
   static Planner planner;
+  static std::optional<Witness<R>> witness;
+  const Witness<R>& robot = witness.emplace(watched);
   Hash tree;
   Hash plan;
   float start[R::kMaxState];
@@ -69,18 +73,7 @@ void search(const firmware::Board& board, const Scene& scene, const char* name, 
 }  // namespace
 
 void searches(const firmware::Board& board, const Scene& scene) {
-  static const Witness long_snake{snake(15)};
-  static const Witness short_snake{snake(5)};
-  static const Witness towing{truck(2)};
-  static const Witness car{Car(Car::defaults())};
-  static const Witness unicycle{Unicycle(UnicycleParameters{})};
-  static const Witness drive{DifferentialDrive(DifferentialDriveParameters{})};
-  search(board, scene, "unicycle", unicycle);
-  search(board, scene, "diff_drive", drive);
-  search(board, scene, "car", car);
-  search(board, scene, "truck:2", towing);
-  search(board, scene, "snake:5", short_snake);
-  search(board, scene, "snake:15", long_snake);
+  for_each_robot([&](const char* name, const auto& robot) { search(board, scene, name, robot); });
 }
 
 }  // namespace krait::stages

@@ -58,16 +58,28 @@ inline Vec2 random_in(const Box& box, detail::Random& random) {
   return {box.min.x + u * (box.max.x - box.min.x), box.min.y + v * (box.max.y - box.min.y)};
 }
 
-inline Snake snake(int trailers) {
+template <class R>
+R with_trailers(int trailers) {
   ChainParameters parameters;
   parameters.trailers = trailers;
-  return Snake(parameters);
+  return R(parameters);
 }
 
-inline Truck truck(int trailers) {
-  ChainParameters parameters;
-  parameters.trailers = trailers;
-  return Truck(parameters);
+// Calls visit(name, robot) for the robots that move and search in the stages; they stay.
+template <class Visit>
+void for_each_robot(Visit visit) {
+  static const Unicycle unicycle{UnicycleParameters{}};
+  static const DifferentialDrive drive{DifferentialDriveParameters{}};
+  static const Car car(Car::defaults());
+  static const Truck towing = with_trailers<Truck>(2);
+  static const Snake short_snake = with_trailers<Snake>(5);
+  static const Snake long_snake = with_trailers<Snake>(15);
+  visit("unicycle", unicycle);
+  visit("diff_drive", drive);
+  visit("car", car);
+  visit("truck:2", towing);
+  visit("snake:5", short_snake);
+  visit("snake:15", long_snake);
 }
 
 }  // namespace krait::stages
