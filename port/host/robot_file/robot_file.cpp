@@ -98,6 +98,12 @@ std::string known_models() {
   return names;
 }
 
+const Model& known_model(const std::string& name) {
+  const Model* model = find_model(name);
+  if (model != nullptr) return *model;
+  throw InputError("unknown robot model \"" + name + "\"; known are " + known_models());
+}
+
 const Model& model_of(const RobotSpec& robot) {
   const Model* model = find_model(robot.model);
   if (model != nullptr) return *model;
@@ -266,11 +272,12 @@ std::vector<std::string> robot_models() {
   return names;
 }
 
+int most_links(const std::string& model) { return known_model(model).most_links; }
+
 std::vector<std::pair<std::string, double>> default_parameters(const std::string& model) {
-  const Model* known = find_model(model);
-  if (known == nullptr) throw InputError("unknown robot model \"" + model + "\"; known are " + known_models());
   std::vector<std::pair<std::string, double>> defaults;
-  for (const Parameter& parameter : known->parameters) defaults.emplace_back(parameter.name, parameter.normal);
+  for (const Parameter& parameter : known_model(model).parameters)
+    defaults.emplace_back(parameter.name, parameter.normal);
   return defaults;
 }
 

@@ -47,6 +47,9 @@ std::string model_forms(const std::string& between, const std::string& about_tra
 // The names of the models, in the order of the documentation.
 std::vector<std::string> robot_models();
 
+// The most trailers of a model. Throws InputError if it is unknown.
+int most_links(const std::string& model);
+
 // The names and defaults of a model's parameters, in the order of the documentation. Throws InputError if unknown.
 std::vector<std::pair<std::string, double>> default_parameters(const std::string& model);
 

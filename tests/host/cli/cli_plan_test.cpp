@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "host/cli/program.hpp"
+#include "host/every_robot.hpp"
 #include "host/robot_file/robot_file.hpp"
 
 namespace krait::host {
@@ -153,7 +154,7 @@ TEST_F(CliPlan, HasTheStatisticsOfTheFormat) {
 }
 
 TEST_F(CliPlan, HashIsThatOfTheNumbersInTheFile) {
-  for (const char* robot : {"snake:15", "truck:2", "car", "unicycle", "diff_drive"}) {
+  for (const std::string& robot : every_robot(2)) {
     const ordered_json plan = this->plan({"--robot", robot});
     const std::string hash = plan.at("statistics").at("hash");
     EXPECT_THAT(hash, testing::MatchesRegex("[0-9a-f]{16}"));
@@ -168,7 +169,7 @@ TEST_F(CliPlan, IsTheSameTwice) {
 }
 
 TEST_F(CliPlan, ImprovesAndSaysSo) {
-  for (const char* robot : {"truck:2", "car", "unicycle", "diff_drive"}) {
+  for (const std::string& robot : every_robot(2)) {
     const ordered_json first = plan({"--robot", robot, "--seed", "3"});
     const ordered_json better = plan({"--robot", robot, "--seed", "3", "--improve", "10"});
     const ordered_json& s = better.at("statistics");

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "../every_robot.hpp"
 #include "host/compiler/compiler.hpp"
 #include "host/run/session.hpp"
 #include "host/scenes/scenes.hpp"
@@ -62,7 +63,7 @@ double median_vertices(const std::string& scene, const std::string& robot, doubl
   return vertices[kSeeds / 2];
 }
 
-class Similarity : public ::testing::TestWithParam<const char*> {};
+class Similarity : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Similarity, SearchesCostTheSameAtEverySize) {
   const double vertices = median_vertices("rooms", GetParam(), 1);
@@ -71,12 +72,11 @@ TEST_P(Similarity, SearchesCostTheSameAtEverySize) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, Similarity, ::testing::Values("car", "snake:5", "truck:2", "unicycle", "diff_drive"),
-                         [](const auto& robot) {
-                           std::string name = robot.param;
-                           std::replace(name.begin(), name.end(), ':', '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Robots, Similarity, ::testing::ValuesIn(every_robot(3)), [](const auto& robot) {
+  std::string name = robot.param;
+  std::replace(name.begin(), name.end(), ':', '_');
+  return name;
+});
 
 }  // namespace
 }  // namespace krait::host

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cstdio>
 
+#include "../every_robot.hpp"
 #include "../scratch.hpp"
 #include "host/input/file.hpp"
 #include "host/robot_file/robot_file.hpp"
@@ -15,6 +16,7 @@ namespace {
 using testing::AnyOf;
 using testing::HasSubstr;
 using testing::Pair;
+using testing::StartsWith;
 using testing::UnorderedElementsAre;
 
 std::string parse_error(const std::string& text) {
@@ -54,13 +56,25 @@ std::string row_of(const std::string& model, const std::string& parameter, doubl
 }
 
 TEST(Robot, EveryModelHasAPageWithItsParameters) {
-  for (const std::string& model : robot_models()) {
-    const std::string page = page_of(model);
-    EXPECT_THAT(page, testing::StartsWith("# " + model + ": "));
-    const RobotSpec robot = parse_robot(model == "snake" || model == "truck" ? model + ":1" : model);
+  for (const std::string& name : every_robot(1)) {
+    const RobotSpec robot = parse_robot(name);
+    const std::string page = page_of(robot.model);
+    EXPECT_THAT(page, StartsWith("# " + robot.model + ": "));
     for (const std::string& parameter : own_parameters(robot)) {
-      const std::string row = row_of(model, parameter, robot.parameters.at(parameter));
+      const std::string row = row_of(robot.model, parameter, robot.parameters.at(parameter));
       EXPECT_THAT(page, AnyOf(HasSubstr(row + " |\n"), HasSubstr(row + "; ")));
+    }
+  }
+}
+
+TEST(Robot, EveryParameterHasAUnitAndARangeAroundItsDefault) {
+  for (const std::string& model : robot_models()) {
+    for (const auto& [parameter, normal] : default_parameters(model)) {
+      const auto [least, most] = range_of(model, parameter);
+      EXPECT_NE(unit_of(model, parameter), "") << model << " " << parameter;
+      EXPECT_LT(least, most) << model << " " << parameter;
+      EXPECT_GE(normal, least) << model << " " << parameter;
+      EXPECT_LE(normal, most) << model << " " << parameter;
     }
   }
 }
@@ -176,7 +190,7 @@ TEST(Robot, UnknownKeysAndMissingLinksAreErrors) {
 }
 
 TEST(Robot, JsonReadsBackTheSameRobot) {
-  for (const char* text : {"snake:3", "truck:0", "car", "unicycle", "diff_drive"}) {
+  for (const std::string& text : every_robot(3)) {
     const RobotSpec robot = parse_robot(text);
     const RobotSpec copy = read(to_json(robot).dump());
     EXPECT_EQ(copy.model, robot.model);

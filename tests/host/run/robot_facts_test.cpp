@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "../every_robot.hpp"
 #include "../scratch.hpp"
 #include "host/robot_file/shipped.hpp"
 #include "host/run/robots.hpp"
@@ -63,8 +64,9 @@ TEST(RobotFacts, WhatTurnsOnTheSpotSweepsADisc) {
 // Whatever a ROBOT.json may say is within the library's ranges; no more of the two angles that have an end there.
 TEST(RobotFacts, TheCoreTakesEveryParameterOfItsRange) {
   const auto sound = [](const RobotSpec& robot) { return CoreRobot(robot).view().sound(); };
-  for (const std::string& model : robot_models()) {
-    const RobotSpec robot = parse_robot(model == "snake" || model == "truck" ? model + ":1" : model);
+  for (const std::string& text : every_robot(1)) {
+    const RobotSpec robot = parse_robot(text);
+    const std::string& model = robot.model;
     for (const auto& [name, normal] : default_parameters(model)) {
       const auto [least, most] = range_of(model, name);
       EXPECT_TRUE(sound(with(robot, {{name.c_str(), least}}))) << model << " " << name;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,8 @@ inline Ring rectangle(double min_x, double min_y, double max_x, double max_y) {
   return {{min_x, min_y}, {max_x, min_y}, {max_x, max_y}, {min_x, max_y}};
 }
 
+inline bool has_front_axle(const std::string& model) { return model == "snake" || model == "truck" || model == "car"; }
+
 inline RobotSpec robot(const std::string& model, int links = 0) {
   RobotSpec spec;
   spec.model = model;
@@ -28,14 +31,26 @@ inline RobotSpec robot(const std::string& model, int links = 0) {
   } else if (model == "diff_drive") {
     spec.parameters = {{"body_length", 0.7}, {"body_width", 0.5},       {"wheel_radius", 0.1},
                        {"track_width", 0.4}, {"max_wheel_speed", 20.0}, {"max_wheel_acceleration", 10.0}};
-  } else {
+  } else if (has_front_axle(model)) {
     spec.parameters = {{"body_length", 0.7},      {"body_width", 0.5},        {"wheelbase", 0.8},
                        {"hitch_length", 0.8},     {"max_speed", 2.5},         {"max_steering", 1.0},
                        {"max_acceleration", 5.0}, {"max_steering_rate", 4.0}, {"self_collision_gap", 4.0},
                        {"max_hitch_angle", 1.5},  {"min_speed", 0.0}};
+  } else {
+    throw std::logic_error("no equations of a " + model);
   }
   spec.bodies.assign(static_cast<std::size_t>(links) + 1, rectangle(-0.35, -0.25, 0.35, 0.25));
   return spec;
+}
+
+// One of every model; where it may have trailers, one without and one with so many.
+inline std::vector<RobotSpec> every_robot(int trailers) {
+  std::vector<RobotSpec> robots;
+  for (const std::string& model : robot_models()) {
+    robots.push_back(robot(model));
+    if (most_links(model) > 0) robots.push_back(robot(model, trailers));
+  }
+  return robots;
 }
 
 // Speed of the point, direction of the heading and turn rate are passed from the axle ahead to the one behind.

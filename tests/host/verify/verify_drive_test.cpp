@@ -55,11 +55,9 @@ RobotSpec small(const std::string& model, int links) {
 
 std::vector<DriveCase> drive_cases() {
   std::vector<DriveCase> all;
-  const std::vector<RobotSpec> robots{robot("snake", 0), robot("snake", 15), robot("truck", 2),
-                                      robot("car"),      robot("unicycle"),  robot("diff_drive")};
   for (const double dt : {0.001, 0.1, 1.0}) {
     const std::string millis = std::to_string(std::lround(dt * 1000)) + "ms";
-    for (const RobotSpec& spec : robots) {
+    for (const RobotSpec& spec : every_robot(15)) {
       all.push_back({spec.model + std::to_string(spec.links) + "_" + millis, spec, 2, dt, 20 * dt});
     }
     for (const char* model : {"snake", "truck"}) {

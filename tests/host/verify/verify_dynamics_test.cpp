@@ -26,8 +26,7 @@ Point turned(const Point& p, double angle) {
 
 TEST(Dynamics, DoNotDependOnTheDirectionOfTheAxes) {
   std::mt19937 generator(1);
-  for (const RobotSpec& spec : {robot("snake", 0), robot("snake", 15), robot("truck", 3), robot("car"),
-                                robot("unicycle"), robot("diff_drive")}) {
+  for (const RobotSpec& spec : every_robot(15)) {
     const Dynamics dynamics(spec);
     const State state = random_state(dynamics, generator);
     const Control control{0.7, 0.4};

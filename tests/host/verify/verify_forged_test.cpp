@@ -43,10 +43,7 @@ struct Draw {
 std::vector<Draw> draws() {
   std::vector<Draw> all;
   for (unsigned seed = 1; seed <= 3; ++seed) {
-    for (const auto& [model, links] : std::vector<std::pair<std::string, int>>{
-             {"snake", 0}, {"snake", 4}, {"truck", 2}, {"car", 0}, {"unicycle", 0}, {"diff_drive", 0}}) {
-      all.push_back({model, links, seed});
-    }
+    for (const RobotSpec& spec : every_robot(4)) all.push_back({spec.model, spec.links, seed});
   }
   return all;
 }

@@ -59,20 +59,12 @@ void occupy(CellMap& map, int column, int row) {
   map.occupied[static_cast<std::size_t>(row * map.columns + column)] = 1;
 }
 
-struct ModelCase {
-  std::string model;
-  int links;
-};
-
-class EveryModel : public ::testing::TestWithParam<ModelCase> {
+class EveryModel : public ::testing::TestWithParam<RobotSpec> {
  protected:
   Case arc_case() const { return arc(GetParam().model, GetParam().links); }
 };
 
-INSTANTIATE_TEST_SUITE_P(Models, EveryModel,
-                         ::testing::Values(ModelCase{"snake", 0}, ModelCase{"snake", 3}, ModelCase{"snake", 15},
-                                           ModelCase{"truck", 2}, ModelCase{"car", 0}, ModelCase{"unicycle", 0},
-                                           ModelCase{"diff_drive", 0}),
+INSTANTIATE_TEST_SUITE_P(Models, EveryModel, ::testing::ValuesIn(every_robot(3)),
                          [](const auto& chosen) { return chosen.param.model + std::to_string(chosen.param.links); });
 
 TEST_P(EveryModel, ASoundPlanHolds) {
