@@ -13,7 +13,7 @@ namespace {
 constexpr const char* kAbout =
     "Plans collision-free, dynamically feasible motions for mobile robots.\n\n"
     "A first plan:\n"
-    "  krait scene openings -o openings.json      (or your own map: ROS map_server YAML, GeoJSON, SVG, JSON)\n"
+    "  krait scene openings -o openings.json      (or your own map: krait compile --help)\n"
     "  krait compile openings.json -o openings.krait\n"
     "  krait plan openings.krait --robot snake:15 -o plan.json --html plan.html\n"
     "  krait verify openings.json plan.json --robot snake:15\n"

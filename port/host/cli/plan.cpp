@@ -358,11 +358,10 @@ void add_plan(CLI::App& app, const char* program) {
   const Parameters defaults;
   CLI::App* command = app.add_subcommand("plan", "find a plan in a map or scene, check it, write it and draw it");
   command
-      ->add_option(
-          "SCENE", o->scene,
-          "a map or drawing as for krait compile (JSON, GeoJSON, SVG, map_server YAML, MovingAI .map, dynobench YAML, "
-          "TPCAP\n"
-          "CSV), which is compiled and which the plan is checked against; or a .krait file, from krait compile")
+      ->add_option("SCENE", o->scene,
+                   "a .krait file, from krait compile; or a map or drawing, which is compiled and which the plan is\n"
+                   "checked against:\n" +
+                       map_formats())
       ->required();
   o->query.add(*command);
   o->map.add(*command);

@@ -83,9 +83,7 @@ int main(int argc, char** argv) {
       "coordinates. Exit code 0: done; 2: bad input, one line on standard error says what and where.",
       "krait-compile");
   Arguments arguments;
-  app.add_option("INPUT", arguments.input,
-                 "native JSON, GeoJSON, SVG, map_server YAML, MovingAI .map, dynobench YAML, TPCAP CSV")
-      ->required();
+  app.add_option("INPUT", arguments.input, map_formats())->required();
   app.add_option("-o,--output", arguments.output, "the scene file to write")->required();
   app.add_option("--start", arguments.start, "X,Y,HEADING: a start named 'start', in place of the file's");
   app.add_option("--goal", arguments.goal, "X,Y,RADIUS: a further goal named 'goal', inside this disc");

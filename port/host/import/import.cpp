@@ -33,9 +33,7 @@ const Format* by_name(const std::string& path) {
 }
 
 [[noreturn]] void refuse(const Source& source) {
-  std::string names;
-  for (const Format* format : kFormats) names += (names.empty() ? "" : ", ") + std::string(format->name);
-  throw InputError(source.path + ": is in no known format; known are " + names);
+  throw InputError(source.path + ": is in no known format; known are " + kSceneFile.name + ", " + map_formats());
 }
 
 // Two formats may have one extension.
@@ -46,6 +44,14 @@ void warn_of_name(const Source& source, const Format& format, Workspace& workspa
 }
 
 }  // namespace
+
+std::string map_formats() {
+  std::string names;
+  for (const Format* format : kFormats) {
+    if (format != &kSceneFile) names += (names.empty() ? "" : ", ") + std::string(format->name);
+  }
+  return names;
+}
 
 Workspace read_workspace(const Source& source, const ImportOptions& options) {
   if (const auto what = mistaken(source)) throw InputError(source.path + ": " + *what);

@@ -36,8 +36,11 @@ struct ImportOptions {
 // "11.57,48.14", longitude before latitude. Throws InputError that names --datum.
 LonLat parse_datum(const std::string& text);
 
-// Chooses the format by content, or by name where the content fits none: compiled scene, SVG, GeoJSON, native JSON, ROS
-// map_server YAML, MovingAI .map, dynobench YAML, TPCAP case. Throws InputError.
+// The names of the formats of maps and drawings, for --help: "SVG, GeoJSON".
+std::string map_formats();
+
+// Chooses the format by content, or by name where the content fits none: one of map_formats(), or a compiled scene.
+// Throws InputError.
 Workspace import_workspace(const std::string& path, const ImportOptions& options);
 
 }  // namespace krait::host

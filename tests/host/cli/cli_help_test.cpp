@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The help teaches: every option of every command, the robots' defaults, what the exit codes mean.
 #include "host/cli/program.hpp"
+#include "host/import/import.hpp"
+#include "host/robot_file/robot_file.hpp"
 
 namespace krait::host {
 namespace {
@@ -40,25 +42,31 @@ TEST_F(CliHelp, ShowsAFirstPlanThatWorks) {
 }
 
 TEST_F(CliHelp, TeachesCompile) {
-  expect_all(help({"compile"}),
-             {"INPUT", "-o", "--start", "X,Y,HEADING", "--goal", "X,Y,RADIUS", "--unknown", "free", "occupied", "map",
-              "--tolerance", "map_server", "MovingAI", "JSON", "GeoJSON", "SVG", "TPCAP", "--unit", "--datum"});
+  expect_all(help({"compile"}), {"INPUT", "-o", "--start", "X,Y,HEADING", "--goal", "X,Y,RADIUS", "--unknown", "free",
+                                 "occupied", "map", "--tolerance", "--unit", "--datum"});
+}
+
+TEST_F(CliHelp, NamesEveryFormatWhereAMapIsRead) {
+  const std::string formats = map_formats();
+  expect_all(formats, {"map_server", "MovingAI", "dynobench", "JSON", "GeoJSON", "SVG", "TPCAP"});
+  EXPECT_THAT(help({"compile"}), HasSubstr(formats));
+  EXPECT_THAT(help({"plan"}), HasSubstr(formats));
 }
 
 TEST_F(CliHelp, TeachesPlan) {
-  expect_all(help({"plan"}),
-             {"SCENE",       "--robot",   "snake:N",     "truck:N",      "car",          "unicycle",  "diff_drive",
-              "ROBOT.json",  "--planner", "adaptive",    "--seed",       "--start",      "--goal",    "NAME",
-              "X,Y,RADIUS",  "--memory",  "64M",         "--iterations", "--time-limit", "--alpha",   "--beta",
-              "--gamma",     "--kappa",   "--clearance", "--paper",      "-o",           "--csv",     "--svg",
-              "map_server",  "MovingAI",  "dynobench",   "GeoJSON",      "--unit",       "--datum",   "--unknown",
-              "--tolerance", "--png",     "--html",      "no_route",     "budget_used",  "tree_full", "time_used"});
+  expect_all(
+      help({"plan"}),
+      {"SCENE",     "--robot",      "snake:N",      "truck:N",     "car",       "unicycle", "diff_drive", "ROBOT.json",
+       "--planner", "adaptive",     "--seed",       "--start",     "--goal",    "NAME",     "X,Y,RADIUS", "--memory",
+       "64M",       "--iterations", "--time-limit", "--alpha",     "--beta",    "--gamma",  "--kappa",    "--clearance",
+       "--paper",   "-o",           "--csv",        "--svg",       "--unit",    "--datum",  "--unknown",  "--tolerance",
+       "--png",     "--html",       "no_route",     "budget_used", "tree_full", "time_used"});
 }
 
 TEST_F(CliHelp, ListsTheDefaultsOfEveryRobot) {
   const std::string text = help({"plan"});
-  for (const char* model : {"snake", "truck", "car", "unicycle", "diff_drive"}) {
-    EXPECT_THAT(text, HasSubstr(std::string(model) + ": body_length")) << model;
+  for (const std::string& model : robot_models()) {
+    EXPECT_THAT(text, HasSubstr(model + ": body_length")) << model;
   }
   expect_all(text,
              {"body_width 0.5", "wheelbase 0.8", "hitch_length 0.8", "max_speed 2.5", "max_steering 1",
