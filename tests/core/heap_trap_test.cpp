@@ -118,28 +118,14 @@ void expect_no_heap(const R& robot, const std::vector<float>& start) {
 }
 
 TEST_F(HeapTrap, NoRobotPlansWithTheHeap) {
-  ChainParameters p;
-  p.trailers = 2;
-  p.body_length = 0.4F;
-  p.body_width = 0.3F;
-  p.wheelbase = 0.4F;
-  p.hitch_length = 0.45F;
-  expect_no_heap(Snake(p), {2, 6, 0, 0, 0, 0, 0});
-  expect_no_heap(Car(p), {2, 6, 0, 0, 0});
+  expect_no_heap(Snake(small_chain(2)), {2, 6, 0, 0, 0, 0, 0});
+  expect_no_heap(Car(small_chain(0)), {2, 6, 0, 0, 0});
   expect_no_heap(small_unicycle(), {2, 6, 0});
   expect_no_heap(DifferentialDrive({}), {2, 6, 0, 0, 0});
   expect_no_heap(Slider(0.5F, 1.5F), {2, 6});
 }
 
-TEST_F(HeapTrap, TruckPlansWithoutTheHeap) {
-  ChainParameters p;
-  p.trailers = 1;
-  p.body_length = 0.4F;
-  p.body_width = 0.3F;
-  p.wheelbase = 0.4F;
-  p.hitch_length = 0.45F;
-  expect_no_heap(Truck(p), {2, 6, 0, 0, 0, 0});
-}
+TEST_F(HeapTrap, TruckPlansWithoutTheHeap) { expect_no_heap(Truck(small_chain(1)), {2, 6, 0, 0, 0, 0}); }
 
 }  // namespace
 }  // namespace krait::test

@@ -102,13 +102,7 @@ void expect_independent_of_cuts(const R& robot) {
 TEST(ImproveCalls, ThePlanDoesNotDependOnHowTheyAreCut) {
   expect_independent_of_cuts(small_car());
   expect_independent_of_cuts(small_unicycle());
-  ChainParameters p;
-  p.trailers = 2;
-  p.body_length = 0.4F;
-  p.body_width = 0.3F;
-  p.wheelbase = 0.4F;
-  p.hitch_length = 0.45F;
-  expect_independent_of_cuts(Truck(p));
+  expect_independent_of_cuts(Truck(small_chain(2)));
 }
 
 // A planner that has improved before is as a fresh one.

@@ -229,12 +229,8 @@ TEST(PlanDriveOfWhirl, IsNotGivenOutWhereItMissesOrCollides) {
 // Hitches of the tree stay 2 mrad away from their limit, although many come near: what drives a little beside the tree
 // keeps the limit itself.
 TEST(PlanDriveOfHitches, HasRoomBetweenTheTreeAndTheLimit) {
-  ChainParameters p;
-  p.trailers = 3;
+  ChainParameters p = small_chain(3);
   p.hitch_length = 0.5F;
-  p.body_length = 0.4F;
-  p.body_width = 0.3F;
-  p.wheelbase = 0.4F;
   p.max_hitch_angle = 0.1F;
   Bench<Snake> bench(two_rooms(), Snake(p));
   bench.parameters.tuning.doomed_steps = 0;

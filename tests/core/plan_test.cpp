@@ -37,9 +37,7 @@ template <class R>
 class PlanOf : public ::testing::Test {
  protected:
   void SetUp() override {
-    start_ = std::vector<float>(static_cast<std::size_t>(bench_.robot.state_size()), 0.0F);
-    start_[0] = 2;
-    start_[1] = 6;
+    start_ = standing(bench_.robot, {2, 6});
     ASSERT_TRUE(bench_.init().ok());
     ASSERT_EQ(bench_.solve({start_.data()}), Status::solved);
     plan_ = bench_.planner.plan();

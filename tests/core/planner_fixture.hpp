@@ -49,6 +49,22 @@ struct Bench {
   P planner;
 };
 
+// Searches in a block amid other memory, of which nothing may change.
+template <class R, class P>
+void expect_nothing_written_outside(Bench<R, P>& bench, const float* start) {
+  constexpr std::uint64_t kPattern = 0x5151515151515151ULL;
+  constexpr std::size_t kAround = 32;
+  const std::uint64_t needed = P::bytes_required(bench.open.scene, bench.robot, bench.limits);
+  std::vector<std::uint64_t> memory(needed / 8 + 2 * kAround, kPattern);
+  const Setup setup{memory.data() + kAround, needed, &bench.open.scene, bench.robot};
+  ASSERT_TRUE(bench.planner.init(setup, bench.parameters, bench.limits).ok());
+  for (const std::uint64_t seed : {1U, 2U, 3U}) bench.solve({start, Goal::named(0), seed});
+  for (std::size_t i = 0; i < kAround; ++i) {
+    ASSERT_EQ(memory[i], kPattern);
+    ASSERT_EQ(memory[kAround + needed / 8 + i], kPattern);
+  }
+}
+
 // A plan's states and controls, by its cursor.
 struct Path {
   explicit Path(const Plan& plan) {
@@ -62,6 +78,15 @@ struct Path {
 
   std::vector<std::vector<float>> states, controls;
 };
+
+// A state in which all but the position is zero.
+template <class R>
+std::vector<float> standing(const R& robot, Vec2 at) {
+  std::vector<float> state(static_cast<std::size_t>(robot.state_size()), 0.0F);
+  state[0] = at.x;
+  state[1] = at.y;
+  return state;
+}
 
 inline Unicycle small_unicycle() {
   UnicycleParameters p;

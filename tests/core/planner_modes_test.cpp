@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "planner_fixture.hpp"
+#include "robot_oracle.hpp"
 #include "search/adaptive_search.hpp"
 #include "step_oracle.hpp"
 
@@ -54,12 +55,7 @@ TEST(PlannerModes, WithoutPruningADoorTooNarrowIsTriedInVain) {
 }
 
 TEST(PlannerPaper, PlansThroughFreeStatesWithinTheLimits) {
-  ChainParameters p;
-  p.trailers = 2;
-  p.body_length = 0.4F;
-  p.body_width = 0.3F;
-  p.wheelbase = 0.4F;
-  p.hitch_length = 0.45F;
+  ChainParameters p = small_chain(2);
   p.max_hitch_angle = 0.7F;
   Bench<Snake> bench(two_rooms(), Snake(p));
   bench.parameters = Parameters::paper();

@@ -44,14 +44,6 @@ struct Turret : Unicycle {
 };
 static_assert(RobotModel<Turret>);
 
-template <class R>
-std::vector<float> standing(const R& robot, Vec2 at) {
-  std::vector<float> state(static_cast<std::size_t>(robot.state_size()), 0.0F);
-  state[0] = at.x;
-  state[1] = at.y;
-  return state;
-}
-
 double between(double a, double b) { return std::abs(std::remainder(a - b, 2 * std::numbers::pi)); }
 
 // The headings of a state's bodies, as the models have them.

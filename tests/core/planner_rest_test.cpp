@@ -16,14 +16,6 @@ ChainParameters chain(int trailers) {
 }
 
 template <class R>
-std::vector<float> standing(const R& robot, Vec2 at) {
-  std::vector<float> state(static_cast<std::size_t>(robot.state_size()), 0.0F);
-  state[0] = at.x;
-  state[1] = at.y;
-  return state;
-}
-
-template <class R>
 class Rests {
  public:
   explicit Rests(const R& robot) : bench_(two_rooms(), robot), start_(standing(robot, {4, 6})) {}

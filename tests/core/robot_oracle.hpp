@@ -138,29 +138,33 @@ inline std::vector<DifferentialDrive> instances<DifferentialDrive>() {
   return {DifferentialDrive({}), DifferentialDrive(wide_track)};
 }
 
-// A robot that fits through a door of 2 m.
-template <class R>
-R small_robot();
-template <>
-inline Snake small_robot<Snake>() {
+// Chains that fit through a door of 2 m.
+inline ChainParameters small_chain(int trailers) {
   ChainParameters p;
-  p.trailers = 3;
+  p.trailers = trailers;
   p.body_length = 0.4F;
   p.body_width = 0.3F;
   p.wheelbase = 0.4F;
   p.hitch_length = 0.45F;
-  return Snake(p);
+  return p;
+}
+
+// A robot that does.
+template <class R>
+R small_robot();
+template <>
+inline Snake small_robot<Snake>() {
+  return Snake(small_chain(3));
 }
 template <>
 inline Truck small_robot<Truck>() {
-  ChainParameters p = small_robot<Snake>().parameters();
-  p.trailers = 1;
+  ChainParameters p = small_chain(1);
   p.min_speed = -0.5F;
   return Truck(p);
 }
 template <>
 inline Car small_robot<Car>() {
-  ChainParameters p = small_robot<Snake>().parameters();
+  ChainParameters p = small_chain(0);
   p.body_length = 0.6F;
   return Car(p);
 }

@@ -3,6 +3,7 @@
 #include "choices.hpp"
 #include "rivals.hpp"
 #include "robot/shape.hpp"
+#include "robot_oracle.hpp"
 #include "search/adaptive_search.hpp"
 
 namespace krait::test::reference {
@@ -263,13 +264,7 @@ TEST(ReferencePlannerRestarts, ForgetWhatTheTryHasLearnt) {
 
 // Robots with states of their own: a car that pulls two trailers.
 TEST(ReferencePlannerChain, AgreesWithAdaptive) {
-  ChainParameters p;
-  p.trailers = 2;
-  p.body_length = 0.4F;
-  p.body_width = 0.3F;
-  p.wheelbase = 0.4F;
-  p.hitch_length = 0.45F;
-  Bench<Snake, detail::AdaptiveSearch> bench(dead_end(), Snake(p));
+  Bench<Snake, detail::AdaptiveSearch> bench(dead_end(), Snake(small_chain(2)));
   bench.parameters = adaptive();
   Choices choices(shares_of(bench.parameters));
   Seen seen;
