@@ -33,14 +33,7 @@ Status AdaptiveSearch::start(const Query& query) {
 }
 
 Status AdaptiveSearch::advance(std::uint64_t iterations, const Watch& watch) {
-  for (; iterations > 0 && status() == Status::searching; --iterations) {
-    if (driving()) {
-      drive_plan();
-    } else if (count_expansion()) {
-      iterate(watch);
-    }
-  }
-  return status();
+  return advance_by(iterations, [&] { iterate(watch); });
 }
 
 void AdaptiveSearch::forget() {

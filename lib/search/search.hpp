@@ -28,8 +28,7 @@ inline constexpr Parameters kDefaults;
 //   bytes_required   counts what is kept here and what it keeps itself
 //   init             check_setup, take_block, and what it keeps itself from arena_
 //   start            usable, then begin
-//   advance          for each iteration drive_plan while driving; else count_expansion, then new_try where new_try_due,
-//                    or else expand or go_on
+//   advance          advance_by, an iteration being new_try where new_try_due, or else expand or go_on
 //   keep             as Keeper has it
 class Search {
  public:
@@ -100,11 +99,19 @@ class Search {
   // plan may end with the start.
   Status begin(const Query& query, const Keeper& keeper);
 
-  // An iteration while driving(): at most max_steps steps of one expansion of the way.
-  void drive_plan();
-
-  // Counts an iteration that is an expansion. False, and the search has ended, when the budget is used.
-  bool count_expansion();
+  // Makes iterations while the search goes on: calls iterate() for an expansion, unless a way is driven or the budget
+  // is used.
+  template <class Iterate>
+  Status advance_by(std::uint64_t iterations, Iterate iterate) {
+    for (; iterations > 0 && status() == Status::searching; --iterations) {
+      if (driving()) {
+        drive_plan();
+      } else if (count_expansion()) {
+        iterate();
+      }
+    }
+    return status();
+  }
 
   // Whether a try is over; then new_try forgets all but the start and where the random numbers have got to.
   bool new_try_due() { return restarts_.due(); }
@@ -148,6 +155,12 @@ class Search {
   static constexpr float kDepthKept = 0.1F;    // share of the goal's margin that a plan keeps
 
   static Failure bad_argument(Argument argument);
+
+  // An iteration while driving(): at most max_steps steps of one expansion of the way.
+  void drive_plan();
+
+  // Counts an iteration that is an expansion. False, and the search has ended, when the budget is used.
+  bool count_expansion();
 
   static void take_pools(Arena& arena, const Scene& scene, const Robot& robot, const Limits& limits, Regions& regions,
                          MotionTree& tree, Improver& improver, MotionCheck& check, RecentStates& recent);

@@ -29,14 +29,7 @@ Status RrtPlanner::start(const Query& query) {
 }
 
 Status RrtPlanner::advance(std::uint64_t iterations, const Watch& watch) {
-  for (; iterations > 0 && status() == Status::searching; --iterations) {
-    if (driving()) {
-      drive_plan();
-    } else if (count_expansion()) {
-      iterate(watch);
-    }
-  }
-  return status();
+  return advance_by(iterations, [&] { iterate(watch); });
 }
 
 bool RrtPlanner::keep(Index /*region*/, Branch branch, const float* state) {
