@@ -13,7 +13,8 @@ namespace krait {
 /// The largest SearchTuning::group_sample: as large as a group's sample of the states that reached its region can be.
 inline constexpr std::uint32_t kUnboundedSample = 65535;
 
-/// How the search goes about it. The defaults are measured (bench/ABLATIONS.md), and few programs change them.
+/// How the search goes about it. The defaults are measured (bench/ABLATIONS.md, which also has what half and twice of
+/// each cost), and few programs change them.
 struct SearchTuning {
   static constexpr std::uint32_t kMostSteps = 1000;     ///< the most max_steps and open_steps
   static constexpr std::uint32_t kMostDoomedSteps = 3;  ///< the most doomed_steps

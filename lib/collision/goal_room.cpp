@@ -4,7 +4,7 @@
 namespace krait::detail {
 namespace {
 
-constexpr int kDeepest = 5;  // how often squares are quartered
+constexpr int kDeepest = 5;  // how often squares are quartered; measured: bench/ABLATIONS.md, "Constants"
 constexpr float kDiagonal = 1.4142136F;
 
 struct Square {

@@ -20,7 +20,8 @@ struct PlacedBody {
 
 class Obstacles {
  public:
-  static constexpr float kReach = 1e-3F;  // metres: how far beyond what must be free pieces are looked for
+  // Metres: how far beyond what must be free pieces are looked for; measured: bench/ABLATIONS.md, "Constants".
+  static constexpr float kReach = 1e-3F;
 
   Obstacles() = default;
 

@@ -28,7 +28,7 @@ class Sight {
   // b.
   bool line_free(Vec2 a, Vec2 b) const;
 
-  static constexpr int kMostLooks = 200;
+  static constexpr int kMostLooks = 200;  // measured: bench/ABLATIONS.md, "Constants"
 
  private:
   // slack() where the grid alone does not decide it.

@@ -4,16 +4,37 @@
 namespace krait::detail {
 namespace {
 
-float between(float low, float high, Random& random) { return low + (high - low) * random.unit(); }
+struct Span {
+  float low, high;
+};
+
+// Measured: bench/ABLATIONS.md, "Constants".
+constexpr Span kLooks = {0.8F, 2.8F};          // units: how far ahead the robot looks, at random, or
+constexpr Span kCornerLooks = {0.8F, 4.5F};    // units: within these on the way to a rounded corner:
+constexpr Span kCircleLooks = {0.6F, 1.4F};    // so much of what the circle takes of a side, and
+constexpr Span kLooksBefore = {0.25F, 0.95F};  // units: so much more
+constexpr Span kOutward = {-0.2F, 1.1F};       // of what the circle cuts off: how far outward a corner moves
+constexpr float kMostCut = 1.8F;               // units: what counts as cut off at most
+constexpr float kSharpest = 0.5F;              // share of the turns at random that are the sharpest; the others are
+constexpr Span kTurns = {0.2F, 1.0F};          // so much of it
+constexpr float kRound = 0.35F;                // a number from 0 to 1 below this: a corner is rounded; else, below
+constexpr float kVary = 0.48F;                 // this: a via is driven to otherwise,
+constexpr float kLeaveOut = 0.54F;             // this: it is left out,
+constexpr float kInsert = 0.64F;               // this: one is added; else it is moved
+constexpr float kWithNext = 0.5F;   // share of rounded corners after which the next via is driven to likewise
+constexpr float kBeside = 0.35F;    // units: standard deviation of an added via from the line
+constexpr float kLittle = 0.15F;    // units: and of a moved one from its place, or, of half of them,
+constexpr float kMuch = 0.5F;       // units
+constexpr float kTogether = 0.3F;   // share of moved vias with which the next one moves
+constexpr float kVaryMoved = 0.2F;  // share of moved vias that are driven to otherwise, too
+
+float between(Span span, Random& random) { return span.low + (span.high - span.low) * random.unit(); }
 
 Vec2 normal_vector(float deviation, Random& random) {
   const float x = normal(random);
   const float y = normal(random);
   return deviation * Vec2{x, y};
 }
-
-constexpr float kNearest = 0.8F;  // of look-aheads, in units
-constexpr float kFarthest = 4.5F;
 
 }  // namespace
 
@@ -24,8 +45,8 @@ float normal(Random& random) {
 }
 
 void vary(Via& via, const Turns& turns, Random& random) {
-  via.look = between(kNearest, 2.8F, random) * turns.unit;
-  via.turn = random.unit() < 0.5F ? 1.0F : between(0.2F, 1.0F, random);
+  via.look = between(kLooks, random) * turns.unit;
+  via.turn = random.unit() < kSharpest ? 1.0F : between(kTurns, random);
 }
 
 void round_corner(Vec2 before, Via& via, Vec2 after, const Turns& turns, Random& random) {
@@ -38,46 +59,46 @@ void round_corner(Vec2 before, Via& via, Vec2 after, const Turns& turns, Random&
   const float cosine = lengths > 0.0F ? math::clamp(dot(in, out) / lengths, -0.74F, 1.0F) : 1.0F;
   const float tangent = std::sqrt((1.0F - cosine) / (1.0F + cosine));
   const float excess = std::sqrt(2.0F / (1.0F + cosine)) - 1.0F;
-  const float look = radius * tangent * between(0.6F, 1.4F, random) + between(0.25F, 0.95F, random) * turns.unit;
+  const float look = radius * tangent * between(kCircleLooks, random) + between(kLooksBefore, random) * turns.unit;
   via.turn = Turns::kShare[share];
-  via.look = math::clamp(look, kNearest * turns.unit, kFarthest * turns.unit);
+  via.look = math::clamp(look, kCornerLooks.low * turns.unit, kCornerLooks.high * turns.unit);
   if (!(lengths > 0.0F)) return;
   const Vec2 outward = (1.0F / length(in)) * in - (1.0F / length(out)) * out;
   const float scale = length(outward);
-  const float most = 1.8F * turns.unit;
+  const float most = kMostCut * turns.unit;
   const float cut = radius * excess < most ? radius * excess : most;
-  if (scale > 1e-3F) via.at = via.at + (cut * between(-0.2F, 1.1F, random) / scale) * outward;
+  if (scale > 1e-3F) via.at = via.at + (cut * between(kOutward, random) / scale) * outward;
 }
 
 void change(Route& route, std::uint32_t i, const Turns& turns, Random& random) {
   const std::uint32_t count = route.count();
   const bool last = i + 1 == count;
   const float kind = random.unit();
-  if (kind < 0.35F && !last) {
+  if (kind < kRound && !last) {
     round_corner(route[i - 1].at, route[i], route[i + 1].at, turns, random);
-    if (random.unit() < 0.5F) {
+    if (random.unit() < kWithNext) {
       route[i + 1].look = route[i].look;
       route[i + 1].turn = route[i].turn;
     }
-  } else if (kind < 0.48F) {
+  } else if (kind < kVary) {
     vary(route[i], turns, random);
     if (!last) {
       route[i + 1].look = route[i].look;
       route[i + 1].turn = route[i].turn;
     }
-  } else if (kind < 0.54F && count > 3 && !last) {
+  } else if (kind < kLeaveOut && count > 3 && !last) {
     route.remove(i);
-  } else if (kind < 0.64F && !route.full()) {
+  } else if (kind < kInsert && !route.full()) {
     Via via = route[i];
     via.at = route[i - 1].at + random.unit() * (route[i].at - route[i - 1].at);
-    via.at = via.at + normal_vector(0.35F * turns.unit, random);
+    via.at = via.at + normal_vector(kBeside * turns.unit, random);
     route.insert(i, via);
   } else {
-    const float deviation = (random.unit() < 0.5F ? 0.15F : 0.5F) * turns.unit;
+    const float deviation = (random.unit() < 0.5F ? kLittle : kMuch) * turns.unit;
     const Vec2 move = normal_vector(deviation, random);
     route[i].at = route[i].at + move;
-    if (random.unit() < 0.3F && i + 2 < count) route[i + 1].at = route[i + 1].at + move;
-    if (random.unit() < 0.2F) vary(route[i], turns, random);
+    if (random.unit() < kTogether && i + 2 < count) route[i + 1].at = route[i + 1].at + move;
+    if (random.unit() < kVaryMoved) vary(route[i], turns, random);
   }
 }
 

@@ -10,7 +10,8 @@ namespace krait::detail {
 // What a robot's turns are like.
 struct Turns {
   static constexpr std::uint32_t kShares = 6;
-  static constexpr float kShare[kShares] = {1.0F, 0.7F, 0.5F, 0.35F, 0.25F, 0.18F};  // values of Target::turn
+  // Values of Target::turn; measured: bench/ABLATIONS.md, "Constants".
+  static constexpr float kShare[kShares] = {1.0F, 0.7F, 0.5F, 0.35F, 0.25F, 0.18F};
 
   float radius[kShares];  // metres: of a long turn at each
   float unit;             // metres: half the robot's length and what it drives in two time steps

@@ -84,7 +84,7 @@ void Improver::measure_turn() {
     path += made;
     turned += length(Vec2{pose[0].heading.cos - before.cos, pose[0].heading.sin - before.sin});
   }
-  const float most = 20.0F * robot_length_;
+  const float most = 20.0F * robot_length_;  // of a robot that drives straight on
   turns_.radius[share_] = path < most * turned ? path / turned : most;
   if (++share_ < Turns::kShares) return;
   turns_.unit = 0.5F * robot_length_ + 2.0F * stride_;
@@ -102,7 +102,7 @@ void Improver::aim_aside(const Pose& pose, bool left) {
 
 void Improver::begin_round() {
   ++round_;
-  line_.clear(0.5F * turns_.unit);
+  line_.clear(kSpacing * turns_.unit);
   if (round_ % 2 == 1 && trace_regions()) return begin_pull();
   stage_ = Stage::tracing;
   tools_.drive->begin(tools_.start);
@@ -151,8 +151,8 @@ void Improver::trace() {
 }
 
 void Improver::begin_pull() {
-  const float radius = half_width_ * (1.15F + 1.1F * random_.unit());
-  line_.pull(Sight(*tools_.scene, radius, 0.5F * half_width_));
+  const float radius = half_width_ * (kLeastDisc + kMoreDisc * random_.unit());
+  line_.pull(Sight(*tools_.scene, radius, kPullStep * half_width_));
   stage_ = Stage::pulling;
 }
 
@@ -260,23 +260,24 @@ void Improver::go_on() {
 }
 
 std::uint32_t Improver::via_near_failure() {
-  const float at = math::clamp(failed_ + (8.0F * random_.unit() - 6.0F) * turns_.unit, 0.0F, route().length());
+  const float at =
+      math::clamp(failed_ + (kAroundFailure * random_.unit() - kBeforeFailure) * turns_.unit, 0.0F, route().length());
   const std::uint32_t next = changed().stretch(at);
   const float before = at - changed()[next - 1].arc;
   const float after = changed()[next].arc - at;
-  const float near = 2.0F * turns_.unit;
+  const float near = kNearFailure * turns_.unit;
   if (before > near && after > near && !changed().full()) return changed().divide(at);
   return before < after && next > 1 ? next - 1 : next;
 }
 
 std::uint32_t Improver::spread_around(std::uint32_t i) {
   const float arc = changed()[i].arc;
-  const float near = 4.0F * turns_.unit;
-  if (arc - changed()[i - 1].arc > 1.5F * near && !changed().full()) {
+  const float near = kSpread * turns_.unit;
+  if (arc - changed()[i - 1].arc > kFar * near && !changed().full()) {
     changed().divide(arc - near);
     ++i;
   }
-  const bool far = i + 1 < changed().count() && changed()[i + 1].arc - arc > 1.5F * near;
+  const bool far = i + 1 < changed().count() && changed()[i + 1].arc - arc > kFar * near;
   if (far && !changed().full()) changed().divide(arc + near);
   return i;
 }

@@ -43,8 +43,10 @@ class Improver {
 
   enum class Stage : std::uint8_t { turning, tracing, pulling, driving, proving };
 
+  // Room for the line of a short plan, however few legs its ways may have.
   static constexpr std::uint32_t kLeastVias = 64;
   static constexpr std::uint32_t kLeastPoints = 256;
+  // Measured: bench/ABLATIONS.md, "Constants".
   static constexpr std::uint32_t kHold = 3;       // steps of a leg, or more where a way would not have room
   static constexpr std::uint32_t kPatience = 20;  // changes in vain while the goal is not reached, and
   static constexpr std::uint32_t kPolish = 30;    // afterwards, that end a round
@@ -57,6 +59,15 @@ class Improver {
   static constexpr std::uint32_t kTurning = 30;   // steps of the turn,
   static constexpr std::uint32_t kMeasured = 15;  // the last ones of which are measured
   static constexpr float kReach = 2.4F;           // units: how far on along a route the robot's place is looked for
+  static constexpr float kSpacing = 0.5F;         // units between the points of a line that is pulled taut
+  static constexpr float kLeastDisc = 1.15F;      // of body 0's half width: what a line is pulled taut for, and
+  static constexpr float kMoreDisc = 1.1F;        // as much more at most
+  static constexpr float kPullStep = 0.5F;        // of body 0's half width: of looks along a line of sight
+  static constexpr float kBeforeFailure = 6.0F;   // units before the place of a failure, at most, a via is changed, of
+  static constexpr float kAroundFailure = 8.0F;   // as many units of the route around it; a new via there is
+  static constexpr float kNearFailure = 2.0F;     // units from others
+  static constexpr float kSpread = 4.0F;          // units around a change, outside of which the route stays where vias
+  static constexpr float kFar = 1.5F;             // as many times as far away are the nearest
 
   Way& current() { return ways_[here_]; }
   Way& trial() { return ways_[1 - here_]; }

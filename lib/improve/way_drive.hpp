@@ -61,6 +61,7 @@ class WayDrive {
   float arc() const { return arc_; }
 
  private:
+  // Measured: bench/ABLATIONS.md, "Constants".
   static constexpr std::uint32_t kMostStuck = 12;  // legs that get no further along the route
   static constexpr float kFurther = 0.025F;        // of `reach`: what counts as further
   static constexpr float kLater = 0.5F;            // steps

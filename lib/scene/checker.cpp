@@ -14,7 +14,7 @@ using format::Header;
 using format::Section;
 
 constexpr std::uint32_t kMaxCount = 1U << 27U;  // of any element: keeps every product in 64 bits
-constexpr double kMaxOrigin = 1e9;
+constexpr double kMaxOrigin = 1e9;              // metres: krait/format.hpp
 constexpr std::size_t kCrcStart = 16;
 
 // So many bits are looked up at once, in so many tables: whole bytes of four words take 16 KB, half ones of one 512

@@ -20,6 +20,7 @@ class AdaptiveSearch : public GroupedSearch {
   [[nodiscard]] Status advance(std::uint64_t iterations, const Watch& watch);
 
  private:
+  // Measured: bench/ABLATIONS.md, "Constants".
   static constexpr float kSketchTime = 2.0F;   // of a sketched step, in time steps, at most
   static constexpr float kSketchRate = 0.65F;  // a sketched step times the robot's fastest rate, at most
   static constexpr float kSightRoom = 1.6F;    // of a line of sight, in radii of the bodies' discs

@@ -27,7 +27,8 @@ class DiscRoute {
   Bottleneck narrowest(bool failed);
 
  private:
-  static constexpr float kReachRounding = 1e-2F;  // metres
+  // Metres: far more than rounding takes from places at most 2 km from the origin, some 1e-4.
+  static constexpr float kReachRounding = 1e-2F;
 
   // It goes where the body goes.
   struct Disc {

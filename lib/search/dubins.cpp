@@ -6,7 +6,9 @@
 namespace krait::detail {
 namespace {
 
-constexpr float kNoTurn = 1e-3F;  // radians: a circle less than so much is no turn at all, but for rounding
+// Radians: a circle less than so much is no turn at all, but for rounding, some 1e-5 where places are a radius apart.
+// Of nearer ones a line may get a circle too many: it is longer then, and others are driven.
+constexpr float kNoTurn = 1e-3F;
 
 Vec2 direction(SinCos heading) { return {heading.cos, heading.sin}; }
 Vec2 left_of(Vec2 a) { return {-a.y, a.x}; }

@@ -94,7 +94,8 @@ class Expander {
   Drive& brake() { return brake_; }
 
  private:
-  static constexpr std::uint32_t kOpen = 1;  // how often an expansion past max_steps may have crossed a portal
+  // How often an expansion past max_steps may have crossed a portal; measured: bench/ABLATIONS.md, "Constants".
+  static constexpr std::uint32_t kOpen = 1;
 
   Vec2 position() const { return {drive_.state()[0], drive_.state()[1]}; }
 

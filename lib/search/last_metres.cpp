@@ -4,6 +4,7 @@
 namespace krait::detail {
 namespace {
 
+// Measured: bench/ABLATIONS.md, "Constants".
 constexpr float kLeastRadius = 0.4F;                 // in lengths of body 0: of a robot that turns on the spot, and
                                                      // of as many metres a radian of a turn counts
 constexpr float kRadii[] = {1.05F, 1.5F, 3.0F};      // of the lines' arcs, in turning radii
@@ -14,15 +15,16 @@ constexpr float kShortLeads[] = {0.0F, 0.35F};       // where there is no room f
 constexpr float kHitchLeads[] = {1.2F, 2.8F, 4.5F};  // where hitches must be straight
 constexpr float kDetour = 2.0F;                      // the most of a line, in distances to the goal, and
 constexpr float kDetourLengths = 8.0F;               // as many lengths of body 0 more
-constexpr float kSightStep = 0.4F;                   // of looks along a line, in lengths of body 0, or
-constexpr int kMostLooks = 128;                      // so many
-constexpr float kLook = 0.5F;                        // how far ahead the robot steers, in lengths of body 0,
-constexpr float kLookSteps = 2.5F;                   // and time steps of its way
-constexpr float kOff = 1.0F;                         // how far off the line it may be, in lengths of body 0
-constexpr float kBraking = 0.12F;                    // of the sharpest
-constexpr float kSettle = 3.0F;                      // time steps in which the way that is left shrinks by e, at most
-constexpr float kSlowest = 0.02F;                    // of the top speed
-constexpr float kNearEnough = 0.25F;                 // of the goal's radius: there it stops
+constexpr float kSightRoom = 0.9F;    // of the disc that is looked for, of that in body 0 at its position
+constexpr float kSightStep = 0.4F;    // of looks along a line, in lengths of body 0, or
+constexpr int kMostLooks = 128;       // so many
+constexpr float kLook = 0.5F;         // how far ahead the robot steers, in lengths of body 0,
+constexpr float kLookSteps = 2.5F;    // and time steps of its way
+constexpr float kOff = 1.0F;          // how far off the line it may be, in lengths of body 0
+constexpr float kBraking = 0.12F;     // of the sharpest
+constexpr float kSettle = 3.0F;       // time steps in which the way that is left shrinks by e, at most
+constexpr float kSlowest = 0.02F;     // of the top speed
+constexpr float kNearEnough = 0.25F;  // of the goal's radius: there it stops
 constexpr std::uint32_t kMostStops = 5;
 constexpr float kTight = 4.0F;       // lengths of body 0 that a turn counts where there may be no room for it
 constexpr float kFaced = 0.1F;       // radians off a straight piece's direction: there it begins
@@ -61,7 +63,7 @@ void LastMetres::assign(const Scene& scene, const Goal& goal, const Nimbleness& 
     for (const float lead : kHitchLeads) leads_[lead_count_++] = lead * robot.length;
   }
   capture_ = kCaptureRadii * radius + kCaptureLengths * robot.length + leads_[lead_count_ - 1];
-  sight_ = Sight(scene, 0.9F * robot.half_width, kSightStep * robot.length);
+  sight_ = Sight(scene, kSightRoom * robot.half_width, kSightStep * robot.length);
   spin_ = Sight(scene, robot.reach, kSightStep * robot.length);
   near_ = kNearEnough * goal.radius();
   shot_count_ = 0;
@@ -232,7 +234,7 @@ bool LastMetres::turn(const Pose& at, Target& target) {
 
 Vec2 LastMetres::point_ahead(const CurvedLine& line, float arc, float look) const {
   Vec2 point = line.at(arc + look).position;
-  for (int i = 0; i < 8 && !scene_->inside_bounds(point); ++i) {
+  for (int i = 0; i < 8 && !scene_->inside_bounds(point); ++i) {  // down to a seventeenth: the line begins inside
     look = 0.7F * look;
     point = line.at(arc + look).position;
   }

@@ -26,6 +26,7 @@ struct Nimbleness {
 
 class LastMetres {
  public:
+  // Measured: bench/ABLATIONS.md, "Constants".
   static constexpr std::uint32_t kHold = 2;       // steps of a leg, or
   static constexpr std::uint32_t kLongest = 64;   // of one that turns on the spot, at most
   static constexpr std::uint32_t kMostLegs = 96;  // of a shot
@@ -54,7 +55,7 @@ class LastMetres {
  private:
   static constexpr int kRadii = 3;
   static constexpr int kMostLeads = 4;
-  static constexpr std::uint32_t kMostShots = 4;
+  static constexpr std::uint32_t kMostShots = 4;  // measured likewise
 
   struct Shot {
     float length;

@@ -197,7 +197,7 @@ Expanded Search::settle(const Expanded& expanded) {
 }
 
 Target Search::any_way_to(Vec2 point, std::uint32_t tries) {
-  constexpr float kGentlest = 0.15F;  // of the sharpest turn
+  constexpr float kGentlest = 0.15F;  // of the sharpest turn; measured: bench/ABLATIONS.md, "Constants"
   Target target;
   target.point = point;
   const auto patience = static_cast<float>(tries) / static_cast<float>(tries + kPatience);

@@ -57,6 +57,7 @@ class Search {
   bool driving() const { return driven_ != kNone; }
 
  protected:
+  // Measured: bench/ABLATIONS.md, "Constants".
   static constexpr std::uint32_t kPatience = 10;  // tries after which half of the shares turn gently and reverse
 
   Search() = default;
@@ -150,9 +151,11 @@ class Search {
   float robot_length_ = 1.0F;
 
  private:
-  static constexpr float kLeastCost = 0.05F;   // of an edge, in robot lengths: keeps h + C above h
-  static constexpr float kStartDepth = 1e-4F;  // metres: how deep inside the goal a plan without steps is
-  static constexpr float kDepthKept = 0.1F;    // share of the goal's margin that a plan keeps
+  // Measured: bench/ABLATIONS.md, "Constants".
+  static constexpr float kLeastCost = 0.05F;  // of an edge, in robot lengths: keeps h + C above h
+  static constexpr float kDepthKept = 0.1F;   // share of the goal's margin that a plan keeps
+  // Metres: how deep inside the goal a plan without steps is: more than the rounding of a coordinate of 2 km, 6e-5.
+  static constexpr float kStartDepth = 1e-4F;
 
   static Failure bad_argument(Argument argument);
 

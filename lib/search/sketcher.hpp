@@ -11,7 +11,7 @@ namespace krait::detail {
 
 class Sketcher {
  public:
-  static constexpr std::uint32_t kSteps = 20;  // at most
+  static constexpr std::uint32_t kSteps = 20;  // at most; measured: bench/ABLATIONS.md, "Constants"
 
   // 36 bytes a body and 4 a component of the state. Uninitialised: assign comes before all else.
   void allocate(Arena& arena, const Robot& robot);
@@ -28,7 +28,7 @@ class Sketcher {
   std::uint32_t free_steps(const float* state, const Target& toward);
 
  private:
-  static constexpr float kRoom = 1.08F;  // of the disc in a body
+  static constexpr float kRoom = 1.08F;  // of the disc in a body; likewise measured
 
   // The place at which a disc was looked at last, and the square of what it may move from there.
   struct Look {

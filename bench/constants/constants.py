@@ -1,0 +1,280 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the library's constants are worth: each is varied alone, in a build of a copy of the library in which they are
+variables, and the searches of fixed seeds are counted. Writes the table of bench/ABLATIONS.md, section "Constants";
+with names of constants, their rows only. What is 5 % better in both halves of the seeds it reports on standard error.
+--check compares the table with the sources instead, and looks for constants that are neither measured nor argued for;
+exit code of that: 0 none, 1 some. The working folder is the project's. Usage: constants.py [--check | NAME…]"""
+import math
+import os
+import re
+import shutil
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+WORK = Path("build/bench/constants")
+PAGE = Path("bench/ABLATIONS.md")
+SCENES = ["openings", "gates", "rooms", "comb", "corridors"]
+FIRST_SEED = 20_001
+# What may be counted: the kind of count.cpp, its robots, and how many seeds.
+FIVE = ["car", "reversing-car", "truck:2", "diff_drive", "snake:5"]
+MEASURES = {
+    "search": ("search", FIVE, 100),
+    "backward": ("search", ["reversing-car", "unicycle"], 200),
+    "pose": ("pose", FIVE, 100),
+    "turning": ("pose", ["diff_drive", "unicycle"], 200),
+    "straight": ("straight", ["truck:1", "truck:2"], 100),
+    "improve": ("improve", FIVE, 50),
+}
+
+# By measure and file: the constants and, where half and twice are not the sensible neighbours, the factors.
+CONSTANTS = {
+    "search": {
+        "include/krait/parameters.hpp": {
+            "group_sample": (), "alpha": (), "beta": (0.824, 1.088), "epsilon": (), "gamma": (), "cost_length": (),
+            "kappa": (), "max_steps": (), "open_steps": (0.04, 0.5), "path_regions": (), "near_radius": (),
+            "stray_share": (), "gentle_share": (), "sight_tries": (), "candidates": (), "least_sketch": (),
+            "doomed_steps": (0.5, 1.5), "restart_unit": (), "slowest": (0.5, 0.75), "max_substeps": (),
+            "kTreeSlack": ()},
+        "lib/search/search.hpp": {"kPatience": (), "kLeastCost": (), "kDepthKept": ()},
+        "lib/search/search.cpp": {"kGentlest": ()},
+        "lib/search/adaptive_search.hpp": {
+            "kSketchTime": (), "kSketchRate": (), "kSightRoom": (0.75, 1.5), "kSightStep": ()},
+        "lib/search/sketcher.hpp": {"kSteps": (), "kRoom": (0.963, 1.074)},
+        "lib/search/expander.hpp": {"kOpen": (0, 2)},
+        "lib/collision/sight.hpp": {"kMostLooks": ()},
+        "lib/collision/obstacles.hpp": {"kReach": ()},
+        "lib/collision/goal_room.cpp": {"kDeepest": (0.6, 1.4)}},
+    "backward": {"include/krait/parameters.hpp": {"reverse_share": ()}},
+    "pose": {
+        "lib/search/last_metres.hpp": {"kHold": (), "kMostLegs": (), "kEvery": (), "kMostShots": ()},
+        "lib/search/last_metres.cpp": {
+            "kRadii": (0.96, 1.5), "kCaptureRadii": (), "kCaptureLengths": (), "kLeads": (), "kShortLeads": (),
+            "kDetour": (), "kDetourLengths": (), "kSightRoom": (0.5, 1.5), "kSightStep": (), "kMostLooks": (),
+            "kLook": (), "kLookSteps": (), "kOff": (), "kBraking": (), "kSettle": (), "kSlowest": (),
+            "kNearEnough": (), "kMostStops": ()}},
+    "turning": {
+        "lib/search/last_metres.hpp": {"kLongest": ()},
+        "lib/search/last_metres.cpp": {
+            "kLeastRadius": (), "kTight": (), "kFaced": (), "kTurned": (), "kTurnLook": (), "kTurnCreep": ()}},
+    "straight": {"lib/search/last_metres.cpp": {"kHitchLeads": ()}},
+    "improve": {
+        "lib/improve/improver.hpp": {
+            "kHold": (), "kPatience": (), "kPolish": (), "kNearer": (), "kAsNear": (), "kTakenAsNear": (),
+            "kRounded": (0.5, 1.5), "kWorthProof": (0.94, 1.03), "kRunUp": (), "kTurning": (), "kMeasured": (),
+            "kReach": (), "kSpacing": (), "kLeastDisc": (0.9, 1.3), "kMoreDisc": (), "kPullStep": (),
+            "kBeforeFailure": (), "kAroundFailure": (), "kNearFailure": (), "kSpread": (), "kFar": ()},
+        "lib/improve/taut_line.hpp": {"kPasses": ()},
+        "lib/improve/way_drive.hpp": {
+            "kMostStuck": (), "kFurther": (), "kLater": (), "kLeastShare": (0.94, 1.03)},
+        "lib/improve/corners.hpp": {"kShare": (0.5, 0.75)},
+        "lib/improve/corners.cpp": {
+            "kLooks": (), "kCornerLooks": (), "kCircleLooks": (), "kLooksBefore": (), "kOutward": (), "kMostCut": (),
+            "kSharpest": (), "kTurns": (0.5, 0.75), "kRound": (0.5, 1.3), "kVary": (0.8, 1.1), "kLeaveOut": (0.9, 1.1),
+            "kInsert": (0.9, 1.2), "kWithNext": (), "kBeside": (), "kLittle": (), "kMuch": (), "kTogether": (),
+            "kVaryMoved": ()}},
+}
+
+# Those that follow from an argument, which stands beside them; all others of these folders and of SearchTuning are
+# measured above or, as SECTIONS says, in a section of the page.
+ARGUED = {
+    "lib/search/search.hpp": ["kStartDepth"],
+    "lib/search/disc_route.hpp": ["kReachRounding"],
+    "lib/search/groups.hpp": ["kBlock"],
+    "lib/search/dubins.cpp": ["kNoTurn"],
+    "lib/search/dubins.hpp": ["kMostPieces", "kDubinsWords"],
+    "lib/search/last_metres.hpp": ["kRadii", "kMostLeads"],
+    "lib/search/recent_states.hpp": ["kCount"],
+    "lib/improve/improver.hpp": ["kLeastVias", "kLeastPoints"],
+    "lib/improve/corners.hpp": ["kShares"],
+    "lib/collision/distance.cpp": ["kMaxRounds"],
+    "lib/collision/goal_room.cpp": ["kDiagonal"],
+    "lib/collision/obstacles.hpp": ["kRounding", "kPositionRounding", "kRelativeRounding"],
+    "lib/scene/scene.cpp": ["kHeaderWords", "kOthers"],
+    "lib/scene/cells.hpp": ["kMargin"],
+    "lib/scene/grid_checker.cpp": ["kRounding", "kNear"],
+    "lib/scene/checker.cpp": ["kMaxCount", "kMaxOrigin", "kCrcStart", "kBitsAtOnce", "kCrcTables", "kBitsMask",
+                              "kTablesOfWord", "kLeast"],
+}
+SECTIONS = {"include/krait/parameters.hpp": ["update_regions", "goal_near_radius"]}
+
+
+@dataclass
+class Constant:
+    measure: str
+    file: str
+    name: str
+    text: str  # its value, as the source has it
+    factors: tuple
+
+    @property
+    def key(self):
+        return f"{Path(self.file).name} {self.name}"
+
+    @property
+    def title(self):
+        return f"| `{self.name}`, {Path(self.file).name} | {self.measure}"
+
+    @property
+    def begin(self):  # of its row
+        return f"{self.title} | {self.value(1)} |"
+
+    def value(self, factor):
+        return ", ".join(shown(float(number) * factor, "F" in self.text) for number in NUMBER.findall(self.text))
+
+
+NUMBER = re.compile(r"-?\d[\d.e-]*(?=F?\b)")
+
+
+def shown(number, real):
+    return f"{number:.3g}" if real else str(math.floor(number + 0.5))
+
+
+def definition(name):
+    return re.compile(rf"((?:static |inline )?)(constexpr )?([\w:]+)( {name}(?:\[\w*\])? = )([^;]+);")
+
+
+def listed():
+    found = []
+    for measure, files in CONSTANTS.items():
+        for file, names in files.items():
+            for name, factors in names.items():
+                text = definition(name).search(Path(file).read_text()).group(5)
+                found.append(Constant(measure, file, name, text, factors or (0.5, 2)))
+    return found
+
+
+# The definition of a constant, as a variable that is multiplied by a factor of the environment.
+def make_variable(source, constant):
+    def varied(match):
+        storage, fixed, kind, name, value = match.groups()
+        number = "float" if kind == "Span" else kind
+        value = re.sub(r"(-?\d[\d.e-]*F?)\b", rf'krait::bench::varied<{number}>("{constant.key}", \1)', value)
+        if storage == "static ":
+            storage = "static inline "
+        return f"{storage}{'const ' if fixed else ''}{kind}{name}{value};"
+    source, count = definition(constant.name).subn(varied, source)
+    assert count == 1, constant
+    return re.sub(rf"\[{constant.name}\];", f"[2 * ({constant.text})];", source)
+
+
+def adapt(path, pattern, replacement):
+    path.write_text(re.sub(pattern, replacement, path.read_text()))
+
+
+def build(constants):
+    copy = WORK / "library"
+    shutil.rmtree(copy, ignore_errors=True)
+    shutil.copytree("lib", copy / "lib")
+    shutil.copytree("include", copy / "include")
+    shutil.copy("CMakeLists.txt", copy)
+    for constant in constants:
+        path = copy / constant.file
+        source = make_variable(path.read_text(), constant)
+        if "constants/varied.hpp" not in source:
+            source = '#include "varied.hpp"  // constants/varied.hpp\n' + source
+        path.write_text(source)
+    adapt(copy / "lib/search/search.hpp", r"inline constexpr Parameters", "inline const Parameters")
+    adapt(copy / "include/krait/planner.hpp", r"kSearchBytes = (.+);", r"kSearchBytes = 4096 + (\1);")
+    quietly = {"check": True, "stdout": subprocess.DEVNULL}
+    box2d = os.environ.get("KRAIT_BOX2D_SOURCE", Path("build/deps/box2d").resolve())
+    subprocess.run(["cmake", "-S", "bench/constants", "-B", WORK / "build", "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
+                    f"-DVARIED={copy.resolve()}", f"-DKRAIT_BOX2D_SOURCE={box2d}"], **quietly)
+    subprocess.run(["cmake", "--build", WORK / "build"], **quietly)
+
+
+# By scene and robot: a number for each seed.
+def counts(measure, constant=None, factor=1.0):
+    kind, robots, seeds = MEASURES[measure]
+    environment = dict(os.environ)
+    if constant:
+        environment |= {"KRAIT_CONSTANT": constant.key, "KRAIT_FACTOR": repr(factor)}
+    output = subprocess.run([WORK / "build/count", kind, ",".join(robots), str(FIRST_SEED), str(FIRST_SEED + seeds - 1),
+                             *[WORK / f"{scene}.krait" for scene in SCENES]],
+                            env=environment, check=True, capture_output=True, text=True).stdout
+    return {tuple(line.split()[:2]): [int(x) for x in line.split()[2:]] for line in output.splitlines()}
+
+
+def quantile(values, share):
+    return sorted(values)[int((len(values) - 1) * share)]
+
+
+# Geometric mean over scenes and robots of how much a quantile of some of the seeds has grown.
+def ratio(varied, normal, share, seeds=slice(None)):
+    logs = [math.log(quantile(varied[cell][seeds], share) / quantile(normal[cell][seeds], share)) for cell in normal]
+    return math.exp(sum(logs) / len(logs))
+
+
+def cell(constant, factor, normal):
+    varied = counts(constant.measure, constant, factor)
+    if varied == normal:
+        return f"{constant.value(factor)}: the same"
+    half = MEASURES[constant.measure][2] // 2
+    halves = [[ratio(varied, normal, share, part) for part in (slice(half), slice(half, None))] for share in (0.5, 0.9)]
+    if any(max(pair) <= 0.95 for pair in halves):
+        print(f"better in both halves of the seeds: {constant.key} {constant.value(factor)}: {halves}", file=sys.stderr)
+    return f"{constant.value(factor)}: {ratio(varied, normal, 0.5):.2f} / {ratio(varied, normal, 0.9):.2f}"
+
+
+def rows(constants):
+    normal = {measure: counts(measure) for measure in dict.fromkeys(constant.measure for constant in constants)}
+    for constant in constants:
+        cells = " | ".join(cell(constant, factor, normal[constant.measure]) for factor in constant.factors)
+        yield f"{constant.begin} {cells} |"
+
+
+# Puts rows in the place of those that begin likewise, in the order of the constants.
+def write(constants, measured):
+    page = PAGE.read_text()
+    before, mark, rest = page.partition("<!-- constants -->\n")
+    table, end, after = rest.partition("<!-- end of constants -->")
+    known = {row.rsplit(" | ", 3)[0]: row for row in [*table.splitlines(), *measured]}
+    lines = ["| constant | counted | value | less | more |", "|---|---|---|---|---|"]
+    lines += [known[constant.title] for constant in constants if constant.title in known]
+    PAGE.write_text(before + mark + "".join(line + "\n" for line in lines) + end + after)
+
+
+# What is defined in the folders whose constants are measured or argued for, by file.
+def defined():
+    number = r"(?:float|double|int|Span|Index|std::(?:u?int\d+|size)_t)"
+    for folder in ("search", "improve", "collision", "scene"):
+        for path in sorted(Path("lib", folder).glob("*.[ch]pp")):
+            for name in re.findall(rf"constexpr {number} (\w+)(?:\[\w*\])? =", path.read_text()):
+                yield str(path), name
+    parameters = Path("include/krait/parameters.hpp")
+    tuning = parameters.read_text().partition("struct SearchTuning {")[2].partition("\n};")[0]
+    for name in [*re.findall(rf"^  {number} (\w+) = ", tuning, re.MULTILINE), "kTreeSlack"]:
+        yield str(parameters), name
+
+
+def check(constants):
+    page = PAGE.read_text()
+    wrong = [f"{PAGE} has no row that begins with {constant.begin}" for constant in constants
+             if constant.begin not in page]
+    found = set(defined())
+    known = {(constant.file, constant.name) for constant in constants}
+    known |= {(file, name) for listed_ones in (ARGUED, SECTIONS) for file, names in listed_ones.items()
+              for name in names}
+    wrong += [f"{file}: {name} is not in bench/constants/constants.py" for file, name in sorted(found - known)]
+    wrong += [f"{file} has no {name}, which is in bench/constants/constants.py" for file, name in sorted(known - found)]
+    print("\n".join(wrong) if wrong else f"{len(known)} constants are measured or argued for")
+    return 1 if wrong else 0
+
+
+def main(names):
+    constants = listed()
+    if names == ["--check"]:
+        return check(constants)
+    WORK.mkdir(parents=True, exist_ok=True)
+    build(constants)
+    measured = []
+    for row in rows([constant for constant in constants if not names or constant.name in names]):
+        print(row, flush=True)
+        measured.append(row)
+    write(constants, measured)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
