@@ -69,7 +69,8 @@ std::string repeated(const std::string& one, int times) {
 
 std::string native(const std::string& obstacles) {
   return R"({"name": "n", "bounds": {"min": [0, 0], "max": [20, 10]}, "obstacles": [)" + obstacles +
-         R"(], "goals": [{"name": "g", "box": {"center": [18, 2], "size": [2, 2], "angle": 0}}],)"
+         R"(], "goals": [{"name": "g", "box": {"center": [18, 2], "size": [2, 2], "angle": 0}},)"
+         R"( {"name": "h", "position": [18, 8], "radius": 1, "heading": 1, "heading_tolerance": 0.2}],)"
          R"( "starts": [{"name": "s", "position": [3, 3], "heading": 0, "angles": [0.1, 0.2]}]})";
 }
 
@@ -159,6 +160,7 @@ Named geojsons() {
   const std::string point = R"({"type": "Point", "coordinates": [4, 5, 6]})";
   return {{"sound", collection(feature(R"({"role": "bounds"})", polygon) + "," +
                                feature(R"({"role": "goal", "radius": 1})", point) + "," +
+                               feature(R"({"role": "goal", "name": "dock", "radius": 1, "heading": 1})", point) + "," +
                                feature(R"({"role": "start", "heading": 1, "angles": [1]})", point) + "," +
                                feature("null", R"({"type": "MultiPolygon", "coordinates": [)" + square + "]}"))},
           {"degrees", R"({"type": "Polygon", "datum": [11.5, 48.1], "coordinates": [[[11.5, 48.1], [11.501, 48.1],

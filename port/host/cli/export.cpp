@@ -7,6 +7,7 @@
 
 #include "host/cli/commands.hpp"
 #include "host/cli/map_options.hpp"
+#include "host/import/shapes.hpp"
 #include "host/input/file.hpp"
 #include "host/input/outputs.hpp"
 
@@ -21,6 +22,21 @@ struct ExportOptions {
   std::string svg;
 };
 
+// A line in a drawing stands for one radius and the usual tolerances.
+void warn_of_lines(const Workspace& workspace) {
+  const GoalFacing usual;
+  for (const Goal& goal : workspace.goals) {
+    if (!goal.pose) continue;
+    const GoalFacing& facing = goal.pose->facing;
+    const bool tolerances = facing.tolerance == usual.tolerance && !facing.either_way && !facing.hitches;
+    if (goal.pose->radius == kStateGoalRadius && tolerances) continue;
+    std::fprintf(stderr,
+                 "krait: warning: goal '%s' becomes a line of the drawing, which is read as %.4g m and %.4g rad around "
+                 "it, not as the map has it\n",
+                 goal.name.c_str(), kStateGoalRadius, usual.tolerance);
+  }
+}
+
 void write(const ExportOptions& o) {
   const std::vector<Output> outputs = {{"--json", o.json}, {"--geojson", o.geojson}, {"--svg", o.svg}};
   if (o.json.empty() && o.geojson.empty() && o.svg.empty()) {
@@ -32,7 +48,9 @@ void write(const ExportOptions& o) {
   for (const std::string& warning : workspace.warnings) std::fprintf(stderr, "krait: warning: %s\n", warning.c_str());
   if (!o.json.empty()) write_file(o.json, native_json(workspace));
   if (!o.geojson.empty()) write_file(o.geojson, geojson(workspace));
-  if (!o.svg.empty()) write_file(o.svg, svg(workspace));
+  if (o.svg.empty()) return;
+  warn_of_lines(workspace);
+  write_file(o.svg, svg(workspace));
 }
 
 }  // namespace

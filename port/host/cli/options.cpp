@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/cli/options.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <numbers>
@@ -12,8 +13,6 @@
 
 namespace krait::host {
 namespace {
-
-constexpr double kLeastTolerance = 1e-4;  // radians, of headings
 
 // Whether it is a whole turn at most is judged later, where degrees are asked about.
 CLI::Validator heading_number() {
@@ -56,6 +55,12 @@ void parse_goal(const std::string& text, SearchRequest& request) {
   }
 }
 
+const Goal* find_goal(const Workspace& map, const std::string& name) {
+  const auto found = std::find_if(map.goals.begin(), map.goals.end(),
+                                  [&](const Goal& goal) { return name.empty() || goal.name == name; });
+  return found == map.goals.end() ? nullptr : &*found;
+}
+
 CLI::Validator whole_number(std::uint64_t most, const std::string& unit, std::uint64_t least) {
   const auto check = [least, most, unit](const std::string& text) -> std::string {
     std::uint64_t value = 0;
@@ -96,19 +101,20 @@ void QueryOptions::add(CLI::App& command) {
                      "a goal of the scene by NAME, or a disc X,Y,RADIUS in metres (default: its first)");
   command
       .add_option("--heading", heading,
-                  "radians: the heading of the robot's first body at the end, with a goal X,Y,RADIUS only\n"
-                  "(default: any heading)")
+                  "radians: the heading of the robot's first body at the end, with a goal X,Y,RADIUS or one that has\n"
+                  "a heading in the map (default: that of the map's goal, else any)")
       ->check(heading_number());
   command
-      .add_option("--heading-tolerance", heading_tolerance, "radians, 0.0001 to pi: how far off --heading it may end")
+      .add_option("--heading-tolerance", heading_tolerance, "radians, 0.0001 to pi: how far off the heading it may end")
       ->check(number_in(kLeastTolerance, std::numbers::pi, "radians"))
       ->capture_default_str();
-  command.add_flag("--either-way", either_way, "the heading opposite to --heading will do as well");
+  command.add_flag("--either-way", either_way, "the opposite heading will do as well");
   command
       .add_option("--hitch-tolerance", hitch_tolerance,
                   "radians, 0.0001 to pi: how far a trailer's heading may end off that of the body before it,\n"
-                  "with --heading (default: as far as the hitches bend)")
+                  "with a heading (default: as far as the hitches bend)")
       ->check(number_in(kLeastTolerance, std::numbers::pi, "radians"));
+  command.add_flag("--any-heading", any_heading, "the heading of the map's goal is not asked for");
   command.add_option("--end-speed", end_speed,
                      "metres a second, 0 or more: how fast the plan may end, inf for any speed (default: 0, at rest)");
 }
@@ -117,23 +123,47 @@ bool QueryOptions::robot_is_file() const { return is_robot_file(robot); }
 
 bool QueryOptions::robot_given() const { return command_->count("--robot") > 0; }
 
-void QueryOptions::read_facing(SearchRequest& request) const {
-  if (!heading) {
-    for (const char* option : {"--heading-tolerance", "--either-way", "--hitch-tolerance"}) {
-      if (command_->count(option) > 0) throw InputError(std::string(option) + ": give --heading RADIANS with it");
-    }
-    return;
+const char* QueryOptions::lone_tolerance() const {
+  for (const char* option : {"--heading-tolerance", "--either-way", "--hitch-tolerance"}) {
+    if (command_->count(option) > 0) return option;
   }
-  check_heading("--heading " + shown(*heading), *heading);
-  if (!request.goal) throw InputError("--heading: give the goal as --goal X,Y,RADIUS with it, not by its name");
-  request.facing = GoalFacing{*heading, heading_tolerance, either_way, hitch_tolerance};
+  return nullptr;
+}
+
+bool QueryOptions::asks_heading() const { return heading || lone_tolerance() != nullptr; }
+
+GoalFacing QueryOptions::facing(const GoalFacing& usual) const {
+  GoalFacing facing = usual;
+  if (heading) facing.heading = *heading;
+  if (command_->count("--heading-tolerance") > 0) facing.tolerance = heading_tolerance;
+  if (either_way) facing.either_way = true;
+  if (hitch_tolerance) facing.hitches = hitch_tolerance;
+  return facing;
+}
+
+void QueryOptions::read_pose(const Workspace& map, SearchRequest& request) const {
+  const Goal* named = request.goal ? nullptr : find_goal(map, request.goal_name);
+  if (named != nullptr && named->pose) {
+    request.goal_name = named->name;
+    request.goal = GoalDisc{named->pose->position, named->pose->radius};
+    if (!any_heading) request.facing = facing(named->pose->facing);
+  } else if (heading && !request.goal) {
+    throw InputError("--heading: give the goal as --goal X,Y,RADIUS with it, not by the name of a region");
+  } else if (heading) {
+    request.facing = facing({});
+  } else if (const char* option = lone_tolerance()) {
+    throw InputError(std::string(option) + ": give --heading RADIANS with it");
+  }
 }
 
 void QueryOptions::read(SearchRequest& request) const {
   request.robot = parse_robot(robot);
   if (!start.empty()) parse_start(start, request);
   if (!goal.empty()) parse_goal(goal, request);
-  read_facing(request);
+  if (heading) check_heading("--heading " + shown(*heading), *heading);
+  if (any_heading && asks_heading()) {
+    throw InputError("--any-heading: excludes --heading, its tolerances and --either-way: drop it or them");
+  }
   if (!end_speed) return;
   if (!(*end_speed >= 0)) throw InputError("--end-speed: give metres a second, 0 or more, or inf");
   request.parameters.end_speed = static_cast<float>(*end_speed);

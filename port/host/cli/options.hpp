@@ -32,6 +32,9 @@ CLI::Validator whole_number_of(Argument argument, const std::string& unit);
 // The text with that range: "a time step, seconds, 0.001 to 1".
 std::string with_range(const std::string& text, Argument argument);
 
+// The goal of that name, or the first one where the name is empty; null: there is none such.
+const Goal* find_goal(const Workspace& map, const std::string& name);
+
 // The texts of what plan and verify both ask: robot, start and goal.
 struct QueryOptions {
   std::string robot = "snake:15";
@@ -41,15 +44,22 @@ struct QueryOptions {
   double heading_tolerance = 0.1;
   bool either_way = false;
   std::optional<double> hitch_tolerance;
+  bool any_heading = false;
   std::optional<double> end_speed;
 
   void add(CLI::App& command);
   bool robot_is_file() const;  // and not a model's name
   bool robot_given() const;    // and not the default
+  bool asks_heading() const;   // or one of its tolerances
   void read(SearchRequest& request) const;
 
+  // After read: the goal of the map that is named, or its first, where that is a pose. Options take the place of what
+  // it says of its heading. Throws InputError where they have no heading.
+  void read_pose(const Workspace& map, SearchRequest& request) const;
+
  private:
-  void read_facing(SearchRequest& request) const;
+  const char* lone_tolerance() const;  // the first of the options that need a heading; null: none is given
+  GoalFacing facing(const GoalFacing& usual) const;
   CLI::App* command_ = nullptr;
 };
 

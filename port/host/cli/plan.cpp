@@ -179,13 +179,31 @@ void print_improvement(const SearchResult& result) {
               s.at("plan_duration_s").get<double>(), result.first.length, s.at("plan_length_m").get<double>());
 }
 
-void print_summary(const SearchResult& result, const Ground& ground, const std::optional<Clearance>& clearance) {
+// "goal 'dock': within 0.1 m of 18,2, heading 1.57 rad, within 0.1 rad"
+std::string pose_text(const SearchRequest& request) {
+  const GoalFacing& facing = *request.facing;
+  const GoalDisc& goal = *request.goal;
+  std::string text = request.goal_name.empty() ? "goal" : "goal '" + request.goal_name + "'";
+  text += printed(": within %.6g m of %.10g,%.10g, heading %.6g rad", goal.radius, goal.center.x, goal.center.y,
+                  facing.heading);
+  if (facing.either_way) text += " or the opposite one";
+  text += printed(", within %.6g rad", facing.tolerance);
+  if (facing.hitches) text += printed(", hitches straight within %.6g rad", *facing.hitches);
+  return text;
+}
+
+void print_summary(const SearchResult& result, const SearchRequest& request, const Ground& ground,
+                   const PlanOptions& options, const std::optional<Clearance>& clearance) {
   const PlanFile& plan = result.plan;
   const auto& s = plan.statistics;
   std::printf("%s: %s (%zu bodies) in %s, seed %llu: %.4f s, %llu iterations, %llu vertices\n", plan.status.c_str(),
               plan.robot.model.c_str(), plan.robot.bodies.size(), plan.scene.c_str(),
               static_cast<unsigned long long>(plan.seed), s.at("time_s").get<double>(),
               s.at("iterations").get<unsigned long long>(), s.at("vertices").get<unsigned long long>());
+  if (request.facing) {
+    const char* hint = options.query.heading ? "" : " (--any-heading asks for the place alone)";
+    std::printf("  %s%s\n", pose_text(request).c_str(), hint);
+  }
   if (result.stopped) {
     std::printf("stopped by you after %llu iterations%s\n", s.at("iterations").get<unsigned long long>(),
                 plan.states.empty() ? "" : ": this is the best plan so far");
@@ -248,14 +266,17 @@ std::vector<std::string> inputs_of(const PlanOptions& options) {
 // `tolerance` as the option's value; empty: the compiler's default.
 SceneBytes compiled(const PlanOptions& options, const std::string& tolerance) {
   std::vector<std::string> arguments = options.map.arguments();
+  arguments.emplace_back("--any-heading");  // the request has those of the goals
   if (!tolerance.empty()) arguments.insert(arguments.end(), {"--tolerance", tolerance});
   const std::string scene = run_compiler(options.compiler, options.scene, arguments);
   return SceneBytes::copy(scene.data(), scene.size());
 }
 
-Ground read_ground(const PlanOptions& options, Progress& progress) {
+// The request's goal becomes the map's where that is a pose.
+Ground read_ground(const PlanOptions& options, SearchRequest& request, Progress& progress) {
   const std::string content = read_file(options.scene, UINT32_MAX);
   if (is_scene_file(content)) {
+    options.query.read_pose({}, request);
     if (options.map_options.empty()) return {SceneBytes::copy(content.data(), content.size()), std::nullopt};
     throw InputError(options.map_options.front() + " is for maps, but " + options.scene +
                      " is compiled already: use it with krait compile, or plan in the map itself");
@@ -264,6 +285,7 @@ Ground read_ground(const PlanOptions& options, Progress& progress) {
   Workspace map = import_workspace(options.scene, options.map.read());
   progress.end();                                 // the compiler has its own
   check_outputs(outputs_of(options), map.files);  // also those that the map names
+  options.query.read_pose(map, request);
   return {compiled(options, options.tolerance), std::move(map)};
 }
 
@@ -322,13 +344,13 @@ void plan(const PlanOptions& options) {
   check_outputs(outputs_of(options), inputs_of(options));  // before work that may take long
   warn_of_axle(options, request.robot);
   Progress progress("krait");
-  Ground ground = read_ground(options, progress);
+  Ground ground = read_ground(options, request, progress);
   auto [result, clearance] = search_in(ground, options, request, progress);
   Verdict verdict;
   const int code = judge(result, ground, request, options, verdict, progress);
   if (!options.json.empty()) write_file(options.json, to_json(result.plan).dump() + "\n");
   if (!options.csv.empty()) write_file(options.csv, csv_of(result.plan));
-  print_summary(result, ground, clearance);
+  print_summary(result, request, ground, options, clearance);
   if (request.improve > 0 && !result.plan.states.empty()) print_improvement(result);
   if (code == kDone) print_quality(result, request, ground.scene, verdict);
   draw(request, ground.scene, result, options, progress);

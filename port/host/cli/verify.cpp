@@ -37,8 +37,10 @@ Start start_of(const PlanFile& plan) {
   return start;
 }
 
-Asked asked_of(const Workspace& workspace, SearchRequest request, const PlanFile& plan) {
-  if (!request.facing) request.facing = plan.goal_facing;
+// A heading that is not asked for is the plan's own.
+Asked asked_of(const Workspace& workspace, SearchRequest request, const QueryOptions& query, const PlanFile& plan) {
+  query.read_pose(workspace, request);
+  if (!query.asks_heading()) request.facing = query.any_heading ? std::nullopt : plan.goal_facing;
   if (request.start || !request.start_name.empty()) return asked_of(workspace, request);
   const Start start = start_of(plan);
   request.start = StartPose{start.position, start.heading};
@@ -71,10 +73,17 @@ void print_verdict(const Verdict& verdict, bool all) {
 }
 
 // What the plan was judged by though it was not asked for.
-void print_own(const VerifyOptions& options, const Asked& asked) {
+void print_own(const VerifyOptions& options, const Workspace& workspace, const Asked& asked) {
   std::printf("from %.10g,%.10g,%.10g%s\n", asked.start.position.x, asked.start.position.y, asked.start.heading,
               options.query.start.empty() ? ", the plan's own start: --start asks for another" : "");
-  if (options.query.heading || !asked.facing) return;
+  const QueryOptions& query = options.query;
+  if (query.asks_heading() || query.any_heading) return;
+  const Goal* goal = asked.disc_center ? find_goal(workspace, query.goal) : nullptr;
+  if (!asked.facing && goal != nullptr && goal->pose) {
+    std::printf("to any heading, the plan's own: the map's goal has the heading %.10g, for which --heading asks\n",
+                goal->pose->facing.heading);
+  }
+  if (!asked.facing) return;
   const GoalFacing& facing = *asked.facing;
   std::printf("to the heading %.10g to %.10g rad%s, the plan's own: --heading asks for another\n", facing.heading,
               facing.tolerance, facing.either_way ? " either way" : "");
@@ -90,12 +99,12 @@ void judge(const VerifyOptions& options) {
   progress.end();
   for (const std::string& warning : workspace.warnings) std::fprintf(stderr, "krait: warning: %s\n", warning.c_str());
   const PlanFile plan = read_plan(options.plan);
-  const Asked asked = asked_of(workspace, request, plan);
+  const Asked asked = asked_of(workspace, request, options.query, plan);
   progress.show("verifying", std::to_string(plan.controls.size()) + " steps");
   const Verdict verdict = verify(workspace, plan, asked);
   progress.end();
   print_verdict(verdict, options.all);
-  if (verdict.holds) print_own(options, asked);
+  if (verdict.holds) print_own(options, workspace, asked);
   if (!verdict.holds && !options.query.robot_given()) {
     std::printf("judged for %s, the default: --robot asks for another\n", options.query.robot.c_str());
   }

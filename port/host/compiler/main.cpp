@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "host/compiler/compiler.hpp"
+#include "host/compiler/lost_headings.hpp"
 #include "host/compiler/reduction_options.hpp"
 #include "host/import/import.hpp"
 #include "host/input/file.hpp"
@@ -47,6 +48,7 @@ struct Arguments {
   std::string datum;
   ImportOptions map;
   double tolerance = -1;
+  bool any_heading = false;
   ReductionOptions reduction;
 };
 
@@ -70,6 +72,8 @@ void run(const Arguments& arguments, Progress& progress) {
   progress.end();
   const auto warn = [](const std::string& text) { std::fprintf(stderr, "krait-compile: warning: %s\n", text.c_str()); };
   std::for_each(workspace.warnings.begin(), workspace.warnings.end(), warn);
+  const std::string lost = arguments.any_heading ? "" : lost_headings(workspace.goals);
+  if (!lost.empty()) warn(lost);
   std::for_each(scene.warnings.begin(), scene.warnings.end(), warn);
   for (const std::string& line : report) std::fprintf(stderr, "krait-compile: %s\n", line.c_str());
 }
@@ -87,6 +91,8 @@ int main(int argc, char** argv) {
   app.add_option("-o,--output", arguments.output, "the scene file to write")->required();
   app.add_option("--start", arguments.start, "X,Y,HEADING: a start named 'start', in place of the file's");
   app.add_option("--goal", arguments.goal, "X,Y,RADIUS: a further goal named 'goal', inside this disc");
+  app.add_flag("--any-heading", arguments.any_heading,
+               "no warning of goals whose headings the map has and a scene file has no place for");
   const std::map<std::string, Unknown> names{
       {"free", Unknown::free}, {"occupied", Unknown::occupied}, {"map", Unknown::map}};
   app.add_option("--unknown", arguments.map.unknown,

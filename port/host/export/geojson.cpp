@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/export/cell_boxes.hpp"
 #include "host/export/export.hpp"
-#include "host/input/json.hpp"
+#include "host/input/facing.hpp"
 
 namespace krait::host {
 namespace {
@@ -21,9 +21,24 @@ Json feature(const char* role, Json geometry) {
   return {{"type", "Feature"}, {"properties", {{"role", role}}}, {"geometry", std::move(geometry)}};
 }
 
+Json point(const Point& at, const Workspace& workspace) {
+  const Point p = unshifted(at, workspace);
+  return {{"type", "Point"}, {"coordinates", {p.x, p.y}}};
+}
+
+Json feature_of(const Goal& goal, const Workspace& workspace) {
+  Json json =
+      feature("goal", goal.pose ? point(goal.pose->position, workspace) : polygon(unshifted(goal.polygon, workspace)));
+  Json& properties = json["properties"];
+  properties["name"] = goal.name;
+  if (!goal.pose) return json;
+  properties["radius"] = goal.pose->radius;
+  add_facing(goal.pose->facing, properties);
+  return json;
+}
+
 Json feature_of(const Start& start, const Workspace& workspace) {
-  const Point p = unshifted(start.position, workspace);
-  Json json = feature("start", {{"type", "Point"}, {"coordinates", {p.x, p.y}}});
+  Json json = feature("start", point(start.position, workspace));
   json["properties"]["name"] = start.name;
   json["properties"]["heading"] = start.heading;
   if (!start.angles.empty()) json["properties"]["angles"] = start.angles;
@@ -43,10 +58,7 @@ std::string geojson(const Workspace& workspace) {
   for (const Obstacle& obstacle : all_obstacles(workspace)) {
     features.push_back(feature("obstacle", polygon(obstacle.outer, obstacle.holes)));
   }
-  for (const Goal& goal : workspace.goals) {
-    features.push_back(feature("goal", polygon(unshifted(goal.polygon, workspace))));
-    features.back()["properties"]["name"] = goal.name;
-  }
+  for (const Goal& goal : workspace.goals) features.push_back(feature_of(goal, workspace));
   for (const Start& start : workspace.starts) features.push_back(feature_of(start, workspace));
   const Json json = {{"type", "FeatureCollection"}, {"name", workspace.name}, {"unit", 1}, {"features", features}};
   return json.dump(1) + "\n";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/export/cell_boxes.hpp"
 #include "host/export/export.hpp"
-#include "host/input/json.hpp"
+#include "host/input/facing.hpp"
 
 namespace krait::host {
 namespace {
@@ -21,6 +21,18 @@ Json json_of(const Start& start, const Workspace& workspace) {
   return json;
 }
 
+Json json_of(const Goal& goal, const Workspace& workspace) {
+  Json json = {{"name", goal.name}};
+  if (!goal.pose) {
+    json["polygon"] = to_json(unshifted(goal.polygon, workspace));
+    return json;
+  }
+  json["position"] = json_of(unshifted(goal.pose->position, workspace));
+  json["radius"] = goal.pose->radius;
+  add_facing(goal.pose->facing, json);
+  return json;
+}
+
 }  // namespace
 
 std::string native_json(const Workspace& workspace) {
@@ -30,9 +42,7 @@ std::string native_json(const Workspace& workspace) {
                     {"max", json_of(unshifted(workspace.max, workspace))}};
   for (const char* list : {"obstacles", "goals", "starts"}) json[list] = Json::array();
   for (const Obstacle& obstacle : all_obstacles(workspace)) json["obstacles"].push_back(json_of(obstacle));
-  for (const Goal& goal : workspace.goals) {
-    json["goals"].push_back({{"name", goal.name}, {"polygon", to_json(unshifted(goal.polygon, workspace))}});
-  }
+  for (const Goal& goal : workspace.goals) json["goals"].push_back(json_of(goal, workspace));
   for (const Start& start : workspace.starts) json["starts"].push_back(json_of(start, workspace));
   return json.dump(1) + "\n";
 }

@@ -55,13 +55,19 @@ Ring chain(const Start& start, const Point& position) {
   return turned;
 }
 
-void add_start(pugi::xml_node& parent, const Start& start, const Workspace& workspace) {
-  pugi::xml_node node = add(parent, "polyline", "start");
+void add_chain(pugi::xml_node& parent, const char* role, const Start& start, const Workspace& workspace) {
+  pugi::xml_node node = add(parent, "polyline", role);
   node.append_attribute("points") = points(chain(start, unshifted(start.position, workspace))).c_str();
   node.append_attribute("fill") = "none";
   node.append_attribute("stroke") = "black";
   node.append_attribute("stroke-width") = "0.1";
   set_title(node, start.name);
+}
+
+// A pose's line holds neither its radius nor its tolerances.
+void add_goal(pugi::xml_node& parent, const Goal& goal, const Workspace& workspace) {
+  if (!goal.pose) return add_polygon(parent, "goal", goal.name, unshifted(goal.polygon, workspace));
+  add_chain(parent, "goal", {goal.name, goal.pose->position, goal.pose->facing.heading, {}}, workspace);
 }
 
 void add_page(pugi::xml_node& svg, const Point& min, const Point& max) {
@@ -89,10 +95,8 @@ std::string svg(const Workspace& workspace) {
     path.append_attribute("fill") = "grey";
     path.append_attribute("fill-rule") = "evenodd";
   }
-  for (const Goal& goal : workspace.goals) {
-    add_polygon(page, "goal", goal.name, unshifted(goal.polygon, workspace));
-  }
-  for (const Start& start : workspace.starts) add_start(page, start, workspace);
+  for (const Goal& goal : workspace.goals) add_goal(page, goal, workspace);
+  for (const Start& start : workspace.starts) add_chain(page, "start", start, workspace);
   std::ostringstream out;
   document.save(out, " ");
   return out.str();

@@ -71,8 +71,9 @@ std::optional<Role> role_of(std::string_view word) {
   return std::nullopt;
 }
 
-void Drawing::add_goal(const std::string& name, Ring polygon) {
-  workspace_.goals.push_back({name_or(name, "goal", workspace_.goals.size()), std::move(polygon)});
+void Drawing::add_goal(const std::string& name, Goal goal) {
+  goal.name = name_or(name, "goal", workspace_.goals.size());
+  workspace_.goals.push_back(std::move(goal));
 }
 
 void Drawing::add_start(const std::string& name, Start start) {

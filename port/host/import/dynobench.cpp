@@ -54,9 +54,7 @@ void read_robot(const Field& robots, Workspace& workspace) {
   const Pose start = read_pose(robot.at("start"), workspace.warnings);
   workspace.starts.push_back({"start", start.position, start.heading, {}});
   const Pose goal = read_pose(robot.at("goal"), workspace.warnings);
-  workspace.goals.push_back({"goal", ring_inside_circle(goal.position, kStateGoalRadius)});
-  workspace.warnings.push_back("robots[0].goal: reached means within " + shown(kStateGoalRadius) +
-                               " m of its position, its heading is not asked for");
+  workspace.goals.push_back(pose_goal("goal", {goal.position, kStateGoalRadius, {goal.heading}}));
 }
 
 Workspace read(const Source& source, const ImportOptions&) {

@@ -9,7 +9,7 @@
 #include "host/import/json_keys.hpp"
 #include "host/import/local_plane.hpp"
 #include "host/import/shapes.hpp"
-#include "host/input/json.hpp"
+#include "host/input/facing.hpp"
 
 namespace krait::host {
 namespace {
@@ -126,7 +126,7 @@ class Reader {
     if (context.role == Role::obstacle) return drawing_.add_obstacle(std::move(obstacle));
     if (context.role == Role::start) rings.fail("a start must be a Point with the property heading");
     if (!obstacle.holes.empty()) rings.item(1).fail("only obstacles can have holes");
-    if (context.role == Role::goal) return drawing_.add_goal(context.name, std::move(obstacle.outer));
+    if (context.role == Role::goal) return read_region(std::move(obstacle.outer), context);
     drawing_.set_bounds(rings.place(), obstacle.outer);
   }
 
@@ -165,8 +165,24 @@ class Reader {
     if (context.role == Role::obstacle) {
       return drawing_.add_obstacle({coordinates.place(), ring_around_circle(p, radius), {}});
     }
-    if (context.role == Role::goal) return drawing_.add_goal(context.name, ring_inside_circle(p, radius));
+    if (context.role == Role::goal) return read_goal(p, radius, context);
     coordinates.fail("bounds must be a Polygon");
+  }
+
+  void read_region(Ring polygon, const Context& context) {
+    if (context.properties->has("heading")) {
+      context.properties->at("heading").fail("a goal with a heading must be a Point with the property radius");
+    }
+    require_no_tolerance(*context.properties);
+    drawing_.add_goal(context.name, {{}, std::move(polygon)});
+  }
+
+  void read_goal(const Point& position, double radius, const Context& context) {
+    if (context.properties->has("heading")) {
+      return drawing_.add_goal(context.name, pose_goal({}, {position, radius, read_facing(*context.properties)}));
+    }
+    require_no_tolerance(*context.properties);
+    drawing_.add_goal(context.name, {{}, ring_inside_circle(position, radius)});
   }
 
   void read_start(const Point& position, const Field& coordinates, const Context& context) {

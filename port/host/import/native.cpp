@@ -6,7 +6,7 @@
 #include "host/import/format.hpp"
 #include "host/import/json_keys.hpp"
 #include "host/import/shapes.hpp"
-#include "host/input/json.hpp"
+#include "host/input/facing.hpp"
 
 namespace krait::host {
 namespace {
@@ -52,9 +52,29 @@ Obstacle read_obstacle(const Field& field) {
   return obstacle;
 }
 
+// A position with a radius, or a circle.
+GoalPose read_pose(const Field& field) {
+  const bool circle = field.has("circle");
+  const Field place = circle ? field.at("circle") : field;
+  if (circle) place.keys({"center", "radius"});
+  return {place.at(circle ? "center" : "position").point(kMaxFarCoordinate),
+          place.at("radius").number(kMinLength, kMaxCoordinate, "metres"), read_facing(field)};
+}
+
 Goal read_goal(const Field& field) {
-  field.keys({"name", "polygon", "box", "circle"});
-  return {field.at("name").name(), read_shape(field, ring_inside_circle)};
+  field.keys({"name", "polygon", "box", "circle", "position", "radius", "heading", "heading_tolerance", "either_way",
+              "hitch_tolerance"});
+  const std::string name = field.at("name").name();
+  const bool region = field.has("polygon") || field.has("box");
+  const bool circle = field.has("circle");
+  const bool place = field.has("position") || field.has("radius");
+  if (place && (region || circle)) field.fail("must have one of polygon, box, circle, and position with radius");
+  if (region && field.has("heading")) {
+    field.at("heading").fail("needs a circle, or position and radius: a polygon or box holds robots turned in any way");
+  }
+  if (place || (circle && field.has("heading"))) return pose_goal(name, read_pose(field));
+  require_no_tolerance(field);
+  return {name, read_shape(field, ring_inside_circle)};
 }
 
 Start read_start(const Field& field) {

@@ -48,4 +48,8 @@ Ring ring_inside_circle(const Point& center, double radius) {
   return regular(center, radius * (1 - kRounding), half_edge_angle(radius));
 }
 
+Goal pose_goal(const std::string& name, const GoalPose& pose) {
+  return {name, ring_inside_circle(pose.position, pose.radius), pose};
+}
+
 }  // namespace krait::host

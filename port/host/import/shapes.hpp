@@ -16,4 +16,6 @@ Ring box_ring(const Point& center, double width, double height, double angle);
 Ring ring_around_circle(const Point& center, double radius);  // contains the circle
 Ring ring_inside_circle(const Point& center, double radius);  // lies inside the circle
 
+Goal pose_goal(const std::string& name, const GoalPose& pose);
+
 }  // namespace krait::host

@@ -28,6 +28,7 @@ void for_each_point(Workspace& workspace, const Visit& visit) {
   }
   for (Goal& goal : workspace.goals) {
     for (Point& p : goal.polygon) visit(p, "goal " + goal.name);
+    if (goal.pose) visit(goal.pose->position, "goal " + goal.name);
   }
   for (Start& start : workspace.starts) visit(start.position, "start " + start.name);
 }

@@ -172,14 +172,23 @@ class Reader {
       for (Obstacle& obstacle : obstacles) drawing_.add_obstacle(std::move(obstacle));
       return;
     }
+    if (style.role == Role::goal && rings.size() == 1 && rings[0].size() == 2) {
+      return drawing_.add_goal(svg_name(element),
+                               pose_goal({}, {rings[0][0], kStateGoalRadius, {heading(rings[0], 0)}}));
+    }
     if (rings.size() != 1 || rings[0].size() < 3) places_.fail(element, "a goal and bounds must be one closed outline");
-    if (style.role == Role::goal) return drawing_.add_goal(svg_name(element), std::move(rings[0]));
+    if (style.role == Role::goal) return drawing_.add_goal(svg_name(element), {{}, std::move(rings[0])});
     drawing_.set_bounds(label(element, name), rings[0]);
   }
 
   std::string label(const pugi::xml_node& element, std::string_view name) const {
     const std::string id = svg_name(element);
     return id.empty() ? std::string(name) + ", element " + std::to_string(elements_) : id;
+  }
+
+  // Of the segment from that point on.
+  static double heading(const Ring& points, std::size_t first) {
+    return std::atan2(points[first + 1].y - points[first].y, points[first + 1].x - points[first].x);
   }
 
   // Its last segment points from the position to where the robot looks; those before are trailers, from the last one.
@@ -191,12 +200,9 @@ class Reader {
       places_.fail(element, "a start must be a line from its position to where the robot looks");
     }
     const Ring& points = lines[0];
-    const auto heading = [&](std::size_t i) {
-      return std::atan2(points[i + 1].y - points[i].y, points[i + 1].x - points[i].x);
-    };
     const std::size_t last = points.size() - 2;
-    Start start{{}, points[last], heading(last), {}};
-    for (std::size_t i = last; i > 0; --i) start.angles.push_back(heading(i - 1));
+    Start start{{}, points[last], heading(points, last), {}};
+    for (std::size_t i = last; i > 0; --i) start.angles.push_back(heading(points, i - 1));
     drawing_.add_start(svg_name(element), std::move(start));
   }
 

@@ -126,15 +126,12 @@ Workspace read(const Source& source, const ImportOptions&) {
   workspace.starts.push_back({"start", start, values.number("the start's heading", kMaxAngle, "radians"), {}});
   const Point goal = values.point("the goal");
   const double heading = values.number("the goal's heading", kMaxAngle, "radians");
-  workspace.goals.push_back({"goal", ring_inside_circle(goal, kStateGoalRadius)});
+  workspace.goals.push_back(pose_goal("goal", {goal, kStateGoalRadius, {heading}}));
   workspace.obstacles = read_obstacles(values);
   values.require_end();
   set_bounds(goal, workspace);
-  workspace.warnings = {
-      source.path + ": the goal is within " + shown(kStateGoalRadius) +
-          " m of its position, with any heading; for its heading plan with --goal " + shown(goal.x) + "," +
-          shown(goal.y) + "," + shown(kStateGoalRadius) + " --heading " + shown(heading),
-      source.path + ": the file has no bounds; they lie " + shown(kMargin) + " m around all its points"};
+  workspace.warnings = {source.path + ": the file has no bounds; they lie " + shown(kMargin) +
+                        " m around all its points"};
   return workspace;
 }
 

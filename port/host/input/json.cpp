@@ -144,6 +144,11 @@ long long Field::integer(long long least, long long most) const {
   return static_cast<long long>(value);
 }
 
+bool Field::boolean() const {
+  if (!value_->is_boolean()) fail_expecting("true or false");
+  return value_->get<bool>();
+}
+
 std::string Field::text() const {
   if (!value_->is_string()) fail_expecting("a text");
   return value_->get<std::string>();

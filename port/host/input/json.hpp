@@ -42,6 +42,7 @@ class Field {
   // Finite; the unit is that of the bounds, for whoever reads the refusal.
   double number(double least, double most, const std::string& unit = {}) const;
   long long integer(long long least, long long most) const;
+  bool boolean() const;
   std::string text() const;
   std::string printed() const;                      // a text that is_safe_to_print
   std::string name() const;                         // 1 to kMaxNameBytes bytes that are safe to print

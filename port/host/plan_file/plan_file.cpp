@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "host/input/facing.hpp"
 #include "host/input/json.hpp"
 
 namespace krait::host {
@@ -69,22 +70,13 @@ std::uint64_t read_seed(const Field& field) {
   return field.value().get<std::uint64_t>();
 }
 
-void add_facing(const GoalFacing& facing, Json& goal) {
-  goal["heading"] = facing.heading;
-  goal["heading_tolerance"] = facing.tolerance;
-  goal["either_way"] = facing.either_way;
-  if (facing.hitches) goal["hitch_tolerance"] = *facing.hitches;
-}
-
-GoalFacing read_facing(const Field& goal) {
+GoalFacing read_planned_facing(const Field& goal) {
   constexpr double kMostHeading = 1e4;
   constexpr double kMostTolerance = 3.15;
   GoalFacing facing;
   facing.heading = goal.at("heading").number(-kMostHeading, kMostHeading, "radians");
   facing.tolerance = goal.at("heading_tolerance").number(0, kMostTolerance, "radians");
-  const Field either_way = goal.at("either_way");
-  if (!either_way.value().is_boolean()) either_way.fail("must be true or false");
-  facing.either_way = either_way.value().get<bool>();
+  facing.either_way = goal.at("either_way").boolean();
   if (goal.has("hitch_tolerance")) facing.hitches = goal.at("hitch_tolerance").number(0, kMostHeading, "radians");
   return facing;
 }
@@ -147,7 +139,7 @@ PlanFile parse_plan(const std::string& text, const std::string& file) {
   plan.goal_name = goal.at("name").printed();
   const Field polygon = goal.at("polygon");
   if (plan.status == kSolved || polygon.size() > 0) plan.goal_polygon = polygon.ring();
-  if (goal.has("heading")) plan.goal_facing = read_facing(goal);
+  if (goal.has("heading")) plan.goal_facing = read_planned_facing(goal);
   read_motion(field, plan);
   plan.origin = field.at("origin").point();
   plan.statistics = field.at("statistics").value();

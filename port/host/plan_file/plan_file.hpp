@@ -14,14 +14,6 @@
 
 namespace krait::host {
 
-// How the robot is turned where a plan ends, radians.
-struct GoalFacing {
-  double heading = 0;             // of the first body
-  double tolerance = 0;           // above 0 and at most pi: how far off the heading may be
-  bool either_way = false;        // whether the opposite heading will do as well
-  std::optional<double> hitches;  // every other body's heading is so near to that of the body before it; absent: free
-};
-
 struct PlanFile {
   std::string status;  // "solved", or why not
   std::string scene;

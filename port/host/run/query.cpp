@@ -48,8 +48,9 @@ Facing facing_of(const GoalFacing& from) {
   return {static_cast<float>(from.heading), static_cast<float>(from.tolerance), from.either_way, hitches};
 }
 
-std::string goal_name(const krait::Scene& scene, const krait::Goal& goal) {
+std::string goal_name(const krait::Scene& scene, const SearchRequest& request, const krait::Goal& goal) {
   if (!goal.is_disc()) return scene.goal_name(goal.index());
+  if (!request.goal_name.empty()) return request.goal_name;
   return goal.is_pose() ? "pose" : "disc";
 }
 
@@ -108,7 +109,7 @@ PlanFile plan_form(const krait::Scene& scene, const SearchRequest& request, cons
   form.planner = request.planner;
   form.robot = request.robot;
   form.dt = static_cast<double>(request.parameters.dt);
-  form.goal_name = goal_name(scene, goal);
+  form.goal_name = goal_name(scene, request, goal);
   form.goal_facing = request.facing;
   form.goal_polygon = goal_ring(scene, goal);
   form.state_names = state_names(request.robot);

@@ -35,8 +35,8 @@ struct SearchRequest {
   std::uint64_t seed = 1;
   std::optional<StartPose> start;  // absent: the scene's start `start_name`, or its first
   std::string start_name;
-  std::optional<GoalDisc> goal;  // absent: the scene's goal `goal_name`, or its first
-  std::string goal_name;
+  std::optional<GoalDisc> goal;                     // absent: the scene's goal `goal_name`, or its first
+  std::string goal_name;                            // beside `goal`: of the map's goal that it is
   std::optional<GoalFacing> facing;                 // only with `goal`
   std::uint64_t memory = std::uint64_t{64} << 20U;  // bytes of the block
   std::uint64_t iterations = 1'000'000;

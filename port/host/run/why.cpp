@@ -110,7 +110,7 @@ std::vector<std::string> what_to_try(Status status, const Statistics& statistics
                     " ways reached the goal but did not hold as driven: try a larger goal" +
                     (pushes_trailers(request.robot) ? ", or room to pull forward between pushing trailers back" : ""));
   }
-  if (request.facing) lines.push_back("try a larger --heading-tolerance, --either-way, or the goal without --heading");
+  if (request.facing) lines.push_back("try a larger --heading-tolerance, --either-way, or --any-heading instead");
   if (request.parameters.clearance > Parameters{}.clearance) lines.push_back("try a smaller --clearance");
   if (cannot_reverse(request.robot)) lines.push_back("try a ROBOT.json that may reverse, with a min_speed below 0");
   if (const double radius = turning_radius(request.robot); radius > 0) {

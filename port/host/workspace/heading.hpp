@@ -11,6 +11,8 @@
 
 namespace krait::host {
 
+inline constexpr double kLeastTolerance = 1e-4;  // radians, of headings
+
 // Throws InputError where the heading is more than a whole turn; `given` is what the line begins with.
 inline void check_heading(const std::string& given, double heading) {
   if (std::abs(heading) <= 2 * std::numbers::pi) return;

@@ -25,9 +25,26 @@ struct Obstacle {
   std::vector<Ring> holes;
 };
 
+// How the robot is turned where a plan ends, radians.
+struct GoalFacing {
+  double heading = 0;                            // of the first body
+  double tolerance = 0.1;                        // above 0 and at most pi: how far off the heading may be
+  bool either_way = false;                       // whether the opposite heading will do as well
+  std::optional<double> hitches = std::nullopt;  // every other body's heading is so near to that of the body before it;
+                                                 // absent: free
+};
+
+// A place to end at and how to be turned there.
+struct GoalPose {
+  Point position;
+  double radius = 0;  // metres: how near to the position is there
+  GoalFacing facing;
+};
+
 struct Goal {
   std::string name;
-  Ring polygon;
+  Ring polygon;                                 // of a pose: inside its disc
+  std::optional<GoalPose> pose = std::nullopt;  // absent: anywhere in the polygon, turned in any way
 };
 
 inline constexpr int kMaxLinks = 25;  // trailers of a robot, and so angles of a start

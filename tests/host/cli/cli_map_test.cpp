@@ -116,11 +116,12 @@ TEST_F(CliMap, TakesEveryFormatOfCompile) {
                   {"--robot", "unicycle", "--start", "2,1,1.5", "--goal", "2,6,0.5", "--unknown", "occupied"});
   write("bench.yaml",
         "environment:\n  min: [0, 0]\n  max: [12, 8]\n"
-        "robots:\n  - {type: unicycle1_v0, start: [2, 4, 0], goal: [9, 4, 0]}\n");
+        "robots:\n  - {type: unicycle1_v0, start: [2, 4, 0], goal: [9, 4, 0]}\n  - {start: [2, 2, 0]}\n");
   const Outcome outcome = krait({"plan", "bench.yaml", "--robot", "unicycle"});
   EXPECT_EQ(outcome.code, 0) << outcome.errors;
   EXPECT_THAT(outcome.output, HasSubstr("solved: unicycle (1 bodies) in bench"));
-  EXPECT_THAT(outcome.errors, testing::StartsWith("krait-compile: warning: bench.yaml: robots[0].goal: reached means"));
+  EXPECT_THAT(outcome.errors, testing::StartsWith("krait-compile: warning: bench.yaml: robots: only the first one's"));
+  EXPECT_THAT(outcome.output, HasSubstr("goal 'goal': within 0.1 m of 9,4, heading 0 rad, within 0.1 rad"));
 }
 
 TEST_F(CliMap, UnknownCellsCountAsAsked) {

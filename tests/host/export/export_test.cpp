@@ -9,6 +9,7 @@
 #include "../ring_area.hpp"
 #include "../scratch.hpp"
 #include "host/import/import.hpp"
+#include "host/import/shapes.hpp"
 
 namespace krait::host {
 namespace {
@@ -41,6 +42,15 @@ void expect_near(const Ring& one, const Ring& other, double tolerance) {
   for (std::size_t i = 0; i < one.size(); ++i) expect_near(one[i], other[i], tolerance);
 }
 
+void expect_near(const GoalPose& one, const GoalPose& other, double tolerance) {
+  expect_near(one.position, other.position, tolerance);
+  EXPECT_EQ(one.radius, other.radius);
+  EXPECT_NEAR(one.facing.heading, other.facing.heading, tolerance);
+  EXPECT_EQ(one.facing.tolerance, other.facing.tolerance);
+  EXPECT_EQ(one.facing.either_way, other.facing.either_way);
+  EXPECT_EQ(one.facing.hitches, other.facing.hitches);
+}
+
 void expect_same(const Workspace& one, const Workspace& other, double tolerance) {
   EXPECT_EQ(one.name, other.name);
   expect_near(one.shift, other.shift, 0);
@@ -58,6 +68,8 @@ void expect_same(const Workspace& one, const Workspace& other, double tolerance)
   for (std::size_t i = 0; i < one.goals.size(); ++i) {
     EXPECT_EQ(one.goals[i].name, other.goals[i].name);
     expect_near(one.goals[i].polygon, other.goals[i].polygon, tolerance);
+    ASSERT_EQ(one.goals[i].pose.has_value(), other.goals[i].pose.has_value());
+    if (one.goals[i].pose) expect_near(*one.goals[i].pose, *other.goals[i].pose, tolerance);
   }
   ASSERT_EQ(one.starts.size(), other.starts.size());
   for (std::size_t i = 0; i < one.starts.size(); ++i) {
@@ -93,8 +105,23 @@ TEST_F(ExportTest, AMapReadsBackAsItWas) {
   }
 }
 
+TEST_F(ExportTest, AGoalKeepsItsHeadingAndTolerances) {
+  Workspace w = yard();
+  w.goals.push_back(pose_goal("bay", {{4.3, 5}, 0.1, {-2.25}}));
+  for (const Writer& writer : kWriters) {
+    SCOPED_TRACE(writer.file);
+    expect_same(copy(w, writer), w, writer.tolerance);
+  }
+  w.goals.push_back(pose_goal("ramp", {{14.5, 5}, 0.75, {900.5, 0.3, true, 0.2}}));
+  for (const Writer& writer : {kWriters[0], kWriters[1]}) {
+    SCOPED_TRACE(writer.file);
+    expect_same(copy(w, writer), w, writer.tolerance);
+  }
+}
+
 TEST_F(ExportTest, AFarMapKeepsItsCoordinates) {
   Workspace far = yard();
+  far.goals.push_back(pose_goal("bay", {{4.25, 5}, 0.1, {1.5}}));
   far.shift = {5000000009, -4999999995};  // what reading it will shift it by again
   far.min = {-12, -6};
   far.max = {12, 6};

@@ -31,9 +31,9 @@ TEST_F(DynobenchTest, ItsNameHasNoControlCharacters) {
 }
 
 TEST_F(DynobenchTest, AFileNameIsEscapedInWarnings) {
-  const Workspace w = import_workspace(write("a\x1B[m.yaml", kBounds + kRobot), {});
+  const Workspace w = import_workspace(write("a\x1B[m.yaml", kBounds + kRobot + "  - start: [1]\n"), {});
   ASSERT_EQ(w.warnings.size(), 1U);
-  EXPECT_THAT(w.warnings[0], HasSubstr("/a\\u001B[m.yaml: robots[0].goal: reached means within"));
+  EXPECT_THAT(w.warnings[0], HasSubstr("/a\\u001B[m.yaml: robots: only the first one's"));
 }
 
 TEST_F(DynobenchTest, ReadsBoxesStartAndGoal) {
@@ -57,6 +57,16 @@ TEST_F(DynobenchTest, ReadsBoxesStartAndGoal) {
   for (const Point& p : w.goals[0].polygon) EXPECT_NEAR(std::hypot(p.x - 4, p.y - 3), 0.1, 1e-6);
 }
 
+TEST_F(DynobenchTest, TheGoalHasItsHeading) {
+  const Workspace w = read(kBounds + "robots:\n  - start: [1, 2, 0]\n    goal: [4, 3, -2.5]\n");
+  ASSERT_EQ(w.goals.size(), 1U);
+  ASSERT_TRUE(w.goals[0].pose);
+  EXPECT_EQ(w.goals[0].pose->position.x, 4);
+  EXPECT_EQ(w.goals[0].pose->radius, 0.1);
+  EXPECT_EQ(w.goals[0].pose->facing.heading, -2.5);
+  EXPECT_EQ(w.goals[0].pose->facing.tolerance, 0.1);
+}
+
 TEST_F(DynobenchTest, NeitherObstaclesNorRobotsAreNeeded) {
   EXPECT_THAT(read(kBounds + "  obstacles: []\n").obstacles, IsEmpty());
   EXPECT_THAT(read(kBounds + "  obstacles:\n").starts, IsEmpty());
@@ -64,8 +74,7 @@ TEST_F(DynobenchTest, NeitherObstaclesNorRobotsAreNeeded) {
 }
 
 TEST_F(DynobenchTest, SaysWhatItDoesNotUse) {
-  EXPECT_THAT(read(kBounds + kRobot).warnings,
-              testing::ElementsAre(HasSubstr("robots[0].goal: reached means within 0.1 m")));
+  EXPECT_THAT(read(kBounds + kRobot).warnings, IsEmpty());
   const Workspace w = read(kBounds + "robots:\n - start: [1, 2, 0, 3]\n   goal: [1, 2, 0]\n - start: [1]\n");
   EXPECT_THAT(w.warnings, testing::Contains(HasSubstr("only the first one")));
   EXPECT_THAT(w.warnings, testing::Contains(HasSubstr("robots[0].start: only x, y and theta")));

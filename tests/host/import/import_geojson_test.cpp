@@ -98,6 +98,25 @@ TEST_F(GeoJsonTest, APointWithARadiusIsADisc) {
   for (const Point& p : w.obstacles[0].outer) EXPECT_GE(std::hypot(p.x - 5, p.y - 6), 2);
 }
 
+TEST_F(GeoJsonTest, AGoalMayHaveAHeading) {
+  const std::string point = R"({"type": "Point", "coordinates": [3, 4]})";
+  const std::string heading = R"({"role": "goal", "radius": 0.5, "heading": 1.5, "either_way": true})";
+  const Workspace w = read(collection(kBounds + ", " + feature(point, heading), R"("unit": 0.5)"));
+  ASSERT_TRUE(w.goals.at(0).pose);
+  EXPECT_EQ(w.goals[0].name, "goal");
+  EXPECT_EQ(w.goals[0].pose->position.x, 1.5);
+  EXPECT_EQ(w.goals[0].pose->radius, 0.25);
+  EXPECT_EQ(w.goals[0].pose->facing.heading, 1.5);
+  EXPECT_TRUE(w.goals[0].pose->facing.either_way);
+  EXPECT_FALSE(read_feature(point, R"({"role": "goal", "radius": 0.5})").goals.at(0).pose);
+  EXPECT_THAT(feature_error(point, R"({"role": "goal", "radius": 0.5, "heading_tolerance": 1})"),
+              HasSubstr("properties.heading_tolerance: needs a heading beside it"));
+  EXPECT_THAT(feature_error(point, R"({"role": "goal", "radius": 0.5, "heading": 1, "heading_tolerance": 9})"),
+              HasSubstr("properties.heading_tolerance: must be a number from"));
+  EXPECT_THAT(feature_error(polygon(kSquare), R"({"role": "goal", "heading": 1})"),
+              HasSubstr("properties.heading: a goal with a heading must be a Point with the property radius"));
+}
+
 TEST_F(GeoJsonTest, FeaturesWithoutGeometryOrWithRoleNoneAreSkipped) {
   EXPECT_THAT(read_feature("null").obstacles, IsEmpty());
   EXPECT_THAT(read_feature(R"({"type": "LineString", "coordinates": []})", R"({"role": "none"})").obstacles, IsEmpty());

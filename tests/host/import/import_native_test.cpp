@@ -124,6 +124,51 @@ TEST_F(NativeTest, ReadsGoalsAndStarts) {
   EXPECT_EQ(w.starts[0].angles, (std::vector<double>{1, 2}));
 }
 
+TEST_F(NativeTest, AGoalMayHaveAHeading) {
+  const Workspace w = read(R"("goals": [
+      {"name": "a", "position": [3, 4], "radius": 0.25, "heading": -1.5},
+      {"name": "b", "circle": {"center": [7, 2], "radius": 0.5}, "heading": 2, "heading_tolerance": 0.3,
+       "either_way": true, "hitch_tolerance": 0.2},
+      {"name": "c", "circle": {"center": [5, 5], "radius": 1}}])");
+  ASSERT_TRUE(w.goals[0].pose && w.goals[1].pose);
+  const GoalPose& a = *w.goals[0].pose;
+  EXPECT_EQ(a.position.y, 4);
+  EXPECT_EQ(a.radius, 0.25);
+  EXPECT_EQ(a.facing.heading, -1.5);
+  EXPECT_EQ(a.facing.tolerance, 0.1);
+  EXPECT_FALSE(a.facing.either_way);
+  EXPECT_FALSE(a.facing.hitches);
+  for (const Point& p : w.goals[0].polygon) EXPECT_NEAR(std::hypot(p.x - 3, p.y - 4), 0.25, 1e-6);
+  const GoalPose& b = *w.goals[1].pose;
+  EXPECT_EQ(b.position.x, 7);
+  EXPECT_EQ(b.radius, 0.5);
+  EXPECT_EQ(b.facing.tolerance, 0.3);
+  EXPECT_TRUE(b.facing.either_way);
+  EXPECT_EQ(b.facing.hitches, 0.2);
+  EXPECT_FALSE(w.goals[2].pose);
+}
+
+TEST_F(NativeTest, AHeadingThatCannotBeUsedIsRefused) {
+  const auto refused = [this](const std::string& members) {
+    return error(R"("goals": [{"name": "g", )" + members + "}]");
+  };
+  const std::string circle = R"("circle": {"center": [5, 5], "radius": 1}, )";
+  const std::string pose = R"("position": [5, 5], "radius": 1, "heading": 1, )";
+  EXPECT_THAT(refused(R"("position": [5, 5], "radius": 1)"), HasSubstr("goals[0].heading: is missing"));
+  EXPECT_THAT(refused(R"("position": [5, 5], "heading": 1)"), HasSubstr("goals[0].radius: is missing"));
+  EXPECT_THAT(refused(R"("radius": 1, "heading": 1)"), HasSubstr("goals[0].position: is missing"));
+  EXPECT_THAT(refused(pose + R"("polygon": [[1, 1], [2, 1], [2, 2]])"),
+              HasSubstr("goals[0]: must have one of polygon"));
+  EXPECT_THAT(refused(R"("polygon": [[1, 1], [2, 1], [2, 2]], "heading": 1)"),
+              HasSubstr("goals[0].heading: needs a circle, or position and radius"));
+  EXPECT_THAT(refused(circle + R"("heading": "north")"), HasSubstr("goals[0].heading: must be a number from -1000"));
+  EXPECT_THAT(refused(circle + R"("either_way": true)"), HasSubstr("goals[0].either_way: needs a heading beside it"));
+  EXPECT_THAT(refused(pose + R"("heading_tolerance": 0)"),
+              HasSubstr("goals[0].heading_tolerance: must be a number from 0.0001 to 3.1415927 radians, is 0"));
+  EXPECT_THAT(refused(pose + R"("hitch_tolerance": 4)"), HasSubstr("goals[0].hitch_tolerance: must be a number from"));
+  EXPECT_THAT(refused(pose + R"("either_way": 1)"), HasSubstr("goals[0].either_way: must be true or false, is 1"));
+}
+
 TEST_F(NativeTest, UnknownKeysAreNamed) {
   EXPECT_THAT(error(R"("obstacels": [])"), HasSubstr("unknown key \"obstacels\"; known here: name, bounds, obstacles"));
   EXPECT_THAT(error(R"("obsta\ncles": [])"), HasSubstr("unknown key \"obsta\\u000Acles\""))

@@ -62,6 +62,7 @@ TEST_F(SamplesTest, DynobenchProblemsHaveStartAndGoal) {
     const Workspace w = read(name);
     EXPECT_EQ(w.starts.size(), 1U);
     EXPECT_EQ(w.goals.size(), 1U);
+    EXPECT_TRUE(w.goals[0].pose);
     EXPECT_GE(w.obstacles.size(), 3U);
   }
 }
@@ -72,7 +73,10 @@ TEST_F(SamplesTest, ParkingCasesHaveThreeCars) {
     ASSERT_EQ(w.obstacles.size(), 3U);
     for (const Obstacle& obstacle : w.obstacles) EXPECT_EQ(obstacle.outer.size(), 4U);
   }
-  EXPECT_EQ(read("tpcap/Case1.csv").starts[0].heading, 0.200398553825878);
+  const Workspace first = read("tpcap/Case1.csv");
+  EXPECT_EQ(first.starts[0].heading, 0.200398553825878);
+  ASSERT_TRUE(first.goals[0].pose);
+  EXPECT_NEAR(first.goals[0].pose->facing.heading, 0.379494743668899, 1e-15);
 }
 
 // One unit is a metre there, as its query says; on paper it would be a millimetre.

@@ -236,6 +236,20 @@ TEST_F(SvgTest, AStartIsALineToWhereTheRobotLooks) {
   EXPECT_NEAR(w.starts[1].angles[1], -std::numbers::pi / 2, 1e-9);
 }
 
+TEST_F(SvgTest, AGoalThatIsALineHasItsHeading) {
+  const Workspace w = shapes(R"(<line class="goal" x1="2" y1="7" x2="2" y2="5"/>
+    <path class="goal" d="M1,4 L2,4"/><circle class="goal" cx="8" cy="8" r="1"/>)");
+  ASSERT_EQ(w.goals.size(), 3U);
+  ASSERT_TRUE(w.goals[0].pose && w.goals[1].pose);
+  EXPECT_EQ(w.goals[0].name, "goal");
+  EXPECT_NEAR(w.goals[0].pose->position.y, -7, 1e-9);
+  EXPECT_EQ(w.goals[0].pose->radius, 0.1);
+  EXPECT_NEAR(w.goals[0].pose->facing.heading, std::numbers::pi / 2, 1e-9);
+  EXPECT_EQ(w.goals[0].pose->facing.tolerance, 0.1);
+  EXPECT_NEAR(w.goals[1].pose->position.x, 1, 1e-9);
+  EXPECT_FALSE(w.goals[2].pose);
+}
+
 TEST_F(SvgTest, OnlyWhatIsFilledAndSeenIsAnObstacle) {
   const Workspace w = shapes(R"(<g style="fill:none"><rect width="1" height="1"/>
     <rect width="1" height="1" fill="red"/></g>

@@ -53,9 +53,16 @@ TEST_F(TpcapTest, ItsBoundsReachTenMetresAroundAllPoints) {
   EXPECT_EQ(w.max.y, 14);
 }
 
-TEST_F(TpcapTest, SaysHowToAskForTheHeading) {
-  EXPECT_THAT(read(kPoses + "0").warnings,
-              ElementsAre(HasSubstr("plan with --goal 3,4,0.1 --heading -0.25"), HasSubstr("has no bounds")));
+TEST_F(TpcapTest, TheGoalHasItsHeading) {
+  const Workspace w = read(kPoses + "0");
+  EXPECT_THAT(w.warnings, ElementsAre(HasSubstr("has no bounds")));
+  ASSERT_TRUE(w.goals[0].pose);
+  EXPECT_EQ(w.goals[0].pose->position.x, 3);
+  EXPECT_EQ(w.goals[0].pose->position.y, 4);
+  EXPECT_EQ(w.goals[0].pose->radius, 0.1);
+  EXPECT_EQ(w.goals[0].pose->facing.heading, -0.25);
+  EXPECT_EQ(w.goals[0].pose->facing.tolerance, 0.1);
+  EXPECT_FALSE(w.goals[0].pose->facing.either_way);
 }
 
 TEST_F(TpcapTest, IsRecognisedByContentToo) {

@@ -35,6 +35,10 @@ def room(**changes):
     }
 
 
+def dock(**changes):
+    return {"name": "dock", "position": [17, 5], "radius": 0.5, "heading": 1.5, **changes}
+
+
 def map_server(resolution):
     """A map_server map whose image is missing."""
     return (f"image: gone.pgm\nresolution: {resolution}\norigin: [0, 0, 0]\n"
@@ -54,6 +58,10 @@ FILES = {
     "two.json": room(starts=[{"name": "a", "position": [3, 5], "heading": 0}] * 2),
     "nostart.json": room(starts=[]),
     "nogoal.json": room(goals=[]),
+    "pose.json": room(goals=[dock()]),
+    "loose.json": room(goals=[{"name": "east", **box(17, 5, 2, 2), "either_way": True}]),
+    "turned.json": room(goals=[{"name": "east", **box(17, 5, 2, 2), "heading": 1}]),
+    "wide.json": room(goals=[dock(heading_tolerance=10)]),
     "tank.json": {"model": "tank", "links": 0, "parameters": {}},
     "short.json": {"model": "car", "links": 0, "parameters": {"wheelbase": -1}},
     "wheels.json": {"model": "car", "links": 0, "parameters": {"wheels": 4}},
