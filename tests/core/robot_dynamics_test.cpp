@@ -186,6 +186,25 @@ TEST(RobotDynamicsTruck, FrontWheelsRollWhereTheyPoint) {
   }
 }
 
+// A model without integrate_lead whose first two components turn around the origin.
+struct Turning : Unicycle {
+  Turning() : Unicycle(UnicycleParameters()) {}
+  void derivative(StateView s, ControlView, StateRef ds) const { ds << s[1], -s[0], 0.0F; }
+};
+
+// A step of fourth order is off by dt^5 / 120 here, one of third order by dt^4 / 24.
+TEST(RobotDynamicsOfAUser, AreIntegratedInFourthOrder) {
+  const Turning robot;
+  const float state[] = {1, 0, 0};
+  const float control[] = {0, 0};
+  for (const float dt : {0.25F, 0.5F, 1.0F}) {
+    float change[3];
+    detail::runge_kutta(robot, StateView(state, 3), ControlView(control, 2), dt, change);
+    const double error = std::hypot(1 + wide(change[0]) - std::cos(wide(dt)), wide(change[1]) + std::sin(wide(dt)));
+    EXPECT_LE(error, std::pow(wide(dt), 5) / 100 + 1e-6) << dt;
+  }
+}
+
 TEST(RobotDynamicsCar, TurnsOnACircleOfItsWheelbaseOverTheTangent) {
   const Car car(Car::defaults());
   const auto p = car.parameters();
