@@ -48,12 +48,12 @@ CONSTANTS = {
         "lib/collision/goal_room.cpp": {"kDeepest": (0.6, 1.4)}},
     "backward": {"include/krait/parameters.hpp": {"reverse_share": ()}},
     "pose": {
-        "lib/search/last_metres.hpp": {"kHold": (), "kMostLegs": (), "kEvery": (), "kMostShots": ()},
+        "lib/search/last_metres.hpp": {"kHold": (), "kEvery": (), "kMostShots": ()},
         "lib/search/last_metres.cpp": {
             "kRadii": (0.96, 1.5), "kCaptureRadii": (), "kCaptureLengths": (), "kLeads": (), "kShortLeads": (),
             "kDetour": (), "kDetourLengths": (), "kSightRoom": (0.5, 1.5), "kSightStep": (), "kMostLooks": (),
-            "kLook": (), "kLookSteps": (), "kOff": (), "kBraking": (), "kSettle": (), "kSlowest": (),
-            "kNearEnough": (), "kMostStops": ()}},
+            "kLook": (), "kLookSteps": (), "kOff": (), "kBraking": (), "kNearEnough": (), "kMostStops": ()},
+        "lib/search/nimbleness.cpp": {"kSettle": (), "kSlowest": ()}},
     "turning": {
         "lib/search/last_metres.hpp": {"kLongest": ()},
         "lib/search/last_metres.cpp": {
@@ -85,6 +85,9 @@ ARGUED = {
     "lib/search/dubins.cpp": ["kNoTurn"],
     "lib/search/dubins.hpp": ["kMostPieces", "kDubinsWords"],
     "lib/search/last_metres.hpp": ["kRadii", "kMostLeads"],
+    "lib/search/pull_in.hpp": ["kNoWay"],
+    "lib/search/pull_outs.cpp": ["kSides"],
+    "lib/search/pull_outs.hpp": ["kMostLooks"],
     "lib/search/recent_states.hpp": ["kCount"],
     "lib/improve/improver.hpp": ["kLeastVias", "kLeastPoints"],
     "lib/improve/corners.hpp": ["kShares"],
@@ -97,7 +100,15 @@ ARGUED = {
     "lib/scene/checker.cpp": ["kMaxCount", "kMaxOrigin", "kCrcStart", "kBitsAtOnce", "kCrcTables", "kBitsMask",
                               "kTablesOfWord", "kLeast"],
 }
-SECTIONS = {"include/krait/parameters.hpp": ["update_regions", "goal_near_radius"]}
+SECTIONS = {
+    "include/krait/parameters.hpp": ["update_regions", "goal_near_radius"],
+    "lib/search/last_metres.hpp": ["kMostLegs"],
+    "lib/search/last_metres.cpp": ["kMoveRadius"],
+    "lib/search/pull_in.cpp": ["kBraking", "kAstray", "kGrip", "kLeastTurn", "kStill", "kMostWait", "kMostStops"],
+    "lib/search/pull_outs.hpp": ["kMost", "kMostMoves"],
+    "lib/search/pull_outs.cpp": ["kStep", "kStraights", "kOut", "kMostTurn", "kMostSteps", "kRooms", "kGearCost",
+                                 "kStrides"],
+}
 
 
 @dataclass

@@ -53,7 +53,8 @@ class Robot {
   bool has_speed() const { return functions_->has_speed; }  ///< whether the robot says how fast it moves
   /// Whether the robot was compiled with the library's arithmetic.
   bool exact() const { return functions_ == nullptr || functions_->exact(self_); }
-  bool answers_proven() const { return functions_->answers_proven; }  ///< kAnswersProven of its class
+  const detail::Parking* parking() const { return functions_->parking; }  ///< the library's own; null where not kParks
+  bool answers_proven() const { return functions_->answers_proven; }      ///< kAnswersProven of its class
 
   /// Writes the frame of every body in s.
   void place(const float* s, Pose* poses) const { functions_->place(self_, s, state_size_, poses); }

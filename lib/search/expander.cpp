@@ -8,15 +8,20 @@
 namespace krait::detail {
 namespace {
 
-// What lines to a pose must be like for the robot.
-Nimbleness nimbleness(const Robot& robot, float length, float dt) {
+Nimbleness nimbleness(const Robot& robot, float length, const Parameters& parameters) {
+  const bool backward = robot.reversible() && robot.body_count() == 1;
+  const float radius = robot.turning_radius(length);
+  const Polygon outline = robot.body(0);
   return {length,
-          robot.turning_radius(length),
+          radius,
           robot.top_speed(length),
-          inner_radius(robot.body(0), {}),
-          farthest(robot.body(0).vertices, robot.body(0).count),
-          robot.reversible() && robot.body_count() == 1,
-          dt};
+          inner_radius(outline, {}),
+          farthest(outline.vertices, outline.count),
+          backward,
+          parameters.dt,
+          parameters.clearance + kTreeSlack * length,
+          outline,
+          backward && radius > 0.0F ? robot.parking() : nullptr};
 }
 
 }  // namespace
@@ -30,7 +35,7 @@ void Expander::set_up(const Robot& robot, float dt, const RecentStates& recent) 
 void Expander::assign(const ExpanderTools& tools) {
   tools_ = tools;
   if (!tools.shoots) return;
-  const Nimbleness robot = nimbleness(tools.robot, tools.robot_length, tools.parameters->dt);
+  const Nimbleness robot = nimbleness(tools.robot, tools.robot_length, *tools.parameters);
   last_metres_.assign(*tools.scene, tools.ending->goal(), robot);
 }
 
@@ -128,8 +133,8 @@ bool Expander::begin_shot() {
 }
 
 Outcome Expander::shoot(const Watch& watch) {
-  const Pose& at = tools_.check->poses()[0];
-  const bool aimed = !last_metres_.leg_over(brake_steps_, at) || begin_shot_leg();
+  const Moment now{tools_.robot, brake_.state(), tools_.check->poses()[0]};
+  const bool aimed = !last_metres_.leg_over(brake_steps_, now) || begin_shot_leg(now);
   if (aimed && take_step(brake_)) {
     watch(brake_.state(), brake_.next());
     brake_.go();
@@ -142,12 +147,9 @@ Outcome Expander::shoot(const Watch& watch) {
   return begin_shot() ? Outcome::target_not_reached : settle();
 }
 
-bool Expander::begin_shot_leg() {
-  const Robot& robot = tools_.robot;
-  const float* const state = brake_.state();
+bool Expander::begin_shot_leg(const Moment& now) {
   Target target;
-  const float speed = robot.speed(state);
-  const bool aims = last_metres_.aim(tools_.check->poses()[0], speed, robot.stopping_way(state), target);
+  const bool aims = last_metres_.aim(now, target);
   if (!aims || shot_legs_ == tools_.spare_expansions) return false;
   MotionTree& tree = *tools_.tree;
   const Index before = braking_;

@@ -120,7 +120,7 @@ class Expander {
   Outcome shoot(const Watch& watch);
 
   // Each leg is an expansion of its own, which the tree has slots for.
-  bool begin_shot_leg();
+  bool begin_shot_leg(const Moment& now);
 
   // Metres: how near a target is reached.
   float near(Vec2 target) const;

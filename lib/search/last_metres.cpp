@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "search/last_metres.hpp"
 
+#include <iterator>
+
+#include "search/parking.hpp"
+
 namespace krait::detail {
 namespace {
 
@@ -22,17 +26,22 @@ constexpr float kLook = 0.5F;         // how far ahead the robot steers, in leng
 constexpr float kLookSteps = 2.5F;    // and time steps of its way
 constexpr float kOff = 1.0F;          // how far off the line it may be, in lengths of body 0
 constexpr float kBraking = 0.12F;     // of the sharpest
-constexpr float kSettle = 3.0F;       // time steps in which the way that is left shrinks by e, at most
-constexpr float kSlowest = 0.02F;     // of the top speed
 constexpr float kNearEnough = 0.25F;  // of the goal's radius: there it stops
 constexpr std::uint32_t kMostStops = 5;
-constexpr float kTight = 4.0F;       // lengths of body 0 that a turn counts where there may be no room for it
-constexpr float kFaced = 0.1F;       // radians off a straight piece's direction: there it begins
-constexpr float kTurned = 0.5F;      // of the goal's tolerance
-constexpr float kTurnLook = 2.0F;    // lengths of body 0: how far ahead a robot steers that turns on the spot,
-constexpr float kTurnCreep = 1e-3F;  // and at which share of the top speed
+constexpr float kTight = 4.0F;        // lengths of body 0 that a turn counts where there may be no room for it
+constexpr float kFaced = 0.1F;        // radians off a straight piece's direction: there it begins
+constexpr float kTurned = 0.5F;       // of the goal's tolerance
+constexpr float kTurnLook = 2.0F;     // lengths of body 0: how far ahead a robot steers that turns on the spot,
+constexpr float kTurnCreep = 1e-3F;   // and at which share of the top speed
+constexpr float kMoveRadius = 1.15F;  // of the arcs of ways out, in turning radii
 
 SinCos opposite(SinCos heading) { return {-heading.sin, -heading.cos}; }
+
+// Metres: of the tightest arcs that lines to a pose are drawn with, over 1.
+float least_radius(const Nimbleness& robot) {
+  const float least = kLeastRadius * robot.length;
+  return robot.turning_radius > least ? robot.turning_radius : least;
+}
 
 Vec2 direction(const Pose& pose) { return {pose.heading.cos, pose.heading.sin}; }
 
@@ -48,19 +57,18 @@ void LastMetres::assign(const Scene& scene, const Goal& goal, const Nimbleness& 
   scene_ = &scene;
   goal_ = goal;
   robot_ = robot;
-  const float least = kLeastRadius * robot.length;
-  const float radius = robot.turning_radius > least ? robot.turning_radius : least;
+  const float radius = least_radius(robot);
   const bool spins = robot.turning_radius == 0.0F;
   radii_[0] = 0.0F;
   for (int i = spins ? 1 : 0; i < kRadii; ++i) radii_[i] = detail::kRadii[spins ? i - 1 : i] * radius;
   lead_count_ = 0;
   short_leads_ = 0;
   if (goal.facing().hitches == kInfinity) {
-    for (const float lead : kShortLeads) leads_[lead_count_++] = lead * robot.length;
+    add_leads(kShortLeads, std::size(kShortLeads));
     if (!spins) short_leads_ = lead_count_;
-    for (const float lead : kLeads) leads_[lead_count_++] = lead * robot.length;
+    add_leads(kLeads, std::size(kLeads));
   } else {
-    for (const float lead : kHitchLeads) leads_[lead_count_++] = lead * robot.length;
+    add_leads(kHitchLeads, std::size(kHitchLeads));
   }
   capture_ = kCaptureRadii * radius + kCaptureLengths * robot.length + leads_[lead_count_ - 1];
   sight_ = Sight(scene, kSightRoom * robot.half_width, kSightStep * robot.length);
@@ -68,11 +76,17 @@ void LastMetres::assign(const Scene& scene, const Goal& goal, const Nimbleness& 
   near_ = kNearEnough * goal.radius();
   shot_count_ = 0;
   shot_ = 0;
+  found_ways_ = false;
+}
+
+void LastMetres::add_leads(const float* lengths, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) leads_[lead_count_++] = lengths[i] * robot_.length;
 }
 
 void LastMetres::choose(const Pose& from) {
   shot_count_ = 0;
   shot_ = 0;
+  for_ways_ = false;
   consider_leads(from, short_leads_, lead_count_);
   if (shot_count_ == 0) consider_leads(from, 0, short_leads_);
 }
@@ -81,26 +95,55 @@ void LastMetres::choose(const Pose& from) {
 void LastMetres::consider_leads(const Pose& from, int first, int last) {
   const int ways = goal_.facing().either_way ? 2 : 1;
   const int directions = robot_.backward ? 2 : 1;
+  Shot shot;
+  shot.way = PullIn::kNoWay;
+  shot.end = {goal_.center(), math::sin_cos(goal_.facing().heading)};
   for (int way = 0; way < ways; ++way) {
     for (int direction = 0; direction < directions; ++direction) {
-      for (int radius = 0; radius < kRadii; ++radius) {
-        for (int lead = first; lead < last; ++lead) {
-          for (int word = 0; word < kDubinsWords; ++word) {
-            consider(from, {0.0F, static_cast<std::uint8_t>(word), static_cast<std::uint8_t>(radius),
-                            static_cast<std::uint8_t>(lead), direction == 1, way == 1});
-          }
-        }
+      shot.backward = direction == 1;
+      for (int lead = first; lead < last; ++lead) {
+        shot.lead = leads_[lead];
+        consider_words(from, shot);
       }
+    }
+    shot.end.heading = opposite(shot.end.heading);
+  }
+}
+
+void LastMetres::consider_words(const Pose& from, Shot& shot) {
+  for (shot.radius = 0; shot.radius < kRadii; ++shot.radius) {
+    for (shot.word = 0; shot.word < kDubinsWords; ++shot.word) consider(from, shot);
+  }
+}
+
+void LastMetres::choose_ways(const Pose& from) {
+  for_ways_ = true;
+  shot_count_ = 0;
+  shot_ = 0;
+  if (!found_ways_) {
+    const float radius = kMoveRadius * least_radius(robot_);
+    pull_in_.assign(*scene_, robot_, ways_, near_);
+    ways_.find(*scene_, goal_, {robot_.outline, robot_.length, radius, robot_.clearance});
+  }
+  found_ways_ = true;
+  Shot shot;
+  shot.lead = 0.0F;
+  for (int way = 0; way < ways_.count(); ++way) {
+    shot.way = static_cast<std::uint8_t>(way);
+    shot.end = ways_.end(way);
+    for (int direction = 0; direction < 2; ++direction) {
+      shot.backward = direction == 1;
+      consider_words(from, shot);
     }
   }
 }
 
 // Keeps the shot if it is among the shortest.
-void LastMetres::consider(const Pose& from, Shot shot) {
+void LastMetres::consider(const Pose& from, Shot& shot) {
   CurvedLine line;
   if (!draw(from, shot, line)) return;
   shot.length = line.length() + kLeastRadius * robot_.length * line.turned();
-  if (on_the_spot(shot) && spin_.slack(before_goal(shot, leads_[shot.lead])) < 0.0F) {
+  if (on_the_spot(shot) && spin_.slack(before_end(shot, shot.lead).position) < 0.0F) {
     shot.length += kTight * robot_.length;
   }
   const float most = kDetour * length(goal_.center() - from.position) + kDetourLengths * robot_.length;
@@ -113,19 +156,13 @@ void LastMetres::consider(const Pose& from, Shot shot) {
   shots_[at] = shot;
 }
 
-SinCos LastMetres::end_direction(const Shot& shot) const {
-  const SinCos heading = math::sin_cos(goal_.facing().heading);
-  return shot.opposite != shot.backward ? opposite(heading) : heading;
-}
-
-Vec2 LastMetres::before_goal(const Shot& shot, float lead) const {
-  const SinCos heading = end_direction(shot);
-  return goal_.center() - lead * Vec2{heading.cos, heading.sin};
+Pose LastMetres::before_end(const Shot& shot, float lead) {
+  const SinCos ahead = shot.backward ? opposite(shot.end.heading) : shot.end.heading;
+  return {shot.end.position - lead * Vec2{ahead.cos, ahead.sin}, ahead};
 }
 
 bool LastMetres::draw(const Pose& from, const Shot& shot, CurvedLine& line) const {
-  const float lead = leads_[shot.lead];
-  const Pose to{before_goal(shot, lead), end_direction(shot)};
+  const Pose to = before_end(shot, shot.lead);
   const Pose begin{from.position, shot.backward ? opposite(from.heading) : from.heading};
   if (on_the_spot(shot)) {
     if (shot.word != 0) return false;
@@ -136,7 +173,7 @@ bool LastMetres::draw(const Pose& from, const Shot& shot, CurvedLine& line) cons
   } else if (!dubins(shot.word, begin, to, radii_[shot.radius], line)) {
     return false;
   }
-  line.add(0, lead);
+  line.add(0, shot.lead);
   return true;
 }
 
@@ -155,18 +192,22 @@ bool LastMetres::looks_free(const CurvedLine& line) const {
 }
 
 bool LastMetres::next(const Pose& from) {
+  if (shot_ == shot_count_ && !for_ways_ && robot_.parking != nullptr) robot_.parking->choose(*this, from);
   if (shot_ == shot_count_) return false;
   const Shot& shot = shots_[shot_++];
+  pull_in_.begin(shot.way);
   arc_ = 0.0F;
   stops_ = 0;
   turning_ = false;
   straight_ = on_the_spot(shot);
-  lead_ = straight_ ? leads_[shot.lead] : 0.0F;
+  lead_ = straight_ ? shot.lead : 0.0F;
   return draw(from, shot, line_);
 }
 
-bool LastMetres::aim(const Pose& at, float speed, float stopping_way, Target& target) {
+bool LastMetres::aim(const Moment& now, Target& target) {
+  if (pull_in_.moving()) return robot_.parking->aim(pull_in_, now, target);
   const Shot& shot = shots_[shot_ - 1];
+  const Pose& at = now.at;
   if (!straight_ && !keep_to_line(at)) return false;
   if (!straight_ && lead_ > 0.0F && arrived()) {
     straight_ = true;
@@ -174,29 +215,25 @@ bool LastMetres::aim(const Pose& at, float speed, float stopping_way, Target& ta
   }
   if (straight_ && !begin_straight(shot, at)) return turn(at, target);
   const bool stops = arrived();
+  if (stops && pull_in_.any()) return robot_.parking->aim(pull_in_, now, target);
   if (stops && robot_.turning_radius == 0.0F) {
-    facing_ = shot.backward ? opposite(end_direction(shot)) : end_direction(shot);
+    facing_ = shot.end.heading;
     enough_ = kTurned * goal_.facing().tolerance;
     if (off(at) > enough_) return turn(at, target);
   }
   turning_ = false;
   if (stops && ++stops_ > kMostStops) return false;
-  const float left = line_.length() - arc_;
-  const float way = math::absolute(stopping_way);
-  float wanted = left / (kSettle * robot_.dt);
-  if (way > 0.0F) {
-    const float braking = speed * std::sqrt(kBraking * left / way);
-    if (braking < wanted) wanted = braking;
-  }
-  const float share = math::clamp(wanted / robot_.top_speed, kSlowest, 1.0F);
+  const float speed = now.robot.speed(now.state);
+  const float share = pace(robot_, line_.length() - arc_, speed, now.robot.stopping_way(now.state), kBraking);
   target.speed = stops ? 0.0F : (shot.backward ? -share : share);
   target.turn = 1.0F;
   target.point = point_ahead(line_, arc_, kLook * robot_.length + kLookSteps * robot_.dt * speed);
   return true;
 }
 
-bool LastMetres::leg_over(std::uint32_t steps, const Pose& at) const {
-  return turning_ ? steps >= kLongest || off(at) <= enough_ : steps >= kHold;
+bool LastMetres::leg_over(std::uint32_t steps, const Moment& now) {
+  if (pull_in_.moving()) return robot_.parking->leg_over(pull_in_, steps, now);
+  return turning_ ? steps >= kLongest || off(now.at) <= enough_ : steps >= kHold;
 }
 
 bool LastMetres::keep_to_line(const Pose& at) {
@@ -208,8 +245,9 @@ bool LastMetres::keep_to_line(const Pose& at) {
 }
 
 bool LastMetres::begin_straight(const Shot& shot, const Pose& at) {
-  const Vec2 way = before_goal(shot, lead_) - at.position;
-  const SinCos ahead = heading_of(way, near_, end_direction(shot));
+  const Pose to = before_end(shot, lead_);
+  const Vec2 way = to.position - at.position;
+  const SinCos ahead = heading_of(way, near_, to.heading);
   facing_ = shot.backward ? opposite(ahead) : ahead;
   enough_ = kFaced;
   if (off(at) > enough_) return false;

@@ -86,6 +86,9 @@ class DifferentialDrive : public PlanarBody {
 /// Its answers need no second look.
 template <>
 inline constexpr bool kAnswersProven<DifferentialDrive> = true;
+/// It turns on the spot.
+template <>
+inline constexpr bool kParks<DifferentialDrive> = false;
 
 // Compiled in the library, with its arithmetic.
 extern template class detail::FunctionsOf<DifferentialDrive>;

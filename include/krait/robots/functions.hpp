@@ -16,15 +16,20 @@ struct alignas(8) Lead {
   std::byte bytes[64];
 };
 
+// How robots drive into narrow places in reverse; the library's own.
+struct Parking;
+extern const Parking kParking;
+
 // Each function is asked of the robot at `self`, and does what the member of its name does (model.hpp) or, where
 // a model has none, the function that stands for it. Arrays have as many elements as the robot's sizes say.
 struct RobotFunctions {
   std::uint8_t max_state;
   std::uint8_t max_control;
   std::uint8_t max_bodies;
-  bool leads;           // whether the leading components are integrated first
-  bool has_speed;       // whether the robot says how fast it moves
-  bool answers_proven;  // kAnswersProven
+  bool leads;              // whether the leading components are integrated first
+  bool has_speed;          // whether the robot says how fast it moves
+  bool answers_proven;     // kAnswersProven
+  const Parking* parking;  // null where not kParks
 
   bool (*exact)(const void* self);  // and whether the functions were compiled with exact_arithmetic
   int (*state_size)(const void* self);
@@ -143,13 +148,40 @@ class FunctionsOf {
   }
 
  public:
-  static constexpr RobotFunctions kTable = {
-      R::kMaxState,   R::kMaxControl, R::kMaxBodies, LeadingRobot<R>, kHasSpeed<R>,  kAnswersProven<R>,
-      exact,          state_size,     leading_size,  control_size,    body_count,    self_collision_gap,
-      sound,          reversible,     body,          place,           derivative,    integrate_lead,
-      integrate_rest, steer,          track,         carry_errors,    within_limits, keeps_reserve,
-      travel,         quick_bound,    sketch,        fastest_rate,    speed,         stopping_way,
-      turning_radius, top_speed,      rest};
+  static constexpr RobotFunctions kTable = {R::kMaxState,
+                                            R::kMaxControl,
+                                            R::kMaxBodies,
+                                            LeadingRobot<R>,
+                                            kHasSpeed<R>,
+                                            kAnswersProven<R>,
+                                            kParks<R> ? &kParking : nullptr,
+                                            exact,
+                                            state_size,
+                                            leading_size,
+                                            control_size,
+                                            body_count,
+                                            self_collision_gap,
+                                            sound,
+                                            reversible,
+                                            body,
+                                            place,
+                                            derivative,
+                                            integrate_lead,
+                                            integrate_rest,
+                                            steer,
+                                            track,
+                                            carry_errors,
+                                            within_limits,
+                                            keeps_reserve,
+                                            travel,
+                                            quick_bound,
+                                            sketch,
+                                            fastest_rate,
+                                            speed,
+                                            stopping_way,
+                                            turning_radius,
+                                            top_speed,
+                                            rest};
 };
 
 }  // namespace krait::detail

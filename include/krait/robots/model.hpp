@@ -205,4 +205,12 @@ concept LeadingRobot = RobotModel<R> && requires(const R& robot, StateView s, co
 template <class R>
 inline constexpr bool kAnswersProven = false;
 
+/// Whether the search drives robots of the class R into narrow places in reverse: those with one body that can drive
+/// backwards and do not turn on the spot. A program whose classes are all false does not contain the code for it, 3 KB
+/// on a Cortex-M4F. False of the library's models, but for the car.
+template <class R>
+inline constexpr bool kParks = requires(const R& robot) {
+  { robot.reversible() } -> std::same_as<bool>;
+};
+
 }  // namespace krait

@@ -18,6 +18,9 @@ class Snake : public Chain {
 /// Its answers need no second look.
 template <>
 inline constexpr bool kAnswersProven<Snake> = true;
+/// Its trailers are not pushed into narrow places.
+template <>
+inline constexpr bool kParks<Snake> = false;
 
 // Compiled in the library, with its arithmetic.
 extern template class detail::FunctionsOf<Snake>;

@@ -18,6 +18,9 @@ class Truck : public Chain {
 /// Its answers need no second look.
 template <>
 inline constexpr bool kAnswersProven<Truck> = true;
+/// Its trailers are not pushed into narrow places.
+template <>
+inline constexpr bool kParks<Truck> = false;
 
 // Compiled in the library, with its arithmetic.
 extern template class detail::FunctionsOf<Truck>;

@@ -68,6 +68,9 @@ class Unicycle : public PlanarBody {
 /// Its answers need no second look.
 template <>
 inline constexpr bool kAnswersProven<Unicycle> = true;
+/// It turns on the spot.
+template <>
+inline constexpr bool kParks<Unicycle> = false;
 
 // Compiled in the library, with its arithmetic.
 extern template class detail::FunctionsOf<Unicycle>;

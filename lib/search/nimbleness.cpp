@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "search/nimbleness.hpp"
+
+namespace krait::detail {
+namespace {
+
+// Measured: bench/ABLATIONS.md, "Constants".
+constexpr float kSettle = 3.0F;    // time steps in which the way that is left shrinks by e, at most
+constexpr float kSlowest = 0.02F;  // of the top speed
+
+}  // namespace
+
+float pace(const Nimbleness& robot, float left, float speed, float stopping_way, float braking) {
+  const float way = math::absolute(stopping_way);
+  float wanted = left / (kSettle * robot.dt);
+  if (way > 0.0F) {
+    const float fastest = speed * std::sqrt(braking * left / way);
+    if (fastest < wanted) wanted = fastest;
+  }
+  return math::clamp(wanted / robot.top_speed, kSlowest, 1.0F);
+}
+
+}  // namespace krait::detail

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// What lines to a pose must be like for a robot, and how fast it drives them.
+#pragma once
+
+#include "krait/robot.hpp"
+
+namespace krait::detail {
+
+struct Nimbleness {
+  float length;            // metres, of body 0
+  float turning_radius;    // metres; 0: turns on the spot
+  float top_speed;         // m/s
+  float half_width;        // metres: the radius of a disc around the position that lies in body 0
+  float reach;             // metres: that of one which body 0 lies in
+  bool backward;           // whether it may drive a line backwards
+  float dt;                // seconds
+  float clearance;         // metres, that it keeps to obstacles
+  Polygon outline;         // of body 0, whose vertices are the robot's
+  const Parking* parking;  // how it drives into narrow places in reverse; null: it does not
+};
+
+// A robot in a state, its body 0 at `at`. All of it is the caller's.
+struct Moment {
+  const Robot& robot;
+  const float* state;
+  const Pose& at;
+};
+
+// The share of its top speed at which a robot moves on that shall come to rest `left` metres ahead, moves at `speed`
+// m/s and would come to rest within `stopping_way` metres if it braked as sharply as it can: it brakes `braking` times
+// as sharply, and approaches the end of the way within some time steps, whatever its brake.
+float pace(const Nimbleness& robot, float left, float speed, float stopping_way, float braking);
+
+}  // namespace krait::detail

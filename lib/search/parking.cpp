@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "search/parking.hpp"
+
+#include "krait/robots/functions.hpp"
+#include "search/last_metres.hpp"
+
+namespace krait::detail {
+namespace {
+
+void choose(LastMetres& last_metres, const Pose& from) { last_metres.choose_ways(from); }
+
+bool aim(PullIn& pull_in, const Moment& now, Target& target) { return pull_in.aim(now, target); }
+
+bool leg_over(PullIn& pull_in, std::uint32_t steps, const Moment& now) {
+  return pull_in.leg_over(steps, LastMetres::kHold, now);
+}
+
+}  // namespace
+
+const Parking kParking = {choose, aim, leg_over};
+
+}  // namespace krait::detail

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// How robots drive into narrow places in reverse. The functions are called by their addresses, which the tables of the
+// models hold that do so (krait/robots/functions.hpp): a program of other models does not contain them.
+#pragma once
+
+#include "search/pull_in.hpp"
+
+namespace krait::detail {
+
+class LastMetres;
+
+// Each does what the member of its name does.
+struct Parking {
+  void (*choose)(LastMetres& last_metres, const Pose& from);  // choose_ways
+  bool (*aim)(PullIn& pull_in, const Moment& now, Target& target);
+  bool (*leg_over)(PullIn& pull_in, std::uint32_t steps, const Moment& now);
+};
+
+}  // namespace krait::detail

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "search/pull_in.hpp"
+
+namespace krait::detail {
+namespace {
+
+// Measured: bench/ABLATIONS.md, "Cars park".
+constexpr float kBraking = 0.5F;         // of the sharpest
+constexpr float kAstray = 0.15F;         // lengths of body 0: how far off a move's line the robot may be
+constexpr float kGrip = 0.3F;            // lengths of body 0 within which what it is off shrinks by e
+constexpr float kLeastTurn = 0.01F;      // of the sharpest
+constexpr float kStill = 1e-3F;          // how little a state's sum changes in a step where nothing moves
+constexpr std::uint32_t kMostWait = 64;  // steps in which wheels are turned
+constexpr std::uint32_t kMostStops = 5;
+
+}  // namespace
+
+void PullIn::assign(const Scene& scene, const Nimbleness& robot, const PullOuts& ways, float near) {
+  scene_ = &scene;
+  robot_ = &robot;
+  ways_ = &ways;
+  near_ = near;
+}
+
+void PullIn::begin_first() {
+  moves_left_ = ways_->moves(way_);
+  stops_ = 0;
+  moving_ = true;
+  begin_move();
+}
+
+void PullIn::begin_move() {
+  move_ = ways_->move(way_, --moves_left_);
+  turns_wheels_ = true;
+  sum_ = kInfinity;
+}
+
+bool PullIn::aim(const Moment& now, Target& target) {
+  turns_wheels_ = false;
+  if (!moving_) begin_first();
+  Move::Offset off = move_.offset(now.at);
+  while (off.way <= near_ && moves_left_ > 0) {
+    begin_move();
+    off = move_.offset(now.at);
+  }
+  if (math::absolute(off.aside) > kAstray * robot_->length) return false;
+  const bool stops = off.way <= near_;
+  if (stops && ++stops_ > kMostStops) return false;
+  const float share = pace(*robot_, off.way > 0.0F ? off.way : 0.0F, now.robot.speed(now.state),
+                           now.robot.stopping_way(now.state), kBraking);
+  target.speed = stops || turns_wheels_ ? 0.0F : (move_.backward ? share : -share);
+  const float curvature = this->curvature(off);
+  target.turn = math::clamp(math::absolute(curvature) * robot_->turning_radius, kLeastTurn, 1.0F);
+  target.point = beside(now.at, curvature < 0.0F ? -1.0F : 1.0F);
+  return true;
+}
+
+float PullIn::curvature(const Move::Offset& off) const {
+  const float own = static_cast<float>(move_.turn) / move_.radius;
+  if (turns_wheels_) return own;
+  const float grip = 1.0F / (kGrip * robot_->length);
+  const float turned = move_.backward ? off.turned : -off.turned;
+  return own - grip * (2.0F * turned + grip * off.aside);
+}
+
+Vec2 PullIn::beside(const Pose& at, float side) const {
+  Vec2 way = side * robot_->length * Vec2{-at.heading.sin, at.heading.cos};
+  for (int i = 0; i < 8 && !scene_->inside_bounds(at.position + way); ++i) way = 0.7F * way;
+  return at.position + way;
+}
+
+bool PullIn::leg_over(std::uint32_t steps, std::uint32_t hold, const Moment& now) {
+  if (!turns_wheels_) return steps >= hold;
+  float sum = 0.0F;
+  for (int i = 0; i < now.robot.state_size(); ++i) sum = sum + now.state[i];
+  const bool still = math::absolute(sum - sum_) < kStill;
+  sum_ = sum;
+  return (steps > 1 && still) || steps >= kMostWait;
+}
+
+}  // namespace krait::detail

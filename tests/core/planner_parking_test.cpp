@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// Parking spaces: what leads out of one, and that a car drives in where no line of one gear leads.
+#include <cmath>
+
+#include "plan/ending.hpp"
+#include "planner_fixture.hpp"
+#include "search/pull_outs.hpp"
+
+namespace krait::test {
+namespace {
+
+constexpr float kLength = 1.2F;  // of the car, whose axle is 0.4 m from its middle
+constexpr float kAxle = 0.4F;
+constexpr float kSpace = 6.0F;  // where the middle of the space is along the aisle
+
+ChainParameters reversing() {
+  ChainParameters parameters = Car::defaults();
+  parameters.min_speed = -1;
+  parameters.max_steering = 0.6F;
+  parameters.max_steering_rate = 0.5F;
+  return parameters;
+}
+
+// An aisle of 1.7 m with a row on its left, in which a space of so many lengths is free.
+Room aisle(double lengths) {
+  const double half = lengths * static_cast<double>(kLength) / 2;
+  Room room;
+  room.bounds = {0, 0, 12, 2.5};
+  room.boxes = {{1, 1.75, 6 - half, 2.5}, {6 + half, 1.75, 11, 2.5}};
+  room.goals = {{5.5, 1.9, 6.5, 2.4}};
+  return room;
+}
+
+Goal space() { return Goal::pose({kSpace - kAxle, 2.11F}, 0.05F, {0.0F, 0.1F, false, kInfinity}); }
+
+struct Parked : Car {
+  Parked() : Car(reversing()) {}
+};
+// The same car, which a program has without what parks.
+struct Unparked : Car {
+  Unparked() : Car(reversing()) {}
+};
+
+}  // namespace
+}  // namespace krait::test
+
+template <>
+inline constexpr bool krait::kParks<krait::test::Unparked> = false;
+
+namespace krait::test {
+namespace {
+
+template <class R>
+int solved(const R& robot, double lengths) {
+  Bench<R> bench(aisle(lengths), robot);
+  bench.limits.iterations = 2000;
+  const std::vector<float> start = {1.0F, 0.8F, 0, 0, 0};
+  int count = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    EXPECT_TRUE(bench.init().ok());
+    if (bench.solve({start.data(), space(), seed}) != Status::solved) continue;
+    const std::vector<float> end = Path(bench.planner.plan()).states.back();
+    EXPECT_LE(std::hypot(end[0] - space().center().x, end[1] - space().center().y), space().radius());
+    EXPECT_LE(std::abs(end[2]), 0.1F);
+    EXPECT_LE(bench.planner.statistics().plan_end_speed, detail::kRestSpeed);
+    ++count;
+  }
+  return count;
+}
+
+TEST(PlannerParking, ACarDrivesIntoASpaceThatIsHardlyLonger) {
+  for (const double lengths : {1.25, 1.4, 1.6}) EXPECT_EQ(solved(Parked(), lengths), 10) << lengths;
+}
+
+TEST(PlannerParking, NoLineOfOneGearLeadsThere) { EXPECT_LE(solved(Unparked(), 1.25), 2); }
+
+class PullOuts : public ::testing::Test {
+ protected:
+  void find(double lengths, bool either_way = false) {
+    const OpenScene open(aisle(lengths));
+    const Parked car;
+    Goal goal = Goal::pose(space().center(), 0.05F, {0.0F, 0.1F, either_way, kInfinity});
+    ways.find(open.scene, goal, {car.body(0), kLength, 1.3F, 0.001F});
+  }
+
+  detail::PullOuts ways;
+};
+
+// By small steps of the motion that a move stands for.
+TEST_F(PullOuts, MovesJoinAndEndWhereTheWayEnds) {
+  find(1.4);
+  ASSERT_GT(ways.count(), 0);
+  for (int way = 0; way < ways.count(); ++way) {
+    Pose at{space().center(), math::sin_cos(0.0F)};
+    for (int number = 0; number < ways.moves(way); ++number) {
+      const detail::Move move = ways.move(way, number);
+      EXPECT_LE(length(move.inner.position - at.position), 1e-4F);
+      EXPECT_LE(angle_between(move.inner.heading, at.heading), 1e-4F);
+      double x = static_cast<double>(at.position.x), y = static_cast<double>(at.position.y);
+      double heading = std::atan2(static_cast<double>(at.heading.sin), static_cast<double>(at.heading.cos));
+      const double step = (move.backward ? -1 : 1) * static_cast<double>(move.length) / 2000;
+      for (int i = 0; i < 2000; ++i) {
+        const double turned = step * move.turn / static_cast<double>(move.radius);
+        x += step * std::cos(heading + turned / 2);
+        y += step * std::sin(heading + turned / 2);
+        heading += turned;
+      }
+      at = move.outer();
+      EXPECT_NEAR(static_cast<double>(at.position.x), x, 1e-4);
+      EXPECT_NEAR(static_cast<double>(at.position.y), y, 1e-4);
+      const detail::Move::Offset off = move.offset(move.at(0.4F * move.length));
+      EXPECT_NEAR(off.way, 0.4F * move.length, 1e-4F);
+      EXPECT_NEAR(off.aside, 0, 1e-4F);
+      EXPECT_NEAR(off.turned, 0, 1e-4F);
+    }
+    EXPECT_LE(length(ways.end(way).position - at.position), 1e-3F);
+  }
+}
+
+TEST_F(PullOuts, AreCheapestFirstAndFewer) {
+  find(1.25);
+  ASSERT_GT(ways.count(), 0);
+  EXPECT_LE(ways.count(), detail::PullOuts::kMost);
+  const int tight = ways.moves(0);
+  find(1.8);
+  EXPECT_LE(ways.moves(0), tight);
+}
+
+TEST_F(PullOuts, ThereAreNoneOutOfASpaceThatIsTooShort) {
+  find(1.02);
+  EXPECT_EQ(ways.count(), 0);
+}
+
+}  // namespace
+}  // namespace krait::test
