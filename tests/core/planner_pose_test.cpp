@@ -32,14 +32,14 @@ struct Silent : Unicycle {
 };
 static_assert(RobotModel<Silent>);
 
-// A user's robot that turns on the spot until it faces the target, and only then drives; at half a turn in 21 seconds.
+// A user's robot that turns on the spot until it faces the target, and only then drives; at half a turn in 45 seconds.
 struct Turret : Unicycle {
   Turret() : Unicycle(small_unicycle()) {}
   bool reversible() const { return false; }
   void steer(StateView s, const Target& target, Steering&, ControlRef u) const {
     const float error = heading_error(s, target);
     const bool faces = math::absolute(error) < 0.1F;
-    u << (faces ? target.speed : 0.0F), math::clamp(error / target.dt, -0.15F, 0.15F);
+    u << (faces ? target.speed : 0.0F), math::clamp(error / target.dt, -0.07F, 0.07F);
   }
 };
 static_assert(RobotModel<Turret>);
@@ -149,9 +149,9 @@ TEST(PlannerPose, WhatTurnsOnTheSpotDoesSoInACloset) {
   EXPECT_LE(most_vertices(drive, {4.525F, 4.525F}), 1500U);
 }
 
-TEST(PlannerPose, HalfATurnOnTheSpotMayTakeTwentySeconds) {
+TEST(PlannerPose, HalfATurnOnTheSpotMayTakeFortyFiveSeconds) {
   Poses<Turret> poses{Turret()};
-  EXPECT_LE(most_vertices(poses, kPoint), 4000U);
+  EXPECT_LE(most_vertices(poses, kPoint), 13000U);
 }
 
 // The robot stands in the goal, and only its heading is wrong.
