@@ -2,6 +2,7 @@
 #include "search/dubins.hpp"
 
 #include "krait/status.hpp"
+#include "search/arc.hpp"
 
 namespace krait::detail {
 namespace {
@@ -9,9 +10,6 @@ namespace {
 // Radians: a circle less than so much is no turn at all, but for rounding, some 1e-5 where places are a radius apart.
 // Of nearer ones a line may get a circle too many: it is longer then, and others are driven.
 constexpr float kNoTurn = 1e-3F;
-
-Vec2 direction(SinCos heading) { return {heading.cos, heading.sin}; }
-Vec2 left_of(Vec2 a) { return {-a.y, a.x}; }
 
 // Radians, 0 … 2 pi, by which `from` must turn left (1) or right (-1) to become `to`.
 float turn_between(Vec2 from, Vec2 to, int turn) {
@@ -70,7 +68,7 @@ bool three_turns(int first, const Pose& from, const Pose& to, float radius, Curv
 void CurvedLine::add(int turn, float length) {
   KRAIT_ASSERT(count_ < kMostPieces);
   pieces_[count_++] = {end_, length, turn};
-  end_ = along(end_, turn, length);
+  end_ = along(end_, turn, radius_, length);
   length_ += length;
 }
 
@@ -80,20 +78,13 @@ void CurvedLine::face(SinCos heading) {
 }
 
 Pose CurvedLine::at(float arc) const {
-  if (arc < 0.0F || count_ == 0) return along(count_ == 0 ? end_ : pieces_[0].from, 0, arc);
+  if (arc < 0.0F || count_ == 0) return along(count_ == 0 ? end_ : pieces_[0].from, 0, radius_, arc);
   for (int i = 0; i < count_; ++i) {
     const Piece& piece = pieces_[i];
-    if (arc <= piece.length) return along(piece.from, piece.turn, arc);
+    if (arc <= piece.length) return along(piece.from, piece.turn, radius_, arc);
     arc -= piece.length;
   }
-  return along(end_, 0, arc);
-}
-
-Pose CurvedLine::along(const Pose& from, int turn, float way) const {
-  if (turn == 0) return {from.position + way * direction(from.heading), from.heading};
-  const auto side = static_cast<float>(turn);
-  const SinCos heading = from.heading + math::sin_cos(side * way / radius_);
-  return {from.position + side * radius_ * (left_of(direction(from.heading)) - left_of(direction(heading))), heading};
+  return along(end_, 0, radius_, arc);
 }
 
 bool dubins(int word, const Pose& from, const Pose& to, float radius, CurvedLine& line) {

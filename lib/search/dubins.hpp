@@ -37,8 +37,6 @@ class CurvedLine {
     int turn;
   };
 
-  Pose along(const Pose& from, int turn, float way) const;
-
   Piece pieces_[kMostPieces];
   int count_ = 0;
   Pose end_{};

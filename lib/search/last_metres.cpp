@@ -3,6 +3,7 @@
 
 #include <iterator>
 
+#include "search/arc.hpp"
 #include "search/parking.hpp"
 
 namespace krait::detail {
@@ -35,15 +36,11 @@ constexpr float kTurnLook = 2.0F;     // lengths of body 0: how far ahead a robo
 constexpr float kTurnCreep = 1e-3F;   // and at which share of the top speed
 constexpr float kMoveRadius = 1.15F;  // of the arcs of ways out, in turning radii
 
-SinCos opposite(SinCos heading) { return {-heading.sin, -heading.cos}; }
-
 // Metres: of the tightest arcs that lines to a pose are drawn with, over 1.
 float least_radius(const Nimbleness& robot) {
   const float least = kLeastRadius * robot.length;
   return robot.turning_radius > least ? robot.turning_radius : least;
 }
-
-Vec2 direction(const Pose& pose) { return {pose.heading.cos, pose.heading.sin}; }
 
 // Of a way; `otherwise` where it is no longer than `least`.
 SinCos heading_of(Vec2 way, float least, SinCos otherwise) {
@@ -158,7 +155,7 @@ void LastMetres::consider(const Pose& from, Shot& shot) {
 
 Pose LastMetres::before_end(const Shot& shot, float lead) {
   const SinCos ahead = shot.backward ? opposite(shot.end.heading) : shot.end.heading;
-  return {shot.end.position - lead * Vec2{ahead.cos, ahead.sin}, ahead};
+  return {shot.end.position - lead * direction(ahead), ahead};
 }
 
 bool LastMetres::draw(const Pose& from, const Shot& shot, CurvedLine& line) const {
@@ -239,7 +236,7 @@ bool LastMetres::leg_over(std::uint32_t steps, const Moment& now) {
 bool LastMetres::keep_to_line(const Pose& at) {
   for (int i = 0; i < 2; ++i) {
     const Pose on = line_.at(arc_);
-    arc_ = arc_ + math::clamp(dot(at.position - on.position, direction(on)), 0.0F, kOff * robot_.length);
+    arc_ = arc_ + math::clamp(dot(at.position - on.position, direction(on.heading)), 0.0F, kOff * robot_.length);
   }
   return length(at.position - line_.at(arc_).position) <= kOff * robot_.length;
 }

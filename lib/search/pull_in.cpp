@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "search/pull_in.hpp"
 
+#include "search/arc.hpp"
+
 namespace krait::detail {
 namespace {
 
@@ -64,7 +66,7 @@ float PullIn::curvature(const Move::Offset& off) const {
 }
 
 Vec2 PullIn::beside(const Pose& at, float side) const {
-  Vec2 way = side * robot_->length * Vec2{-at.heading.sin, at.heading.cos};
+  Vec2 way = side * robot_->length * left_of(direction(at.heading));
   for (int i = 0; i < 8 && !scene_->inside_bounds(at.position + way); ++i) way = 0.7F * way;
   return at.position + way;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "search/pull_outs.hpp"
 
+#include "search/arc.hpp"
+
 namespace krait::detail {
 namespace {
 
@@ -17,18 +19,9 @@ constexpr int kStrides[] = {5, 1};  // steps between two looks, and where one is
 constexpr bool kGears[] = {false, true};
 constexpr std::int8_t kSides[] = {1, -1};
 
-Vec2 direction(SinCos heading) { return {heading.cos, heading.sin}; }
-Vec2 left_of(Vec2 a) { return {-a.y, a.x}; }
-
 }  // namespace
 
-Pose Move::at(float way) const {
-  const float along = backward ? -way : way;
-  if (turn == 0) return {inner.position + along * direction(inner.heading), inner.heading};
-  const auto side = static_cast<float>(turn);
-  const SinCos heading = inner.heading + math::sin_cos(side * along / radius);
-  return {inner.position + side * radius * (left_of(direction(inner.heading)) - left_of(direction(heading))), heading};
-}
+Pose Move::at(float way) const { return along(inner, turn, radius, backward ? -way : way); }
 
 Move::Offset Move::offset(const Pose& body) const {
   const Vec2 ahead = direction(inner.heading);
@@ -48,7 +41,7 @@ void PullOuts::find(const Scene& scene, const Goal& goal, const Body& body) {
   body_ = body;
   const SinCos heading = math::sin_cos(goal.facing().heading);
   poses_[0] = {goal.center(), heading};
-  poses_[1] = {goal.center(), {-heading.sin, -heading.cos}};
+  poses_[1] = {goal.center(), opposite(heading)};
   for (const float room : kRooms) {
     const Obstacles obstacles(scene, body.clearance + room * body.length);
     find_from(obstacles, false);

@@ -28,8 +28,8 @@ void warn_of_lines(const Workspace& workspace) {
   for (const Goal& goal : workspace.goals) {
     if (!goal.pose) continue;
     const GoalFacing& facing = goal.pose->facing;
-    const bool tolerances = facing.tolerance == usual.tolerance && !facing.either_way && !facing.hitches;
-    if (goal.pose->radius == kStateGoalRadius && tolerances) continue;
+    const bool usual_tolerances = facing.tolerance == usual.tolerance && !facing.either_way && !facing.hitches;
+    if (goal.pose->radius == kStateGoalRadius && usual_tolerances) continue;
     std::fprintf(stderr,
                  "krait: warning: goal '%s' becomes a line of the drawing, which is read as %.4g m and %.4g rad around "
                  "it, not as the map has it\n",
