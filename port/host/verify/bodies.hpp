@@ -22,9 +22,14 @@ inline std::vector<double> radii_of(const RobotSpec& robot) {
   return radii;
 }
 
-inline double gap(const Frame& a, const Frame& b) {
-  return std::hypot(a.origin.x - b.origin.x, a.origin.y - b.origin.y);
+// Without the care of std::hypot for numbers near the ends of their range, which costs five times as much.
+inline double distance(const Point& a, const Point& b) {
+  const double dx = a.x - b.x;
+  const double dy = a.y - b.y;
+  return std::sqrt(dx * dx + dy * dy);
 }
+
+inline double gap(const Frame& a, const Frame& b) { return distance(a.origin, b.origin); }
 
 // Visits each pair of bodies that must not meet.
 template <typename Visit>

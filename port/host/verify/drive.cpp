@@ -22,7 +22,7 @@ bool all_finite(const State& state) {
 
 // How far the middle of a path lies from that of its chord.
 double bend(const Point& a, const Point& middle, const Point& b) {
-  return std::hypot(middle.x - (a.x + b.x) / 2, middle.y - (a.y + b.y) / 2);
+  return distance(middle, {(a.x + b.x) / 2, (a.y + b.y) / 2});
 }
 
 // Up to the rounding of `count` sums of eight terms, half a unit in the last place each.

@@ -142,9 +142,10 @@ void Dynamics::set_rate(const State& state, const Control& control, State& rate)
     double pull = (model_ == Model::snake ? front_speed : speed) / hitch_length_;
     double ahead = state[2];
     for (std::size_t i = 5; i < state.size(); ++i) {
-      rate[i] = pull * std::sin(ahead - state[i]);
-      pull *= std::cos(ahead - state[i]);
+      const double bend = ahead - state[i];
       ahead = state[i];
+      rate[i] = pull * std::sin(bend);
+      pull *= std::cos(bend);
     }
   }
   rate[0] = speed * std::cos(state[2]);
