@@ -30,6 +30,7 @@ struct Options {
   std::string scene;
   std::string robot = "snake:15";
   std::uint64_t seeds = 60;
+  std::uint64_t first_seed = 1;
 };
 
 // The searches of all seeds.
@@ -43,7 +44,7 @@ class Workload {
         limits_(Planner::limits_for(kMemory, scene_, robot_)),
         start_(start_of(scene_, robot_, spec_)),
         seeds_(options.seeds) {
-    for (std::uint64_t seed = 1; seed <= seeds_; ++seed) {
+    for (std::uint64_t seed = options.first_seed; seed < options.first_seed + seeds_; ++seed) {
       Planner planner;
       set_up(planner, recording_, seed);
       recordings_.push_back(record(recording_, planner, parameters_.dt));
@@ -294,6 +295,7 @@ int run(int argc, char** argv) {
   app.add_option("--scene", options.scene, "a .krait file")->required();
   app.add_option("--robot", options.robot, "snake:LINKS")->capture_default_str();
   app.add_option("--seeds", options.seeds)->check(CLI::Range(1, 10000))->capture_default_str();
+  app.add_option("--first-seed", options.first_seed)->check(CLI::Range(1, 1000000))->capture_default_str();
   app.callback([&] {
     configure(argv[0], app.remaining());
     measure(options);

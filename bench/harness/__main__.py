@@ -2,73 +2,87 @@
 """bench/run's program."""
 
 import argparse
-import json
 import os
+import re
 import signal
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 from harness import experiments, readme
-from harness.journal import Journal, JournalError
-from harness.page import write_page
+from harness.instructions import measure_instructions
+from harness.journal import Journal, JournalError, merged
+from harness.page import refuse_mixture, write_page
 from harness.parts import measure_parts
 from harness.problems import ROOT
 from harness.progress import Progress
-from harness.protocol import Protocol
-from harness.results import Results, to_json, write
+from harness.protocol import Protocol, Shard
+from harness.results import Results
 from harness.session import Session
-from harness.worker import BadInput, timing_cores
+from harness.tables import own_section
+from harness.worker import BadInput, leave, timing_core
 
 DATA = ROOT / "build/bench"
-QUICK = Protocol(seeds=3, queries=3, limit=1.0, give_up=1)
+PUBLISHED = ROOT / "bench/results/runs.jsonl.xz"
+QUICK = Protocol(seeds=3, goal_seeds=3, queries=3, pilot_seeds=1, limit=1.0, give_up=1)
+
+HELP = {
+    **{
+        "goals": "what the goals are held against, with most seeds",
+        "foreign": "dynobench and MovingAI",
+        "far": "goals at the far end of maps of 512 cells",
+        "scenes": "the five scenes, every planner of krait",
+        "ablations": "each addition to the paper off in turn",
+        "links": "figure 4",
+        "scale": "table 1",
+        "parameters": "table 2",
+        "peers": "OMPL",
+    },
+    "all": "all of these, the parts of a search, and its instructions",
+    "own": "a map and a robot of yours: own MAP --robot ROBOT",
+    "results": "write bench/RESULTS.md, bench/results and README's table of what was measured; with files: of these, the journals of shards",
+}
+
+
+def shard_of(text):
+    found = re.fullmatch(r"(\d+)/(\d+)", text)
+    shard = Shard(*map(int, found.groups())) if found else None
+    if not shard or not 1 <= shard.index <= shard.count:
+        raise argparse.ArgumentTypeError(f"{text}: must be I/N, the I-th of N shares")
+    return shard
 
 
 def parse(arguments):
     parser = argparse.ArgumentParser(
         prog="bench/run",
-        description="Measures what the tables claim, by the paper's protocol. What has been measured is not measured "
-        "again: break off at any time, and the same command goes on.",
+        description="Measures what the tables claim, round by round. What has been measured is not measured again: break off at any time, and the same command goes on.",
+        epilog="WHAT is one of: " + "; ".join(f"{name}: {text}" for name, text in HELP.items()) + ".",
     )
-    parser.add_argument("what", choices=[*experiments.EXPERIMENTS, "core", "all", "readme", "results"],
-                        metavar="WHAT",
-                        help="scenes: the five scenes, every planner of krait; links: figure 4; scale: table 1; "
-                        "parameters: table 2; peers: OMPL; foreign: dynobench and MovingAI; core: what the parts "
-                        "of a search cost; goals: of these, what goals over all scenes are held against; all: all of these; readme: the table in README.md; results: write bench/RESULTS.md of what has been measured")
-    parser.add_argument("--seeds", type=int, default=Protocol.seeds, help="runs a cell (default %(default)s)")
-    parser.add_argument("--limit", type=float,
-                        help="seconds a run (default: 5, or 1000 times the adaptive planner's median if that is more)")
-    parser.add_argument("--planner", action="append", metavar="NAME",
-                        help="measure this planner only, and what sets its time limits (ompl:NAME: a peer); may be given again")
-    parser.add_argument("--robot", default=experiments.ROBOT, help="of scenes (default %(default)s)")
+    parser.add_argument("what", choices=list(HELP), metavar="WHAT", help="see below")
+    parser.add_argument("files", nargs="*", type=Path, metavar="FILE", help="own: the map; results: journals")
+    parser.add_argument("--seeds", type=int, help=f"rounds (default {Protocol.seeds}, {Protocol.goal_seeds} of the cells of goals)")
+    parser.add_argument("--limit", type=float, help=f"seconds a run (default: {Protocol.least:g}, or {Protocol.factor:g} times the adaptive planner's median if that is more)")
+    parser.add_argument("--planner", action="append", metavar="NAME", help="measure this planner only (ompl:NAME: a peer); may be given again")
+    parser.add_argument("--robot", default=experiments.ROBOT, help="of own (default %(default)s)")
+    parser.add_argument("--shard", type=shard_of, default=Shard(), metavar="I/N", help="measure the I-th of N shares of the seeds; bench/README.md has how to spread them")
+    parser.add_argument("--journal", type=Path, help="file of what was measured (default: in build/bench)")
     parser.add_argument("--quick", action="store_true",
-                        help=f"{QUICK.seeds} seeds, {QUICK.limit:g} s a run, given up at once: shows that all of it "
-                        "works, measures nothing; with files of its own")
-    parser.add_argument("--cores", type=int, default=1, metavar="N",
-                        help="measure on the last N cores at once, one timed program on each (default %(default)s)")
-    parser.add_argument("--any-build", action="store_true",
-                        help="accept what other builds of the programs or scenes have measured")
-    parser.add_argument("--json", type=Path, help="also write the measured cells here")
+                        help=f"{QUICK.seeds} rounds, {QUICK.limit:g} s a run, given up at once: shows that all of it works, measures nothing; with files of its own")
     options = parser.parse_args(arguments)
-    if options.seeds < 1 or (options.limit is not None and not options.limit > 0):
+    if (options.seeds is not None and options.seeds < 1) or (options.limit is not None and not options.limit > 0):
         parser.error("--seeds must be at least 1 and --limit above 0")
-    available = len(os.sched_getaffinity(0))
-    if not 1 <= options.cores <= available:
-        parser.error(f"--cores must be between 1 and {available}, the cores there are")
-    if options.planner and options.what in ("core", "readme", "results"):
-        parser.error(f"--planner is not for {options.what}")
-    if options.quick and options.what in ("readme", "results"):
-        parser.error("--quick measures nothing that could stand in README.md or bench/RESULTS.md")
+    if (options.what == "own") != (len(options.files) == 1) and options.what != "results":
+        parser.error("own needs one MAP, and nothing else takes a file")
+    if options.what == "results" and (options.planner or options.quick):
+        parser.error("--planner and --quick are not for results")
     return options
 
 
-def measure(options, folder, cells):
-    protocol = QUICK if options.quick else Protocol(seeds=options.seeds, limit=options.limit)
-    with Journal(folder / "runs.jsonl") as journal:
-        session = Session(folder, journal, protocol, Progress(), timing_cores(options.cores), options.any_build)
-        session.measure_all(cells)
-        if options.what in ("goals", "core", "all"):
-            measure_parts(session, lambda text: print(text, file=sys.stderr))
-        return Results(journal)
+def protocol_of(options):
+    if options.quick:
+        return QUICK
+    protocol = Protocol(limit=options.limit)
+    return replace(protocol, seeds=options.seeds, goal_seeds=options.seeds) if options.seeds else protocol
 
 
 def only(cells, planners):
@@ -79,35 +93,57 @@ def only(cells, planners):
     return [cell for cell in cells if cell.planner in planners]
 
 
-def earlier_table(path):
-    """What the repository has on record; a machine that measures anew has no journal of it."""
-    return json.loads(path.read_text()) if path.exists() else []
+def folder_of(options):
+    if options.what == "own":
+        robot = re.sub(r"\W+", "-", options.robot)
+        return DATA / f"own-{options.files[0].stem}-{robot}{'-quick' if options.quick else ''}"
+    return DATA / ("quick" if options.quick else "full")
 
 
-def run(options):
-    folder = DATA / ("quick" if options.quick else "full")
-    if options.what == "results":
-        journal = Journal(folder / "runs.jsonl", writable=False)
-        write_page(Results(journal, earlier_table(ROOT / "bench/results/cells.json")), ROOT / "bench")
+def cells_of(options):
+    if options.what != "own":
+        return experiments.cells_of(options.what)
+    [path] = options.files
+    if not path.exists():
+        raise BadInput(f"{path}: there is no such map")
+    return experiments.own(path.resolve(), options.robot)
+
+
+def measure(options):
+    cells = cells_of(options)
+    cells = only(cells, options.planner) if options.planner else cells
+    folder, core, progress = folder_of(options), timing_core(), Progress()
+    leave(core)
+    with Journal(options.journal or folder / "runs.jsonl") as journal:
+        with Session(folder, journal, protocol_of(options), progress, core, options.shard) as session:
+            session.measure_all(cells, experiments.rounds(session.protocol))
+            if options.what == "all" and options.shard.index == 1:
+                measure_instructions(session, progress)
+                measure_parts(session, progress)
+        results = Results(journal.records)
+    if options.what == "own":
+        print(own_section(results, cells), end="")
         return
-    if options.what == "readme":
-        cells = readme.cells()
-        readme.write_table(measure(options, folder, cells), ROOT / "README.md")
-        return
-    cells = [] if options.what == "core" else experiments.cells_of(options.what, options.robot)
-    if options.planner:
-        cells = only(cells, options.planner)
-    results = measure(options, folder, cells)
     write_page(results, folder)
-    if options.json:
-        write(options.json, to_json(results.rows(cells)))
-    print(f"tables and pictures: {os.path.relpath(folder / 'RESULTS.md')}")
+    print(f"what was found: {os.path.relpath(folder / 'RESULTS.md')}; bench/run results publishes it")
+
+
+def publish(options):
+    """Of the journals that are named, of the one in build, or of the published runs themselves."""
+    usual = DATA / "full/runs.jsonl"
+    files = options.files or [options.journal or (usual if usual.exists() else PUBLISHED)]
+    records = merged([Journal(file, writable=False) for file in files])
+    results = Results(records)
+    refuse_mixture(results)
+    write_page(results, ROOT / "bench", records)
+    readme.write_table(results, ROOT / "README.md")
 
 
 def main():
     signal.signal(signal.SIGTERM, signal.default_int_handler)  # SIGINT may be ignored: of a job in the background, it is
     try:
-        run(parse(sys.argv[1:]))
+        options = parse(sys.argv[1:])
+        publish(options) if options.what == "results" else measure(options)
     except (JournalError, BadInput) as error:
         print(f"bench/run: {error}", file=sys.stderr)
         return 2

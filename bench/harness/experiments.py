@@ -1,42 +1,48 @@
 # SPDX-License-Identifier: Apache-2.0
 """Which cells belong to which table or figure."""
 
-from harness.cells import PEER, Cell
+from harness.cells import FRESH, PEER, Cell
+from harness.problems import DYNOBENCH, FAR, MOVINGAI, OWN
 
 SCENES = ("openings", "gates", "rooms", "comb", "corridors")
 IMPASSABLE = ("openings", "gates", "rooms", "comb")  # scenes with passages that are too narrow
 ROBOT = "snake:15"
 
 RIVALS = ("adaptive", "prior", "rrt")
-VARIANTS = ("plain", "control", "adaptive-unpruned", "prior-unpruned", "paper")
+VARIANTS = ("plain", "control", "adaptive-unpruned", "prior-unpruned", FRESH + "adaptive")
+PAPERS = ("paper", "paper-prior", "paper-rrt")  # the paper's three, under its conditions
 
 LINKS = (5, 10, 15, 20, 25)
 LONG_CHAIN = f"snake:{LINKS[-1]}"
 SCALES = ("0.75", "1", "2", "3", "4")
 SCALED_SCENE = "comb"  # the paper's figure 3(c)
+PARAMETERS_SCENE = "rooms"  # the paper's figure 3(b)
 PARAMETERS = {
     "alpha": ("2", "4", "8", "12", "16"),
     "beta": ("0.5", "0.65", "0.75", "0.85", "0.95"),
-    "gamma": ("15", "20", "25", "50", "75", "100"),
+    "gamma": ("15", "25", "50", "75", "100"),
     "kappa": ("1", "5", "10", "20", "30"),
 }
-DEFAULTS = {"alpha": "8", "beta": "0.85", "gamma": "20", "kappa": "10"}
-REPAIR_KAPPAS = ("1", "20")  # paths repaired most often, and as often as the paper's
-PARAMETERS_SCENE = "rooms"  # the paper's figure 3(b)
+PAPER_DEFAULTS = {"alpha": "8", "beta": "0.85", "gamma": "50", "kappa": "20"}
 
-STEERED_PEERS = ("RRT", "KPIECE1", "EST", "PDST", "SST", "SyclopRRT", "SyclopEST", "SyclopRRT-grid", "SyclopEST-grid")
-RANDOM_PEERS = tuple(
-    f"{name}-random" for name in ("RRT", "KPIECE1", "EST", "PDST", "SST", "SyclopRRT", "SyclopEST")
-)
-PEERS = tuple(PEER + name for name in STEERED_PEERS + RANDOM_PEERS)
-
-# The fastest of them in each scene.
-FASTEST_PEERS = {
-    "openings": "SyclopEST", "gates": "SyclopEST", "rooms": "KPIECE1", "comb": "SyclopEST", "corridors": "KPIECE1"
+# The adaptation, and each of our additions, off in turn.
+ABLATIONS = {
+    "costs never rise": ("gamma=0",),
+    "a failure raises costs by Eqn 9 as printed": ("cost_length=0",),
+    "every state of a group can be drawn": ("group_sample=65535",),
+    "no stray targets": ("stray_share=0",),
+    "no gentle turns": ("gentle_share=0",),
+    "targets in sight or not": ("sight_tries=0",),
+    "no sketches": ("candidates=0",),
+    "states right before a collision kept": ("doomed_steps=0",),
+    "no restarts": ("restart_unit=0",),
+    "speeds from three quarters of the top": ("slowest=0.75",),
+    "portals that are too narrow kept": ("prune_portals=0",),
 }
 
-DYNOBENCH = ("dynobench/bugtrap_0", "dynobench/parallelpark_0")
-MOVINGAI = ("movingai/arena", "movingai/den312d")
+STEERED_PEERS = ("RRT", "KPIECE1", "EST", "PDST", "SST", "SyclopRRT", "SyclopEST", "SyclopRRT-grid", "SyclopEST-grid")
+RANDOM_PEERS = tuple(f"{name}-random" for name in ("RRT", "KPIECE1", "EST", "PDST", "SST", "SyclopRRT", "SyclopEST"))
+PEERS = tuple(PEER + name for name in STEERED_PEERS + RANDOM_PEERS)
 
 
 def scaled(scene, scale):
@@ -44,63 +50,91 @@ def scaled(scene, scale):
 
 
 def with_setting(name, value):
-    settings = () if DEFAULTS[name] == value else (f"{name}={value}",)
-    return Cell(PARAMETERS_SCENE, ROBOT, "adaptive", settings)
+    """Of the paper's table 2, under its conditions."""
+    settings = () if PAPER_DEFAULTS[name] == value else (f"{name}={value}",)
+    return Cell(PARAMETERS_SCENE, ROBOT, "paper", settings)
 
 
-def scenes(robot=ROBOT):
-    return [Cell(scene, robot, planner) for scene in SCENES for planner in RIVALS + VARIANTS]
+def scenes():
+    return [Cell(scene, ROBOT, planner) for scene in SCENES for planner in RIVALS + VARIANTS + PAPERS]
 
 
 def links():
-    return [Cell(scene, f"snake:{n}", planner) for n in LINKS for scene in SCENES for planner in RIVALS]
+    planners = ("adaptive", "prior", "paper", "paper-prior")
+    return [Cell(scene, f"snake:{n}", planner) for n in LINKS for scene in SCENES for planner in planners]
 
 
 def scale():
     """The table's, and the other scenes at the largest scale."""
-    cells = [Cell(scaled(SCALED_SCENE, s), ROBOT, planner) for s in SCALES for planner in RIVALS]
-    return cells + [Cell(scaled(scene, SCALES[-1]), ROBOT, "adaptive") for scene in SCENES if scene != SCALED_SCENE]
+    planners = ("adaptive", "prior", *PAPERS)
+    cells = [Cell(scaled(SCALED_SCENE, s), ROBOT, planner) for s in SCALES for planner in planners]
+    return cells + [Cell(scaled(scene, SCALES[-1]), ROBOT, "adaptive") for scene in SCENES]
 
 
 def parameters():
     return [with_setting(name, value) for name, values in PARAMETERS.items() for value in values]
 
 
+def ablations():
+    settings = [(), *ABLATIONS.values()]
+    return [Cell(scene, ROBOT, "adaptive", setting) for scene in SCENES for setting in settings]
+
+
 def peers():
-    return [Cell(scene, ROBOT, planner) for scene in SCENES for planner in ("adaptive", *PEERS)]
+    return [Cell(scene, ROBOT, planner) for scene in SCENES for planner in ("adaptive", FRESH + "adaptive", *PEERS)]
+
+
+FOREIGN = [
+    *((problem, "unicycle1_v0") for problem in DYNOBENCH),
+    *((problem, robot) for problem in MOVINGAI for robot in ("unicycle", "car")),
+]
+FAR_ONES = [(problem, robot) for problem in FAR for robot in ("turtle_diff_drive", "turtle_unicycle")]
 
 
 def foreign():
-    cells = [Cell(problem, "unicycle1_v0", planner) for problem in DYNOBENCH for planner in RIVALS]
-    return cells + [
-        Cell(problem, robot, planner) for problem in MOVINGAI for robot in ("unicycle", "car") for planner in RIVALS
-    ]
+    return [Cell(problem, robot, planner) for problem, robot in FOREIGN for planner in RIVALS]
+
+
+def far():
+    return [Cell(problem, robot, planner) for problem, robot in FAR_ONES for planner in ("adaptive", "prior")]
 
 
 def goals():
-    """What the goals over all scenes are held against, of the other experiments: few enough for many seeds at once."""
-    cells = [Cell(scene, ROBOT, planner) for scene in SCENES for planner in ("adaptive", "plain", "prior")]
-    cells += [Cell(scene, ROBOT, PEER + peer) for scene, peer in FASTEST_PEERS.items()]
+    """What goals are held against, with more seeds than the tables have: the adaptive planner's cells and its rival's."""
+    cells = [Cell(scene, ROBOT, planner) for scene in SCENES for planner in ("adaptive", "prior")]
     cells += [Cell(scaled(scene, SCALES[-1]), ROBOT, "adaptive") for scene in SCENES]
     cells += [Cell(scene, LONG_CHAIN, "adaptive") for scene in SCENES]
-    return cells + [with_setting("kappa", value) for value in REPAIR_KAPPAS]
+    return cells + [Cell(problem, robot, planner) for problem, robot in FOREIGN for planner in ("adaptive", "prior")]
+
+
+def rounds(protocol):
+    """Of the cells that do not have `protocol.seeds`. Peers that are never the best, by far, need few to show it."""
+    slow = [cell for cell in peers() if cell.planner.endswith(("-grid", "-random"))]
+    few = min(protocol.few_seeds, protocol.seeds)
+    return dict.fromkeys(slow, few) | dict.fromkeys(goals(), protocol.goal_seeds)
+
+
+def own(path, robot):
+    """A user's map and robot, by every planner that can drive it."""
+    planners = (*RIVALS, *(PEERS if robot.startswith("snake") else ()))
+    return [Cell(OWN + str(path), robot, planner) for planner in planners]
 
 
 EXPERIMENTS = {
+    "goals": goals,
+    "foreign": foreign,
+    "far": far,
     "scenes": scenes,
+    "ablations": ablations,
     "links": links,
     "scale": scale,
     "parameters": parameters,
     "peers": peers,
-    "foreign": foreign,
-    "goals": goals,
 }
 
 
-def cells_of(what, robot=ROBOT):
-    """The cells of an experiment, or of all, each once; the adaptive planner's first, since they set time limits."""
+def cells_of(what):
+    """The cells of an experiment, or of all, each once."""
     if what == "all":
-        cells = [cell for experiment in EXPERIMENTS.values() for cell in experiment()]
-    else:
-        cells = scenes(robot) if what == "scenes" else EXPERIMENTS[what]()
-    return sorted(dict.fromkeys(cells), key=lambda cell: cell != cell.reference)
+        return list(dict.fromkeys(cell for experiment in EXPERIMENTS.values() for cell in experiment()))
+    return list(dict.fromkeys(EXPERIMENTS[what]()))

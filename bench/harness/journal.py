@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The journal: a file of JSON lines that is only ever appended to."""
+"""The journal: a file of JSON lines that is only ever appended to. A finished one may be compressed (.xz)."""
 
 import fcntl
 import json
+import lzma
 import os
-import threading
 from pathlib import Path
 
 
@@ -13,15 +13,14 @@ class JournalError(Exception):
 
 
 class Journal:
-    """Records are dicts with a "kind". One process writes at a time, any of its threads.
+    """Records are dicts with a "kind". One process writes at a time. A last line torn by a crash is cut off.
 
-    A last line torn by a crash is cut off.
+    Each run belongs to the session before it: "session" is that session's number, from 0.
     """
 
     def __init__(self, path, writable=True):
         self.path = Path(path)
         self.records = []
-        self._lock = threading.Lock()  # for the file and the records
         self._file = None
         if writable:
             self._open()
@@ -51,6 +50,8 @@ class Journal:
 
     def _read(self):
         data = self.path.read_bytes()
+        if self.path.suffix == ".xz":
+            data = lzma.decompress(data)
         whole = data.rfind(b"\n") + 1
         if whole < len(data) and self._file:
             os.truncate(self.path, whole)
@@ -62,20 +63,43 @@ class Journal:
 
     def append(self, record):
         """On disk when this returns."""
-        with self._lock:
-            self._file.write(json.dumps(record).encode() + b"\n")
-            self._file.flush()
-            os.fsync(self._file.fileno())
-            self.records.append(record)
+        self._file.write(json.dumps(record).encode() + b"\n")
+        self._file.flush()
+        os.fsync(self._file.fileno())
+        self.records.append(record)
 
     def of_kind(self, kind):
-        with self._lock:
-            return [record for record in self.records if record["kind"] == kind]
+        return of_kind(self.records, kind)
 
-    def runs(self, key, build):
-        """A cell's runs of one build (of any, where build is None) by trial; the last one of each trial counts."""
-        return {
-            record["trial"]: record
-            for record in self.of_kind("run")
-            if record["cell"] == key and build in (None, record["build"])
-        }
+    @property
+    def sessions(self):
+        return self.of_kind("session")
+
+    def runs(self):
+        return runs_of(self.records)
+
+
+def of_kind(records, kind):
+    return [record for record in records if record["kind"] == kind]
+
+
+def runs_of(records):
+    """By cell's key, then by trial; the last run of each trial counts."""
+    found = {}
+    for record in of_kind(records, "run"):
+        found.setdefault(record["cell"], {})[record["trial"]] = record
+    return found
+
+
+def merged(journals):
+    """The records of several journals, of shards on several machines, as if one had been written."""
+    records = []
+    for journal in journals:
+        before = sum(record["kind"] == "session" for record in records)
+        for record in journal.records:
+            records.append(record | {"session": record["session"] + before} if "session" in record else record)
+    return records
+
+
+def compressed(records):
+    return lzma.compress("".join(json.dumps(record) + "\n" for record in records).encode(), preset=9)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where and with what the measurements were made."""
+"""Where and with what the measurements were made, and what else the machine did meanwhile."""
 
 import hashlib
 import json
@@ -12,14 +12,16 @@ from pathlib import Path
 
 from harness.problems import BIN, ROOT
 
-
-def file_digest(path):
-    return hashlib.sha256(Path(path).read_bytes()).hexdigest()
+PROGRAMS = ("krait-bench-search", "krait-bench-peers", "krait-bench-core", "krait")
 
 
-def build_of(program, problem):
-    """Names what a run depends on: the program and the compiled scene."""
-    return hashlib.sha256((file_digest(program) + problem.digest).encode()).hexdigest()[:12]
+def digest_of_programs():
+    """Names what the runs of a journal depend on."""
+    digest = hashlib.sha256()
+    for program in PROGRAMS:
+        if (BIN / program).exists():
+            digest.update((BIN / program).read_bytes())
+    return digest.hexdigest()[:12]
 
 
 def processor():
@@ -28,31 +30,48 @@ def processor():
     return match.group(1) if match else platform.machine()
 
 
+def identity():
+    """The same for two sessions on one machine, and no machine's name."""
+    path = Path("/etc/machine-id")
+    name = path.read_text() if path.exists() else platform.node()
+    return hashlib.sha256((name + processor()).encode()).hexdigest()[:8]
+
+
 def commit():
     asked = subprocess.run(["git", "describe", "--always", "--dirty"], cwd=ROOT, capture_output=True, text=True)
     return asked.stdout.strip() or "unknown"
 
 
-def describe(cores):
+def describe(core):
     built = subprocess.run([BIN / "krait-bench-search", "build"], check=True, capture_output=True, text=True)
     return {
+        "machine": identity(),
         "date": time.strftime("%Y-%m-%d", time.gmtime()),
         "processor": processor(),
         "cores": os.cpu_count(),
-        "pinned_to_cores": cores,
+        "pinned_to_core": core,
         "load_before": round(os.getloadavg()[0], 2),
         "system": f"{platform.system()} {platform.release()}",
         "commit": commit(),
+        "programs": digest_of_programs(),
         **json.loads(built.stdout),
     }
 
 
-def cores_described(sessions):
-    """How many the last session's machine has, and those that timed programs of any session were pinned to."""
-    text = f"{sessions[-1]['cores']} cores"
-    pinned = sorted({core for session in sessions for core in session.get("pinned_to_cores", [])})
-    if len(pinned) == 1:
-        text += f", core {pinned[0]} for the timed program"
-    elif pinned:
-        text += f", cores {', '.join(map(str, pinned[:-1]))} and {pinned[-1]} for timed programs, one each"
-    return text
+class Activity:
+    """The load of the machine, and the time that a hypervisor took from the core, since the last question."""
+
+    def __init__(self, core):
+        self._line = f"cpu{core} "
+        self._stolen = self._read()
+
+    def _read(self):
+        for line in Path("/proc/stat").read_text().splitlines():
+            if line.startswith(self._line):
+                return int(line.split()[8])
+        return 0
+
+    def since(self):
+        before, self._stolen = self._stolen, self._read()
+        stolen = (self._stolen - before) / os.sysconf("SC_CLK_TCK")
+        return {"load": round(os.getloadavg()[0], 2), "stolen_s": round(stolen, 2)}

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Problems as files: the shipped scenes at any scale, and foreign maps with their queries, read where they lie.
 
-"rooms", "rooms@2" (scale 2), "dynobench/bugtrap_0", "movingai/arena"
+"rooms", "rooms@2" (scale 2), "dynobench/bugtrap_0", "movingai/arena", "own:path/of/a/map.png"
 """
 
-import hashlib
 import json
 import math
 import statistics
@@ -20,20 +19,50 @@ BIN = ROOT / "build/host/bin"
 SAMPLES = ROOT.parent / "shared/samples"
 COMPILED_TIMES = 3  # the median counts
 GOAL_RADIUS = 0.5  # m, of a MovingAI query: the goal's cell
+OWN = "own:"
 MAX_QUERY_LENGTH = 100.0  # m, longest shortest way (8-connected) of the queries that are asked
 
-# dynobench's unicycle1_v0: first order, half a metre long. Speeds in m/s and rad/s, sizes in m.
-DYNOBENCH_UNICYCLE = {
-    "model": "unicycle",
-    "parameters": {
-        "body_length": 0.5,
-        "body_width": 0.25,
-        "max_speed": 0.5,
-        "min_speed": -0.5,
-        "max_turn_rate": 0.5,
+DYNOBENCH = ("dynobench/bugtrap_0", "dynobench/parallelpark_0")
+MOVINGAI = ("movingai/arena", "movingai/den312d")
+
+# From one end of a map of 512 cells to the other: x, y, heading to x, y, radius.
+FAR = {
+    "movingai/maze512-32-0:a": ([300.5, 1.5, 0.0], [71.5, 480.5, 0.25]),
+    "movingai/maze512-32-0:b": ([377.5, 447.5, 2.356], [232.5, 43.5, 0.25]),
+    "movingai/brc202d:a": ([247.5, 344.5, 0.0], [271.5, 248.5, 0.25]),
+    "movingai/brc202d:b": ([114.5, 247.5, -3.1412], [466.5, 294.5, 0.25]),
+}
+
+# Robots that problems name, as ROBOT.json: sizes in m, speeds in m/s and rad/s.
+ROBOTS = {
+    # dynobench's: first order, half a metre long
+    "unicycle1_v0": {
+        "model": "unicycle",
+        "parameters": {
+            "body_length": 0.5,
+            "body_width": 0.25,
+            "max_speed": 0.5,
+            "min_speed": -0.5,
+            "max_turn_rate": 0.5,
+        },
+    },
+    # of a TurtleBot's size
+    "turtle_diff_drive": {
+        "model": "diff_drive",
+        "parameters": {
+            "body_length": 0.5,
+            "body_width": 0.4,
+            "wheel_radius": 0.08,
+            "track_width": 0.36,
+            "max_wheel_speed": 12,
+            "max_wheel_acceleration": 24,
+        },
+    },
+    "turtle_unicycle": {
+        "model": "unicycle",
+        "parameters": {"body_length": 0.5, "body_width": 0.4, "max_speed": 0.96, "max_turn_rate": 2.0},
     },
 }
-ROBOTS = {"unicycle1_v0": DYNOBENCH_UNICYCLE}
 
 
 @dataclass(frozen=True)
@@ -43,33 +72,30 @@ class Problem:
     scene: Path  # compiled
     compile_s: float
     queries: list = field(default_factory=list)  # where the trials are queries, not seeds
+    ends: dict = field(default_factory=dict)  # "start" and "goal" of every trial; empty: the scene's
 
-    def trials(self, seeds, queries):
-        """Seeds 1 to `seeds`; where the problem has queries, `queries` of them, evenly spread (0: all)."""
-        if not self.queries:
-            return [{"trial": seed, "seed": seed} for seed in range(1, seeds + 1)]
-        if not 0 < queries < len(self.queries):
-            return self.queries
-        return [self.queries[i * len(self.queries) // queries] for i in range(queries)]
-
-    @property
-    def digest(self):
-        return hashlib.sha256(self.scene.read_bytes()).hexdigest()
+    def trial(self, round_, first_seed):
+        """Of a round, from 0."""
+        if self.queries:
+            return self.queries[round_]
+        return {"trial": first_seed + round_, "seed": first_seed + round_, **self.ends}
 
 
 def foreign_input(name):
-    """The map of a foreign problem; None for a shipped scene."""
+    """The map of a problem that is not ours; None for a shipped scene."""
+    if name.startswith(OWN):
+        return Path(name.removeprefix(OWN))
     if "/" not in name:
         return None
     suffix = ".yaml" if name.startswith("dynobench/") else ".map"
-    return SAMPLES / (name + suffix)
+    return SAMPLES / (name.partition(":")[0] + suffix)
 
 
 def available(name):
     source = foreign_input(name)
     if source is None:
         return True
-    return source.exists() and (source.suffix != ".map" or queries_of(source).exists())
+    return source.exists() and (name not in MOVINGAI or queries_of(source).exists())
 
 
 def queries_of(path):
@@ -84,8 +110,8 @@ def run_krait(*arguments):
 
 def prepare(name, folder):
     """Makes and compiles the problem's files in `folder`."""
-    stem = name.replace("/", "-")
     source = foreign_input(name)
+    stem = source.stem if name.startswith(OWN) else name.replace("/", "-").replace(":", "-")
     if source is None:
         source = folder / f"{stem}.json"
         scene_name, _, scale = name.partition("@")
@@ -96,8 +122,9 @@ def prepare(name, folder):
         begin = time.monotonic()
         run_krait("compile", source, "-o", scene)
         seconds.append(time.monotonic() - begin)
-    queries = movingai_queries(source) if source.suffix == ".map" else []
-    return Problem(name, source, scene, statistics.median(seconds), queries)
+    queries = movingai_queries(source) if name in MOVINGAI else []
+    ends = dict(zip(("start", "goal"), FAR[name])) if name in FAR else {}
+    return Problem(name, source, scene, statistics.median(seconds), queries, ends)
 
 
 def robot_argument(robot, folder):

@@ -1,58 +1,57 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The paper's protocol: how long a run may take, when a cell is given up, and what need not be measured again."""
+"""The protocol: which seeds, how long a run may take, when a cell is given up, and which runs are made again."""
 
 from dataclasses import dataclass
-
-from harness.statistics import quantile, succeeded, times
-
-PAPER_LIMIT = 100.0  # s
 
 
 @dataclass(frozen=True)
 class Protocol:
-    seeds: int = 60
-    queries: int = 0  # of a problem that has them; 0: all
-    limit: float | None = None  # s; None: the larger of `least` and `factor` times the adaptive planner's median
-    least: float = 5.0
-    factor: float = 1000.0
-    reference_limit: float = PAPER_LIMIT  # of the adaptive planner's own runs
-    give_up: int = 10  # failures in a row
+    """Round k is the k-th run of every cell: what is held against each other was measured within a minute.
 
-    def limit_of(self, cell, reference_runs):
-        """Seconds that a run of the cell may take, given the runs of its reference."""
+    Nothing was tuned on the seeds from `first_seed` on; limits come from a pilot on others.
+    """
+
+    seeds: int = 60  # rounds of every cell
+    goal_seeds: int = 200  # rounds of the cells that goals are held against
+    few_seeds: int = 20  # rounds of peers that are slow by far
+    queries: int = 0  # rounds of a problem that has queries instead of seeds; 0: all
+    first_seed: int = 10_001
+    pilot_seeds: int = 11  # from 1 on
+    limit: float | None = None  # s; None: the larger of `least` and `factor` times the adaptive planner's pilot median
+    least: float = 1.0
+    factor: float = 300.0
+    reference_limit: float = 100.0  # of the adaptive planner's own runs, as in the paper
+    give_up: int = 10  # failures in a row
+    repeats: int = 3  # of a run that was disturbed
+
+    def limit_of(self, cell, pilot_median):
+        """Seconds that a run of the cell may take; `pilot_median` is its reference's."""
         if self.limit is not None:
             return self.limit
-        if cell == cell.reference:
-            return self.reference_limit
-        median = quantile(times(reference_runs, self.reference_limit), 0.5).value
-        return max(self.least, self.factor * median)
+        return self.reference_limit if cell == cell.reference else max(self.least, self.factor * pilot_median)
 
 
-def usable(run, limit):
-    """Whether a run says what a run with this limit would have said."""
-    return run["status"] != "time_used" or run["limit_s"] >= limit
+@dataclass(frozen=True)
+class Shard:
+    """The rounds of one machine of several: seeds are dealt out in turn, so that each machine measures every cell."""
+
+    index: int = 1  # from 1 to count
+    count: int = 1
+
+    def has(self, round_):
+        return round_ % self.count == self.index - 1
+
+
+def disturbed(run):
+    """Whether something else ran on the core for longer than the figures can stand."""
+    return run.get("waited_s", 0) > 5e-5 + 0.05 * run.get("time_s", 0)
 
 
 def failures_at_end(outcomes):
     """How many of the last outcomes, in a row, are failures."""
     count = 0
-    for succeeded_ in reversed(outcomes):
-        if succeeded_:
+    for succeeded in reversed(outcomes):
+        if succeeded:
             break
         count += 1
     return count
-
-
-def measure(trials, limit, give_up, known, run):
-    """Yields a run for each trial, in order, until all are done or `give_up` (None: never) failed in a row.
-
-    `known` has earlier runs by trial; those that are usable are taken, the others are made by run(trial).
-    """
-    outcomes = []
-    for trial in trials:
-        earlier = known.get(trial["trial"])
-        record = earlier if earlier and usable(earlier, limit) else run(trial)
-        outcomes.append(succeeded(record, limit))
-        yield record
-        if give_up is not None and failures_at_end(outcomes) >= give_up:
-            return

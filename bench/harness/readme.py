@@ -4,7 +4,7 @@
 from harness.cells import Cell
 from harness.experiments import ROBOT, SCENES
 from harness.results import write
-from harness.statistics import Figure, quantile, succeeded
+from harness.statistics import quantile, succeeded
 
 BEGIN, END = "<!-- scenes -->", "<!-- end of scenes -->"
 HEADER = (
@@ -17,21 +17,20 @@ def cells():
     return [Cell(scene, ROBOT, "adaptive") for scene in SCENES]
 
 
-def _vertices(runs, share):
-    return quantile([Figure(count) for count in sorted(run["vertices"] for run in runs)], share).value
-
-
-def _row(cell, runs, limit, summary):
+def _row(results, cell):
+    runs = results.runs(cell)
     solved = [run for run in runs if run["status"] == "solved"]
-    verified = [run for run in solved if succeeded(run, limit)]
+    verified = [run for run in solved if succeeded(run, run["limit_s"], cell)]
+    summary = results.summary(cell)
+    vertices = sorted(run["vertices"] for run in runs)
     figures = [
         cell.problem,
         str(len(solved)),
         str(len(verified)),
         f"{1e3 * summary.median.value:.1f}",
         f"{1e3 * summary.p90.value:.1f}",
-        str(_vertices(runs, 0.5)),
-        str(_vertices(runs, 0.9)),
+        str(quantile(vertices, 0.5)),
+        str(quantile(vertices, 0.9)),
         f"{max(run['step_error'] for run in solved):.1e}",
         f"{1e3 * max(run['drift_m'] for run in solved):.1f}",
         f"{1e3 * min(run['clearance_m'] for run in solved):.1f}",
@@ -41,9 +40,8 @@ def _row(cell, runs, limit, summary):
 
 
 def table(results):
-    asked = results.summary(cells()[0]).asked
-    rows = [_row(cell, results.runs(cell), results.limit(cell), results.summary(cell)) for cell in cells()]
-    return f"{ROBOT}, adaptive, {asked} seeds\n\n" + HEADER + "".join(rows)
+    seeds = len(results.runs(cells()[0]))
+    return f"{ROBOT}, adaptive, {seeds} seeds\n\n" + HEADER + "".join(_row(results, cell) for cell in cells())
 
 
 def write_table(results, path):

@@ -1,71 +1,126 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the journal says about finished cells, and an earlier table about others; their files: JSON, CSV."""
+"""What a journal says about cells; its files: JSON, CSV."""
 
-import copy
 import csv
 import io
 import json
+import math
 
-from harness.cells import Cell
+from harness.journal import of_kind, runs_of
 from harness.parts import parts_of
-from harness.statistics import MEDIANS, Figure, Summary, summarise
+from harness.problems import MOVINGAI
+from harness.protocol import disturbed, failures_at_end
+from harness.statistics import (
+    Figure,
+    geometric_mean,
+    in_order,
+    interval,
+    quantile,
+    ratio,
+    succeeded,
+    summarise,
+    time_of,
+)
 
 FIGURES = ("mean", "median", "p90", "p99")
 
 
-class Results:
-    """`table`: rows() of an earlier journal, perhaps another machine's, for cells that this one does not have."""
+def time(run, cell):
+    """s"""
+    return time_of(run, run["limit_s"], cell)
 
-    def __init__(self, journal, table=()):
-        self._runs = {}
-        self._cells = {}
-        self._table = {_cell_of(row).key: row for row in table}
-        for record in journal.of_kind("cell"):
-            self._cells[record["cell"]] = record
-        for key, cell in self._cells.items():
-            runs = journal.runs(key, cell["build"]) | {}
-            self._runs[key] = [runs[trial] for trial in cell["trials"] if trial in runs]
-        self.sessions = journal.of_kind("session")
-        self.parts = {record["scene"]: parts_of(record["report"]) for record in journal.of_kind("parts")}
-        self.compile_s = {record["problem"]: record["compile_s"] for record in journal.of_kind("compiled")}
+
+def time_a_step(run, cell):
+    """s, a step of the plan."""
+    found = time(run, cell)
+    return found if found.at_least else Figure(found.value / run["plan_steps"])
+
+
+def vertices(run, cell):
+    """Of a tree; more than any number where there is no plan."""
+    return Figure(run["vertices"]) if succeeded(run, run["limit_s"], cell) else Figure(math.inf, True)
+
+
+class Results:
+    def __init__(self, records):
+        self.sessions = of_kind(records, "session")
+        self.rounds = of_kind(records, "round")
+        self.parts = {record["scene"]: parts_of(record["report"]) for record in of_kind(records, "parts")}
+        self.instructions = {record["cell"]: record["each"] for record in of_kind(records, "instructions")}
+        self.compile_s = {record["problem"]: record["compile_s"] for record in of_kind(records, "compiled")}
+        self._runs = {key: [runs[trial] for trial in sorted(runs)] for key, runs in runs_of(records).items()}
+
+    @property
+    def protocol(self):
+        return self.sessions[-1]["protocol"]
+
+    def all_runs(self):
+        return [run for runs in self._runs.values() for run in runs]
+
+    def repeated(self):
+        """How many runs were made again, and how many of these were disturbed to the last."""
+        again = [run for run in self.all_runs() if run.get("repeats")]
+        return len(again), sum(disturbed(run) for run in again)
 
     def runs(self, cell):
         return self._runs.get(cell.key, [])
 
     def limit(self, cell):
-        return self._cells[cell.key]["limit_s"]
+        return self.runs(cell)[0]["limit_s"]
 
     def summary(self, cell):
         """None where the cell has not been measured."""
-        record = self._cells.get(cell.key)
-        if record and self.runs(cell):
-            return summarise(self.runs(cell), record["asked"], record["limit_s"], record["given_up"])
-        row = self._table.get(cell.key)
-        return _summary_of(row) if row else None
+        runs = self.runs(cell)
+        if not runs:
+            return None
+        limit = self.limit(cell)
+        outcomes = [succeeded(run, limit, cell) for run in runs]
+        given_up = cell.problem not in MOVINGAI and failures_at_end(outcomes) >= self.protocol["give_up"]
+        return summarise(runs, limit, given_up, cell)
 
-    def of_journal(self):
-        """Without the earlier table: what may be held against each other."""
-        alone = copy.copy(self)
-        alone._table = {}
-        return alone
+    def _pairs(self, slow, fast, value):
+        """Figures of the trials that both cells have had, a list a machine."""
+        others = {run["trial"]: run for run in self.runs(fast)}
+        found = {}
+        for run in self.runs(slow):
+            other = others.get(run["trial"])
+            if other and "refused" not in (run["status"], other["status"]):
+                machine = self.sessions[run["session"]]["machine"]
+                found.setdefault(machine, []).append((value(run, slow), value(other, fast)))
+        return list(found.values())
+
+    def ratio(self, cells, share=0.5, value=time):
+        """How many times a quantile of the one exceeds that of the other, the geometric mean over `cells`, which are
+        pairs (slow, fast); with its interval. Formed within each machine, of the same trials. None without runs."""
+        samples = [self._pairs(slow, fast, value) for slow, fast in cells]
+        if not samples or not all(samples):
+            return None
+        return interval(
+            [sample for machines in samples for sample in machines],
+            lambda drawn: geometric_mean([_ratio_of_quantiles(pairs, share) for pairs in drawn]),
+        )
+
+    def mean_quantile(self, cells, share, value):
+        """The geometric mean over the cells of a quantile, with its interval. None without runs."""
+        samples = [[value(run, cell) for run in self.runs(cell)] for cell in cells]
+        if not samples or not all(samples):
+            return None
+        return interval(samples, lambda drawn: geometric_mean([quantile(in_order(figures), share) for figures in drawn]))
 
     def rows(self, cells):
         """A flat dict a cell, of those that were measured."""
         return [self._row(cell, summary) for cell in cells if (summary := self.summary(cell))]
 
     def _row(self, cell, summary):
-        if summary.earlier:
-            return self._table[cell.key]
         row = {
             "problem": cell.problem,
             "robot": cell.robot,
             "planner": cell.planner,
             "settings": " ".join(cell.settings),
             "runs": summary.runs,
-            "asked": summary.asked,
             "given_up": summary.given_up,
             "solved": summary.solved,
-            "unverified": summary.unverified,
+            "verified": summary.verified,
             "limit_s": summary.limit,
         }
         for name in FIGURES:
@@ -73,31 +128,15 @@ class Results:
             row |= {f"{name}_s": figure.value, f"{name}_at_least": figure.at_least}
         row["deviation_s"] = summary.deviation
         row |= {f"{name}_median": value for name, value in summary.medians.items()}
+        row["vertices_p90"] = summary.vertices_p90
         row["statuses"] = summary.statuses
         row["compile_s"] = self.compile_s.get(cell.problem)
-        row["commit"] = self._cells[cell.key].get("commit")
         return row
 
 
-def _cell_of(row):
-    return Cell(row["problem"], row["robot"], row["planner"], tuple(row["settings"].split()))
-
-
-def _summary_of(row):
-    figures = {name: Figure(row[f"{name}_s"], row[f"{name}_at_least"]) for name in FIGURES}
-    return Summary(
-        runs=row["runs"],
-        asked=row["asked"],
-        given_up=row["given_up"],
-        solved=row["solved"],
-        unverified=row["unverified"],
-        limit=row["limit_s"],
-        deviation=row["deviation_s"],
-        statuses=row["statuses"],
-        medians={name: row[f"{name}_median"] for name in MEDIANS if f"{name}_median" in row},
-        earlier=True,
-        **figures,
-    )
+def _ratio_of_quantiles(pairs, share):
+    slow, fast = (quantile(in_order(figures), share) for figures in zip(*pairs))
+    return ratio(slow, fast)
 
 
 def to_json(rows):
@@ -115,9 +154,12 @@ def to_csv(rows):
     return text.getvalue()
 
 
-def write(path, text):
-    """Whole or not at all."""
+def write(path, content):
+    """Text or bytes, whole or not at all."""
     path.parent.mkdir(parents=True, exist_ok=True)
     part = path.with_name(path.name + ".part")
-    part.write_text(text)
+    if isinstance(content, bytes):
+        part.write_bytes(content)
+    else:
+        part.write_text(content)
     part.replace(path)

@@ -1,11 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the runs of a cell amount to. Runs without a verified plan are censored: their time is at least the limit."""
+"""Statistics of runs. Runs without an accepted plan are censored: their time is at least the limit."""
 
 import math
+import random
+import sys
 from collections import Counter
 from dataclasses import dataclass
 
 TRIMMED = 12  # a twelfth of the runs is discarded at each end: the paper's 5 of 60
+RESAMPLED = 1000  # times, for an interval
+COVERED = 0.95  # of an interval
 
 
 @dataclass(frozen=True)
@@ -27,14 +31,23 @@ def rounded(value, digits=3):
     return f"{round(value, places):.{max(places, 0)}f}"
 
 
-def succeeded(run, limit):
-    return run["status"] == "solved" and run["verified"] and run["time_s"] <= limit
+def succeeded(run, limit, cell):
+    """In time, with a plan that the verifier accepts; where the cell only checks states, that the planner accepts."""
+    return run["status"] == "solved" and (run["verified"] or cell.checks_states) and run["time_s"] <= limit
 
 
-def times(runs, limit):
-    """Seconds of each run as figures, the shortest first; censored ones come last."""
-    figures = [Figure(run["time_s"]) if succeeded(run, limit) else Figure(limit, True) for run in runs]
+def time_of(run, limit, cell):
+    return Figure(run["time_s"]) if succeeded(run, limit, cell) else Figure(limit, True)
+
+
+def in_order(figures):
+    """The smallest first; bounds, of which nothing is known but that they are larger, come last."""
     return sorted(figures, key=lambda figure: (figure.at_least, figure.value))
+
+
+def times(runs, limit, cell):
+    """Seconds of each run, in order."""
+    return in_order(time_of(run, limit, cell) for run in runs)
 
 
 def trimmed(figures):
@@ -55,15 +68,61 @@ def deviation(figures):
     return math.sqrt(math.fsum((f.value - center) ** 2 for f in figures) / (len(figures) - 1))
 
 
+def rank(share, count):
+    """The place, from 0, of the smallest of `count` sorted values that is not below a share of them."""
+    return max(math.ceil(share * count), 1) - 1
+
+
 def quantile(figures, share):
-    """The smallest of the sorted figures that is not below a share of them (nearest rank)."""
-    return figures[max(math.ceil(share * len(figures)), 1) - 1]
+    """Of sorted figures, by nearest rank."""
+    return figures[rank(share, len(figures))]
 
 
-def median_of(runs, name):
-    """Median of a statistic over the runs that have it; None where none has."""
+def quantile_of(runs, name, share):
+    """Of a statistic over the runs that have it; None where none has."""
     values = sorted(run[name] for run in runs if run.get(name) is not None)
-    return values[math.ceil(len(values) / 2) - 1] if values else None
+    return quantile(values, share) if values else None
+
+
+def geometric_mean(figures):
+    """A bound where one of them is."""
+    value = math.exp(math.fsum(math.log(figure.value) for figure in figures) / len(figures))
+    return Figure(value, any(figure.at_least for figure in figures))
+
+
+def ratio(slow, fast):
+    """How many times slower: a bound where the slow one is; where the fast one is, nothing is known but that it is above 0."""
+    return Figure(sys.float_info.min, True) if fast.at_least else Figure(slow.value / fast.value, slow.at_least)
+
+
+@dataclass(frozen=True)
+class Interval:
+    """An estimate, and the ends that it is between with a probability of COVERED."""
+
+    estimate: Figure
+    low: float
+    high: float  # infinite where censored runs leave it without a bound
+
+    def shown(self):
+        high = "∞" if math.isinf(self.high) else rounded(self.high, 2)
+        return f"{self.estimate.shown()} [{rounded(self.low, 2)}, {high}]"
+
+    def reaches(self, least):
+        """Whether it is that large; None where the interval has it between its ends."""
+        return True if self.low >= least else False if self.high < least else None
+
+    def stays(self, most):
+        return True if self.high <= most else False if self.low > most else None
+
+
+def interval(samples, estimate):
+    """Bootstrap by percentiles: each of the samples is drawn anew, with replacement, and the figure formed of them."""
+    dice = random.Random(1)
+    drawn = [estimate([dice.choices(sample, k=len(sample)) for sample in samples]) for _ in range(RESAMPLED)]
+    tail = (1 - COVERED) / 2
+    low = sorted(figure.value for figure in drawn)[rank(tail, RESAMPLED)]
+    high = sorted(math.inf if figure.at_least else figure.value for figure in drawn)[rank(1 - tail, RESAMPLED)]
+    return Interval(estimate(samples), low, high)
 
 
 @dataclass(frozen=True)
@@ -71,45 +130,46 @@ class Summary:
     """A cell in numbers. Times are seconds over all runs made; mean and deviation leave out the trimmed ones."""
 
     runs: int
-    asked: int  # fewer were made where the cell was given up or is not finished
     given_up: bool
-    solved: int  # with a verified plan within the limit
-    unverified: int
+    solved: int  # accepted within the limit
+    verified: int  # of these, by the verifier
+    refused: int  # queries whose start or goal is blocked
     limit: float
     mean: Figure
     deviation: float | None
     median: Figure
     p90: Figure
     p99: Figure
+    medians: dict[str, float]  # over the solved runs, of MEDIANS
+    vertices_p90: float | None
     statuses: dict[str, int]
-    medians: dict[str, float]  # over the solved runs: vertices, collision_checks, plan_duration_s, plan_length_m
-    earlier: bool = False  # known from an earlier table only, perhaps of another machine
 
     @property
     def success(self):
         return self.solved / self.runs
 
 
-MEDIANS = ("vertices", "collision_checks", "plan_duration_s", "plan_length_m")
+MEDIANS = ("vertices", "collision_checks", "plan_steps", "plan_duration_s", "plan_length_m")
 
 
-def summarise(runs, asked, limit, given_up):
+def summarise(runs, limit, given_up, cell):
     """Of at least one run."""
-    figures = times(runs, limit)
+    figures = times(runs, limit, cell)
     kept = trimmed(figures)
-    solved = [run for run in runs if succeeded(run, limit)]
+    solved = [run for run in runs if succeeded(run, limit, cell)]
     return Summary(
         runs=len(runs),
-        asked=asked,
         given_up=given_up,
         solved=len(solved),
-        unverified=sum(run["status"] == "solved" and not run["verified"] for run in runs),
+        verified=sum(bool(run["verified"]) for run in solved),
+        refused=sum(run["status"] == "refused" for run in runs),
         limit=limit,
         mean=mean(kept),
         deviation=deviation(kept),
         median=quantile(figures, 0.5),
         p90=quantile(figures, 0.9),
         p99=quantile(figures, 0.99),
+        medians={name: value for name in MEDIANS if (value := quantile_of(solved, name, 0.5)) is not None},
+        vertices_p90=quantile_of(solved, "vertices", 0.9),
         statuses=dict(Counter(run["status"] for run in runs)),
-        medians={name: value for name in MEDIANS if (value := median_of(solved, name)) is not None},
     )

@@ -1,13 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A benchmark program that answers trials, alone on one core."""
+"""Benchmark programs that answer trials, each alone on one core."""
 
 import json
 import os
 import select
 import subprocess
 import tempfile
-
-from harness.stop import Stopped
 
 MEMORY = 12 << 30  # bytes a program may map
 PATIENCE = 120.0  # s beyond the limit, for set-up and for verifying, until a program counts as hung
@@ -17,9 +15,16 @@ class BadInput(Exception):
     """The program refused its input: one line that says why."""
 
 
-def timing_cores(count):
-    """The cores that timed programs are pinned to: the last, since interrupts tend to go to the first."""
-    return sorted(os.sched_getaffinity(0))[-count:]
+def timing_core():
+    """The core that timed programs are pinned to: the last, since interrupts tend to go to the first."""
+    return max(os.sched_getaffinity(0))
+
+
+def leave(core):
+    """Keeps this process off the core, if there is another."""
+    others = os.sched_getaffinity(0) - {core}
+    if others:
+        os.sched_setaffinity(0, others)
 
 
 def isolated(core, command):
@@ -28,16 +33,15 @@ def isolated(core, command):
 
 
 class Worker:
-    """Answers one trial at a time. `fresh`: by a new process each (OMPL seeds its random numbers once a process).
+    """Answers one trial at a time. `fresh`: by a new process each.
 
-    Raises Stopped instead of waiting once `stop` is said; no process is left behind where this is a context.
+    No process is left behind where this is a context.
     """
 
-    def __init__(self, command, limit, fresh, core, stop):
-        self.command = isolated(core, [*command, "--time-limit", limit])
-        self.patience = limit + PATIENCE
+    def __init__(self, command, fresh, core, patience=PATIENCE):
+        self.command = isolated(core, command)
         self.fresh = fresh
-        self.until = stop
+        self.patience = patience
         self._process = None
         self._errors = None
 
@@ -68,7 +72,7 @@ class Worker:
         )
 
     def run(self, trial):
-        """The program's answer; where it gives none, one whose status is "hung" or "crashed"."""
+        """The program's answer; where there is none, one whose status is "hung" or "crashed"."""
         if not self._process:
             self._start()
         try:
@@ -82,9 +86,7 @@ class Worker:
         return answer
 
     def _answer(self, trial):
-        ready, _, _ = select.select([self._process.stdout, self.until], [], [], self.patience)
-        if self.until in ready:
-            raise Stopped
+        ready, _, _ = select.select([self._process.stdout], [], [], trial["limit_s"] + self.patience)
         if not ready:
             self.stop()
             return {"trial": trial["trial"], "status": "hung"}

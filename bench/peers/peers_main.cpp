@@ -14,22 +14,23 @@ void print_planners() {
   for (const PeerPlanner& planner : peer_planners()) std::printf("%s\t%s\n", planner.name, planner.description);
 }
 
-void answer(const Setup& setup) {
-  const PeerPlanner& planner = peer_planner(setup.planner);
-  const host::SceneBytes scene = host::SceneBytes::read(setup.scene);
-  answer_trials(setup, [&](const host::SearchRequest& request) { return solve(planner, setup.scene, scene, request); });
+void answer() {
+  const auto choose = [](const Trial& trial) -> Solve {
+    if (!trial.settings.empty()) throw host::InputError("set: the peers have no settings");
+    const PeerPlanner& planner = peer_planner(trial.request.planner);
+    return [&](const host::SceneBytes& scene) { return solve(planner, trial.scene, scene, trial.request); };
+  };
+  answer_trials(choose, Verify::yes);
 }
 
 int run(int argc, char** argv) {
   ompl::msg::noOutputHandler();
-  Setup setup;
   CLI::App app("Trials of OMPL's planners", "krait-bench-peers");
   app.require_subcommand(1);
   app.add_subcommand("build", "how this program was compiled")->callback(print_build);
   app.add_subcommand("planners", "name and description of every planner")->callback(print_planners);
   CLI::App* trials = app.add_subcommand("trials", "answer the trials on standard input");
-  add_options(*trials, setup);
-  trials->callback([&setup] { answer(setup); });
+  trials->callback(answer);
   return run_program(app, argc, argv);
 }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trials/planners.hpp"
 
-#include <charconv>
+#include <cmath>
+#include <variant>
 
 #include "host/workspace/workspace.hpp"
+#include "krait/status.hpp"
 
 namespace krait::bench {
 namespace {
@@ -23,6 +25,59 @@ Parameters unpruned(Parameters parameters) {
   return parameters;
 }
 
+// A parameter that a trial may set.
+struct Setting {
+  const char* name;
+  std::variant<float SearchTuning::*, std::uint32_t SearchTuning::*, bool SearchTuning::*> member;
+  Argument argument = Argument::none;  // whose range it has; none of a switch, which is 0 or 1
+
+  void set(double value, Parameters& parameters) const {
+    refuse_outside(value);
+    if (const auto* real = std::get_if<float SearchTuning::*>(&member)) {
+      parameters.tuning.*(*real) = static_cast<float>(value);
+    } else if (const auto* count = std::get_if<std::uint32_t SearchTuning::*>(&member)) {
+      parameters.tuning.*(*count) = static_cast<std::uint32_t>(value);
+    } else {
+      parameters.tuning.*(std::get<bool SearchTuning::*>(member)) = value != 0;
+    }
+  }
+
+ private:
+  void refuse_outside(double value) const {
+    const ParameterRange range = argument == Argument::none ? ParameterRange{0, 1} : Parameters::range(argument);
+    const bool whole = std::holds_alternative<float SearchTuning::*>(member) || value == std::floor(value);
+    if (whole && value >= static_cast<double>(range.least) && value <= static_cast<double>(range.most)) return;
+    throw InputError(std::string("set ") + name + ": must be from " + std::to_string(range.least) + " to " +
+                     std::to_string(range.most) + (whole ? "" : ", without a fraction"));
+  }
+};
+
+const Setting kSettings[] = {{"alpha", &SearchTuning::alpha, Argument::alpha},
+                             {"beta", &SearchTuning::beta, Argument::beta},
+                             {"gamma", &SearchTuning::gamma, Argument::gamma},
+                             {"kappa", &SearchTuning::kappa, Argument::kappa},
+                             {"cost_length", &SearchTuning::cost_length, Argument::cost_length},
+                             {"group_sample", &SearchTuning::group_sample, Argument::group_sample},
+                             {"open_steps", &SearchTuning::open_steps, Argument::open_steps},
+                             {"stray_share", &SearchTuning::stray_share, Argument::stray_share},
+                             {"gentle_share", &SearchTuning::gentle_share, Argument::gentle_share},
+                             {"sight_tries", &SearchTuning::sight_tries, Argument::sight_tries},
+                             {"candidates", &SearchTuning::candidates, Argument::candidates},
+                             {"doomed_steps", &SearchTuning::doomed_steps, Argument::doomed_steps},
+                             {"restart_unit", &SearchTuning::restart_unit, Argument::restart_unit},
+                             {"slowest", &SearchTuning::slowest, Argument::slowest},
+                             {"raise_goal", &SearchTuning::raise_goal},
+                             {"prune_portals", &SearchTuning::prune_portals}};
+
+const Setting& setting_of(const std::string& name) {
+  std::string known;
+  for (const Setting& setting : kSettings) {
+    if (name == setting.name) return setting;
+    known += (known.empty() ? "" : ", ") + std::string(setting.name);
+  }
+  throw InputError("no setting '" + name + "' (there is: " + known + ")");
+}
+
 }  // namespace
 
 const std::vector<CorePlanner>& core_planners() {
@@ -38,7 +93,10 @@ const std::vector<CorePlanner>& core_planners() {
        "tables"},
       {"adaptive-unpruned", "adaptive", unpruned({}), "krait that has to find out which portals are too narrow"},
       {"prior-unpruned", "prior", unpruned({}), "[18], which has to find out as well"},
-      {"paper", "adaptive", Parameters::paper(), "the paper's constants: states are checked, not the steps between"}};
+      {"paper", "adaptive", Parameters::paper(),
+       "the paper's method and constants: states are checked, not the steps between"},
+      {"paper-prior", "prior", Parameters::paper(), "[18] under the paper's conditions"},
+      {"paper-rrt", "rrt", Parameters::paper(), "RRT under the paper's conditions"}};
   return planners;
 }
 
@@ -51,25 +109,8 @@ const CorePlanner& core_planner(const std::string& name) {
   throw InputError("no planner '" + name + "' (there is: " + known + ")");
 }
 
-void set_parameter(const std::string& setting, Parameters& parameters) {
-  const std::size_t equals = setting.find('=');
-  const std::string name = setting.substr(0, equals);
-  const char* begin = setting.data() + (equals == std::string::npos ? setting.size() : equals + 1);
-  const char* end = setting.data() + setting.size();
-  double value = 0;
-  const auto [rest, error] = std::from_chars(begin, end, value);
-  if (error != std::errc() || rest != end) throw InputError("--set " + setting + ": give NAME=NUMBER");
-  if (name == "alpha") {
-    parameters.tuning.alpha = static_cast<float>(value);
-  } else if (name == "beta") {
-    parameters.tuning.beta = static_cast<float>(value);
-  } else if (name == "gamma") {
-    parameters.tuning.gamma = static_cast<float>(value);
-  } else if (name == "kappa" && value >= 0 && value <= UINT32_MAX) {
-    parameters.tuning.kappa = static_cast<std::uint32_t>(value);
-  } else {
-    throw InputError("--set " + setting + ": known are alpha, beta, gamma and kappa, within their ranges");
-  }
+void set_parameters(const std::map<std::string, double>& settings, Parameters& parameters) {
+  for (const auto& [name, value] : settings) setting_of(name).set(value, parameters);
 }
 
 }  // namespace krait::bench

@@ -2,6 +2,7 @@
 // The planners of the core that are measured: each a name for a search and its parameters.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,7 @@ const std::vector<CorePlanner>& core_planners();
 // Throws host::InputError if there is none of that name.
 const CorePlanner& core_planner(const std::string& name);
 
-// Sets one parameter from "alpha=4" (or beta, gamma, kappa). Throws host::InputError.
-void set_parameter(const std::string& setting, Parameters& parameters);
+// Changes parameters by their names. Throws host::InputError that lists the names, or has the range.
+void set_parameters(const std::map<std::string, double>& settings, Parameters& parameters);
 
 }  // namespace krait::bench

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trials/trials.hpp"
 
+#include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <iostream>
 
 #include "host/import/import.hpp"
@@ -17,29 +19,83 @@ using host::Json;
 using host::SearchRequest;
 using host::SearchResult;
 
+constexpr double kLongest = 1e6;  // s, a trial's limit
+
+// Files by path, each read once.
+class Problems {
+ public:
+  const host::SceneBytes& scene(const std::string& path) {
+    auto found = scenes_.find(path);
+    if (found == scenes_.end()) found = scenes_.emplace(path, host::SceneBytes::read(path)).first;
+    return found->second;
+  }
+
+  const host::Workspace& workspace(const std::string& path) {
+    auto found = workspaces_.find(path);
+    if (found == workspaces_.end()) found = workspaces_.emplace(path, host::import_workspace(path, {})).first;
+    return found->second;
+  }
+
+ private:
+  std::map<std::string, host::SceneBytes> scenes_;
+  std::map<std::string, host::Workspace> workspaces_;
+};
+
 host::Point point_of(const Field& triple) {
   return {triple.item(0).number(-host::kMaxCoordinate, host::kMaxCoordinate),
           triple.item(1).number(-host::kMaxCoordinate, host::kMaxCoordinate)};
 }
 
-SearchRequest request_of(const Setup& setup, const Field& trial) {
-  trial.keys({"trial", "seed", "start", "goal"});
+SearchRequest request_of(const Field& line) {
   SearchRequest request;
-  request.robot = host::parse_robot(setup.robot);
-  request.planner = setup.planner;
-  request.seed = static_cast<std::uint64_t>(trial.at("seed").integer(0, INT64_MAX));
+  request.robot = host::parse_robot(line.at("robot").text());
+  request.seed = static_cast<std::uint64_t>(line.at("seed").integer(0, INT64_MAX));
+  request.planner = line.at("planner").text();
   request.iterations = UINT64_MAX;
-  request.time_limit = setup.time_limit;
-  if (trial.has("start")) {
-    const Field start = trial.at("start");
+  request.time_limit = line.at("limit_s").number(1e-6, kLongest);
+  if (line.has("start")) {
+    const Field start = line.at("start");
     request.start = host::StartPose{point_of(start), start.item(2).number(-host::kMaxAngle, host::kMaxAngle)};
   }
-  if (trial.has("goal")) {
-    const Field goal = trial.at("goal");
+  if (line.has("goal")) {
+    const Field goal = line.at("goal");
     request.goal = host::GoalDisc{point_of(goal), goal.item(2).number(1e-6, host::kMaxCoordinate)};
   }
   return request;
 }
+
+std::map<std::string, double> settings_of(const Field& line) {
+  std::map<std::string, double> settings;
+  if (!line.has("set")) return settings;
+  const Field set = line.at("set");
+  for (const auto& [name, value] : set.value().items()) settings[name] = set.at(name.c_str()).number(0, UINT32_MAX);
+  return settings;
+}
+
+Trial trial_of(const Field& line) {
+  line.keys({"trial", "seed", "scene", "input", "robot", "planner", "set", "limit_s", "start", "goal"});
+  return {line.at("scene").text(), line.at("input").text(), settings_of(line), request_of(line)};
+}
+
+// Of this thread.
+double processor_seconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+// The time between its making and a call that passed without this thread on a processor.
+class Waiting {
+ public:
+  double seconds() const {
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin_;
+    return passed.count() - (processor_seconds() - processor_begin_);
+  }
+
+ private:
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  double processor_begin_ = processor_seconds();
+};
 
 // The verifier's figures; null where it had nothing to measure.
 void judge(const host::Workspace& workspace, const SearchResult& result, Json& answer) {
@@ -52,14 +108,20 @@ void judge(const host::Workspace& workspace, const SearchResult& result, Json& a
   if (!verdict.holds) answer["complaint"] = verdict.complaints.front();
 }
 
-Json answer_to(const Setup& setup, const host::Workspace& workspace, const Solve& solve, const Field& trial) {
-  Json answer = {{"trial", trial.at("trial").value()}};
-  const SearchRequest request = request_of(setup, trial);
+Json answer_to(const Field& line, Problems& problems, const Choose& choose, Verify verify) {
+  Json answer = {{"trial", line.at("trial").value()}};
+  const Trial trial = trial_of(line);
+  const Solve solve = choose(trial);
+  const host::Workspace& workspace = problems.workspace(trial.input);
+  const host::SceneBytes& scene = problems.scene(trial.scene);
   try {
-    const SearchResult result = solve(request);
+    const Waiting waiting;
+    const SearchResult result = solve(scene);
+    const double waited = waiting.seconds();
     answer["status"] = result.plan.status;
     answer.update(result.plan.statistics);
-    if (result.plan.status == "solved") judge(workspace, result, answer);
+    answer["waited_s"] = waited;
+    if (verify == Verify::yes && result.plan.status == "solved") judge(workspace, result, answer);
   } catch (const InputError& error) {
     answer["status"] = "refused";
     answer["complaint"] = error.what();
@@ -69,22 +131,12 @@ Json answer_to(const Setup& setup, const host::Workspace& workspace, const Solve
 
 }  // namespace
 
-void add_options(CLI::App& app, Setup& setup) {
-  app.add_option("--scene", setup.scene, "a .krait file")->required();
-  app.add_option("--input", setup.input, "the map or drawing that it was compiled from")->required();
-  app.add_option("--robot", setup.robot, "as krait plan has it")->capture_default_str();
-  app.add_option("--planner", setup.planner, "one of those that the subcommand planners lists")->required();
-  app.add_option("--time-limit", setup.time_limit, "seconds a trial")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-}
-
-void answer_trials(const Setup& setup, const Solve& solve) {
-  const host::Workspace workspace = host::import_workspace(setup.input, {});
-  std::string line;
-  while (std::getline(std::cin, line)) {
-    const Json trial = host::parse_json(line, "standard input");
-    std::cout << answer_to(setup, workspace, solve, Field(trial, "standard input")).dump() << std::endl;
+void answer_trials(const Choose& choose, Verify verify) {
+  Problems problems;
+  std::string text;
+  while (std::getline(std::cin, text)) {
+    const Json line = host::parse_json(text, "standard input");
+    std::cout << answer_to(Field(line, "standard input"), problems, choose, verify).dump() << std::endl;
   }
 }
 

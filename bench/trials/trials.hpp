@@ -1,39 +1,45 @@
 // SPDX-License-Identifier: Apache-2.0
 // What every benchmark program does: answer trials. A trial is a line of JSON on standard input; its answer, a line on
-// standard output, tells the outcome, the time, and what the verifier found.
+// standard output, has the outcome, the time, and what the verifier found.
 //
-//   {"trial": 7, "seed": 7}
-//   {"trial": 12, "seed": 1, "start": [x, y, heading], "goal": [x, y, radius]}      world coordinates, metres, radians
+//   {"trial": 7, "seed": 7, "scene": "rooms.krait", "input": "rooms.json", "robot": "car", "planner": "adaptive",
+//    "set": {"alpha": 4}, "limit_s": 5, "start": [x, y, heading], "goal": [x, y, radius]}
+//
+// "input" is what the scene was compiled from: the verifier reads it. "robot" is as krait plan has it. "set" is not of
+// the peers. "set", "start" and "goal" may be absent; coordinates are the world's, metres and radians.
 #pragma once
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <map>
 #include <string>
 
 #include "host/run/run.hpp"
 
 namespace krait::bench {
 
-// What all trials of a process share.
-struct Setup {
-  std::string scene;  // a .krait file
-  std::string input;  // what it was compiled from: the verifier reads it
-  std::string robot = "snake:15";
-  std::string planner;
-  double time_limit = 100;  // seconds a trial
+struct Trial {
+  std::string scene;  // path
+  std::string input;  // path
+  std::map<std::string, double> settings;
+  host::SearchRequest request;  // with the robot, planner, seed, limit, start and goal
 };
 
 // Plans and stops the clock; throws host::InputError where start or goal cannot be used.
-using Solve = std::function<host::SearchResult(const host::SearchRequest& request)>;
+using Solve = std::function<host::SearchResult(const host::SceneBytes& scene)>;
 
-// Adds the options of a Setup.
-void add_options(CLI::App& app, Setup& setup);
+// What solves the trial, which outlives it; throws host::InputError for a planner or settings that there are not.
+using Choose = std::function<Solve(const Trial& trial)>;
 
-// Answers trials until standard input ends. A plan counts as verified only if the verifier, given the input's own map,
-// finds no fault. Throws host::InputError for a setup or a line that cannot be used.
-void answer_trials(const Setup& setup, const Solve& solve);
+enum class Verify { yes, no };
 
-// Parses, which runs the subcommand's callback, and gives the exit code: 0, 2 for bad input.
+// Answers trials until standard input ends. Scenes and inputs are read once each, before any clock starts. A plan
+// counts as verified only if the verifier, given the input's own map, finds no fault. "waited_s" is how long the thread
+// stood ready without a processor: large where something else ran on its core. Throws host::InputError for a line that
+// cannot be used.
+void answer_trials(const Choose& choose, Verify verify);
+
+// Parses, which runs the subcommand's callback, and returns the exit code: 0, 2 for bad input.
 int run_program(CLI::App& app, int argc, char** argv);
 
 // What the measurements depend on beside the machine: {"compiler": …, "flags": …, "build_type": …}, a line.

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The benchmarks' driver itself: known timings in, right statistics out; giving up, censoring, resuming."""
+"""The benchmarks' driver itself: known runs in, right statistics out; rounds, giving up, censoring, resuming."""
 
+import argparse
 import contextlib
 import importlib.util
 import io
@@ -19,23 +20,25 @@ from unittest import mock
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench"))
 
-from harness import experiments, problems, readme, session  # noqa: E402
-from harness.cells import Cell  # noqa: E402
+from harness import experiments, problems, readme, session, statistics, worker  # noqa: E402
+from harness.cells import FRESH, Cell  # noqa: E402
 from harness.claims import claims  # noqa: E402
-from harness.journal import Journal, JournalError  # noqa: E402
-from harness.machine import cores_described  # noqa: E402
+from harness.journal import Journal, JournalError, compressed, merged  # noqa: E402
 from harness.parts import parts_of  # noqa: E402
-from harness.pool import Pool  # noqa: E402
 from harness.problems import Problem, movingai_queries, roomiest_heading  # noqa: E402
 from harness.progress import Progress  # noqa: E402
 from harness.prose import wrapped  # noqa: E402
-from harness.protocol import Protocol, measure  # noqa: E402
-from harness.results import Results, to_csv, to_json  # noqa: E402
-from harness.statistics import Figure, deviation, mean, quantile, rounded, summarise, times, trimmed  # noqa: E402
-from harness.stop import Stop, Stopped  # noqa: E402
-from harness.worker import BadInput, Worker, timing_cores  # noqa: E402
+from harness.protocol import Protocol, Shard, disturbed  # noqa: E402
+from harness.results import Results, time_a_step, to_csv, vertices  # noqa: E402
+from harness.session import Rounds  # noqa: E402
+from harness.statistics import Figure, deviation, interval, mean, quantile, rounded, summarise, times, trimmed  # noqa: E402
+from harness.worker import BadInput, Worker, timing_core  # noqa: E402
 
+HAS_MATPLOTLIB = importlib.util.find_spec("matplotlib")
 LIMIT = 10.0
+OURS = Cell("rooms", "snake:15", "adaptive")
+RIVAL = Cell("rooms", "snake:15", "prior")
+PAPER = Cell("rooms", "snake:15", "paper")
 
 
 def solved(seconds, trial=1, **more):
@@ -46,29 +49,33 @@ def timed_out(trial=1, limit=LIMIT):
     return {"trial": trial, "status": "time_used", "time_s": limit, "limit_s": limit}
 
 
-def trials(count):
-    return [{"trial": i, "seed": i} for i in range(1, count + 1)]
+def run_of(cell, run, session=0):
+    return {"kind": "run", "session": session, "cell": cell.key, **run}
+
+
+def session_of(machine="m", commit="abc"):
+    return {"kind": "session", "machine": machine, "commit": commit, "protocol": {"give_up": 10}}
 
 
 class Statistics(unittest.TestCase):
     def test_sixty_runs_lose_five_at_each_end(self):
-        figures = times([solved(float(i)) for i in range(60, 0, -1)], 100.0)
+        figures = times([solved(float(i)) for i in range(60, 0, -1)], 100.0, OURS)
         kept = trimmed(figures)
         self.assertEqual([f.value for f in kept], [float(i) for i in range(6, 56)])
         self.assertEqual(mean(kept), Figure(30.5))
         self.assertAlmostEqual(deviation(kept), math.sqrt((50 * 50 - 1) / 12 * 50 / 49))
 
     def test_few_runs_lose_none(self):
-        self.assertEqual(len(trimmed(times([solved(1.0)] * 11, LIMIT))), 11)
-        self.assertEqual(len(trimmed(times([solved(1.0)] * 12, LIMIT))), 10)
+        self.assertEqual(len(trimmed(times([solved(1.0)] * 11, LIMIT, OURS))), 11)
+        self.assertEqual(len(trimmed(times([solved(1.0)] * 12, LIMIT, OURS))), 10)
 
     def test_quantiles_are_nearest_ranks_of_all_runs(self):
-        figures = times([solved(float(i)) for i in range(1, 61)], 100.0)
+        figures = times([solved(float(i)) for i in range(1, 61)], 100.0, OURS)
         self.assertEqual([quantile(figures, q).value for q in (0.5, 0.9, 0.99, 1.0)], [30, 54, 60, 60])
         self.assertEqual(quantile([Figure(7.0)], 0.01).value, 7)
 
     def test_a_time_out_is_a_bound(self):
-        summary = summarise([solved(1.0), solved(2.0), timed_out()], 3, LIMIT, False)
+        summary = summarise([solved(1.0), solved(2.0), timed_out()], LIMIT, False, OURS)
         self.assertEqual(summary.mean, Figure(13 / 3, True))
         self.assertIsNone(summary.deviation)
         self.assertEqual(summary.median, Figure(2.0))
@@ -78,86 +85,101 @@ class Statistics(unittest.TestCase):
 
     def test_trimmed_time_outs_leave_the_mean_exact(self):
         runs = [solved(1.0)] * 55 + [timed_out()] * 5
-        self.assertEqual(summarise(runs, 60, LIMIT, False).mean, Figure(1.0))
+        self.assertEqual(summarise(runs, LIMIT, False, OURS).mean, Figure(1.0))
         runs = [solved(1.0)] * 54 + [timed_out()] * 6
-        self.assertTrue(summarise(runs, 60, LIMIT, False).mean.at_least)
+        self.assertTrue(summarise(runs, LIMIT, False, OURS).mean.at_least)
 
     def test_a_plan_that_is_late_or_not_verified_is_none(self):
         late, wrong = solved(LIMIT + 0.1), solved(1.0) | {"verified": False}
-        summary = summarise([late, wrong, solved(LIMIT)], 3, LIMIT, False)
-        self.assertEqual((summary.solved, summary.unverified), (1, 1))
-        self.assertEqual(times([wrong], LIMIT), [Figure(LIMIT, True)])
+        self.assertEqual(summarise([late, wrong, solved(LIMIT)], LIMIT, False, OURS).solved, 1)
+        self.assertEqual(times([wrong], LIMIT, OURS), [Figure(LIMIT, True)])
+
+    def test_by_the_papers_criterion_a_plan_counts_and_whether_it_holds_stands_beside(self):
+        wrong = solved(1.0) | {"verified": False}
+        summary = summarise([wrong, solved(2.0), timed_out()], LIMIT, False, PAPER)
+        self.assertEqual((summary.solved, summary.verified), (2, 1))
+        self.assertEqual(summary.median, Figure(2.0))
 
     def test_medians_are_of_solved_runs_that_tell(self):
         runs = [solved(1.0, vertices=10), solved(1.0, vertices=30), solved(1.0), timed_out() | {"vertices": 999}]
-        self.assertEqual(summarise(runs, 4, LIMIT, False).medians, {"vertices": 10})
+        summary = summarise(runs, LIMIT, False, OURS)
+        self.assertEqual((summary.medians, summary.vertices_p90), ({"vertices": 10}, 30))
 
     def test_numbers_keep_their_digits(self):
         self.assertEqual([rounded(x) for x in (0.012345, 1.0, 12345.0, 0)], ["0.0123", "1.00", "12300", "0"])
 
 
-class GivingUp(unittest.TestCase):
-    def made(self, outcomes, give_up, known=None):
-        asked = []
+class Intervals(unittest.TestCase):
+    def middle(self, samples):
+        return quantile(statistics.in_order(samples[0]), 0.5)
 
-        def run(trial):
-            asked.append(trial["trial"])
-            return outcomes[trial["trial"] - 1]
+    def test_of_equal_figures_have_no_width(self):
+        found = interval([[Figure(2.0)] * 9], self.middle)
+        self.assertEqual((found.estimate, found.low, found.high), (Figure(2.0), 2.0, 2.0))
 
-        runs = list(measure(trials(len(outcomes)), LIMIT, give_up, known or {}, run))
-        return runs, asked
+    def test_hold_the_estimate_and_shrink_with_more_figures(self):
+        few, many = (interval([[Figure(1 + i / n) for i in range(n)]], self.middle) for n in (9, 400))
+        for found in (few, many):
+            self.assertLess(found.low, found.estimate.value)
+            self.assertGreater(found.high, found.estimate.value)
+        self.assertLess(many.high - many.low, 0.3 * (few.high - few.low))
 
-    def test_after_failures_in_a_row(self):
-        runs, _ = self.made([timed_out()] * 60, 10)
-        self.assertEqual(len(runs), 10)
+    def test_of_bounds_have_no_upper_end(self):
+        found = interval([[Figure(10.0, True)] * 5 + [Figure(1.0)] * 5], self.middle)
+        self.assertEqual((found.low, found.high), (1.0, math.inf))
+        self.assertEqual(interval([[Figure(10.0, True)]], self.middle).shown(), "≥ 10.0 [10, ∞]")
 
-    def test_not_after_failures_with_a_success_between(self):
-        runs, _ = self.made(([timed_out()] * 9 + [solved(1.0)]) * 6, 10)
-        self.assertEqual(len(runs), 60)
-
-    def test_never_where_every_trial_is_another_problem(self):
-        runs, _ = self.made([timed_out()] * 60, None)
-        self.assertEqual(len(runs), 60)
-
-    def test_runs_of_an_earlier_session_count(self):
-        known = {i: timed_out(i) for i in range(1, 9)}
-        runs, asked = self.made([timed_out()] * 60, 10, known)
-        self.assertEqual((len(runs), asked), (10, [9, 10]))
+    def test_decide_a_goal_or_leave_it_open(self):
+        found = statistics.Interval(Figure(2.0), 1.5, 3.0)
+        self.assertEqual([found.reaches(x) for x in (1.5, 2.0, 3.5)], [True, None, False])
+        self.assertEqual([found.stays(x) for x in (3.0, 2.0, 1.0)], [True, None, False])
 
 
-class Resuming(unittest.TestCase):
-    def run_with(self, known, limit):
-        asked = []
+class RoundsOfCells(unittest.TestCase):
+    def rounds(self, count=60, give_up=10):
+        return Rounds({OURS: 2, RIVAL: count}, {OURS: None, RIVAL: give_up})
 
-        def run(trial):
-            asked.append(trial["trial"])
-            return solved(1.0, trial["trial"])
+    def test_end_with_the_cells_own_count(self):
+        rounds = self.rounds()
+        self.assertEqual(len(rounds), 60)
+        self.assertEqual([rounds.due(i) for i in (0, 1, 2)], [[OURS, RIVAL], [OURS, RIVAL], [RIVAL]])
 
-        list(measure(trials(3), limit, 10, known, run))
-        return asked
+    def after(self, outcomes, **how):
+        rounds = self.rounds(**how)
+        for outcome in outcomes:
+            rounds.add(RIVAL, outcome)
+        return RIVAL in rounds.due(5)
 
-    def test_finished_trials_are_not_run_again(self):
-        self.assertEqual(self.run_with({1: solved(1.0), 3: timed_out()}, LIMIT), [2])
+    def test_leave_a_cell_out_after_failures_in_a_row(self):
+        self.assertTrue(self.after([timed_out()] * 9))
+        self.assertFalse(self.after([timed_out()] * 10))
+        self.assertTrue(self.after([timed_out()] * 9 + [solved(1.0)] + [timed_out()] * 9))
+        self.assertFalse(self.after([solved(LIMIT + 1)] * 10))
 
-    def test_a_time_out_under_a_shorter_limit_says_nothing(self):
-        self.assertEqual(self.run_with({1: timed_out(limit=5.0), 2: timed_out(limit=20.0)}, LIMIT), [1, 3])
-
-    def test_a_run_that_took_longer_than_the_new_limit_is_a_time_out(self):
-        self.assertEqual(self.run_with({1: solved(8.0)}, 5.0), [2, 3])
-        self.assertEqual(times([solved(8.0)], 5.0), [Figure(5.0, True)])
+    def test_never_leave_out_a_cell_whose_trials_are_different_queries(self):
+        self.assertTrue(self.after([timed_out()] * 59, give_up=None))
 
 
-class Limits(unittest.TestCase):
-    def test_follow_the_adaptive_median(self):
-        rival = Cell("rooms", "snake:15", "prior")
-        self.assertEqual(Protocol().limit_of(rival, [solved(0.001)] * 3), 5.0)
-        self.assertEqual(Protocol().limit_of(rival, [solved(0.02)] * 3), 20.0)
-        self.assertEqual(Protocol(limit=3.0).limit_of(rival, []), 3.0)
+class Protocols(unittest.TestCase):
+    def test_limits_follow_the_adaptive_median(self):
+        self.assertEqual(Protocol().limit_of(RIVAL, 0.001), 1.0)
+        self.assertEqual(Protocol().limit_of(RIVAL, 0.02), 6.0)
+        self.assertEqual(Protocol(limit=3.0).limit_of(RIVAL, 0.02), 3.0)
 
-    def test_the_adaptive_planner_has_the_papers(self):
-        self.assertEqual(Protocol().limit_of(Cell("rooms", "snake:15", "adaptive"), []), 100.0)
+    def test_the_adaptive_planner_has_the_papers_limit(self):
+        self.assertEqual(Protocol().limit_of(OURS, 0.02), 100.0)
         changed = Cell("rooms", "snake:15", "adaptive", ("alpha=4",))
-        self.assertEqual(Protocol().limit_of(changed, [solved(0.02)]), 20.0)
+        self.assertEqual(Protocol().limit_of(changed, 0.02), 6.0)
+
+    def test_a_run_that_waited_for_its_core_is_disturbed(self):
+        self.assertFalse(disturbed({"time_s": 0.001, "waited_s": 9e-5}))
+        self.assertTrue(disturbed({"time_s": 0.001, "waited_s": 2e-4}))
+        self.assertFalse(disturbed({"status": "crashed"}))
+
+    def test_shards_share_the_rounds(self):
+        shares = [[round_ for round_ in range(10) if Shard(i, 3).has(round_)] for i in (1, 2, 3)]
+        self.assertEqual(sorted(sum(shares, [])), list(range(10)))
+        self.assertEqual(shares[1], [1, 4, 7])
 
 
 class JournalFile(unittest.TestCase):
@@ -166,77 +188,89 @@ class JournalFile(unittest.TestCase):
         self.addCleanup(self.folder.cleanup)
         self.path = Path(self.folder.name) / "runs.jsonl"
 
-    def record(self, trial, build="b", **more):
-        return {"kind": "run", "cell": "c", "build": build, **solved(1.0, trial), **more}
-
     def test_keeps_what_was_appended(self):
-        journal = Journal(self.path)
-        journal.append(self.record(1))
-        journal.close()
-        self.assertEqual(Journal(self.path, writable=False).runs("c", "b"), {1: self.record(1)})
+        with Journal(self.path) as journal:
+            journal.append(run_of(OURS, solved(1.0)))
+        self.assertEqual(Journal(self.path, writable=False).runs(), {OURS.key: {1: run_of(OURS, solved(1.0))}})
 
     def test_cuts_off_a_torn_line_and_goes_on(self):
-        self.path.write_text(json.dumps(self.record(1)) + "\n" + '{"kind": "run", "cel')
-        journal = Journal(self.path)
-        journal.append(self.record(2))
-        journal.close()
-        self.assertEqual(sorted(Journal(self.path, writable=False).runs("c", "b")), [1, 2])
+        self.path.write_text(json.dumps(run_of(OURS, solved(1.0))) + "\n" + '{"kind": "run", "cel')
+        with Journal(self.path) as journal:
+            journal.append(run_of(OURS, solved(1.0, 2)))
+        self.assertEqual(sorted(Journal(self.path, writable=False).runs()[OURS.key]), [1, 2])
 
     def test_refuses_a_second_writer(self):
-        first = Journal(self.path)
-        with self.assertRaisesRegex(JournalError, "another"):
+        with Journal(self.path), self.assertRaisesRegex(JournalError, "another"):
             Journal(self.path)
-        first.close()
 
     def test_names_a_broken_line(self):
         self.path.write_text("{}\nnonsense\n")
         with self.assertRaisesRegex(JournalError, "line 2"):
             Journal(self.path, writable=False)
 
-    def test_tells_builds_apart_and_takes_the_last_run_of_a_trial(self):
-        journal = Journal(self.path)
-        journal.append(self.record(1, build="old"))
-        journal.append(self.record(1, time_s=2.0))
-        journal.append(self.record(1, time_s=3.0))
-        self.assertEqual(journal.runs("c", "b")[1]["time_s"], 3.0)
-        self.assertEqual(journal.runs("c", "old")[1]["time_s"], 1.0)
-        self.assertEqual(list(journal.runs("c", None)), [1])
-        journal.close()
+    def test_the_last_run_of_a_trial_counts(self):
+        with Journal(self.path) as journal:
+            for seconds in (1.0, 2.0, 3.0):
+                journal.append(run_of(OURS, solved(seconds)))
+            self.assertEqual(journal.runs()[OURS.key][1]["time_s"], 3.0)
 
-    def test_results_take_the_cell_as_it_was_last_finished(self):
-        cell = Cell("rooms", "snake:15", "adaptive")
-        journal = Journal(self.path)
-        for trial in (1, 2, 3):
-            journal.append(self.record(trial) | {"cell": cell.key})
-        finished = {"kind": "cell", "cell": cell.key, "build": "b", "limit_s": LIMIT, "asked": 60}
-        journal.append(finished | {"given_up": False, "trials": [1]})
-        journal.append(finished | {"given_up": True, "trials": [1, 2]})
-        summary = Results(journal).summary(cell)
-        self.assertEqual((summary.runs, summary.given_up), (2, True))
-        self.assertIsNone(Results(journal).summary(Cell("comb", "snake:15", "adaptive")))
-        self.assertIn("rooms,snake:15,adaptive", to_csv(Results(journal).rows([cell])))
-        journal.close()
+    def test_is_read_compressed(self):
+        packed = self.path.with_suffix(".jsonl.xz")
+        packed.write_bytes(compressed([session_of(), run_of(OURS, solved(1.0))]))
+        self.assertEqual(len(Journal(packed, writable=False).records), 2)
 
-    def test_results_know_what_is_not_in_the_journal_from_an_earlier_table(self):
-        measured, earlier = (Cell(scene, "snake:15", "adaptive") for scene in ("rooms", "gates"))
-        journal = Journal(self.path)
-        for trial, cell in enumerate((measured, earlier), 1):
-            journal.append(self.record(trial, **{"time_s": 0.5 * trial}) | {"cell": cell.key, "vertices": 7})
-            finished = {"kind": "cell", "cell": cell.key, "build": "b", "limit_s": LIMIT, "asked": 1, "commit": "abc"}
-            journal.append(finished | {"given_up": False, "trials": [trial]})
-        table = json.loads(to_json(Results(journal).rows([measured, earlier])))
-        self.assertEqual({row["commit"] for row in table}, {"abc"})
-        table[0]["median_s"] = 99.0  # the journal knows better
-        journal.records = [record for record in journal.records if record.get("cell") != earlier.key]
-        results = Results(journal, table)
-        self.assertEqual(results.summary(measured).median, Figure(0.5))
-        self.assertFalse(results.summary(measured).earlier)
-        self.assertEqual(results.summary(earlier).median, Figure(1.0))
-        self.assertEqual(results.summary(earlier).medians, {"vertices": 7})
-        self.assertTrue(results.summary(earlier).earlier)
-        self.assertEqual(results.rows([earlier]), [table[1]])
-        self.assertIsNone(results.of_journal().summary(earlier))
-        journal.close()
+    def test_of_several_shards_keeps_each_runs_machine(self):
+        journals = []
+        for number, machine in enumerate("ab"):
+            with Journal(self.path.with_name(machine)) as journal:
+                journal.append(session_of(machine))
+                journal.append(run_of(OURS, solved(1.0, number)))
+                journals.append(journal)
+        records = merged(journals)
+        self.assertEqual([record["session"] for record in records if record["kind"] == "run"], [0, 1])
+        self.assertEqual([record["machine"] for record in records if record["kind"] == "session"], ["a", "b"])
+
+
+class ResultsOfRuns(unittest.TestCase):
+    def results(self, runs, machines=("m",)):
+        return Results([*map(session_of, machines), *runs])
+
+    def test_say_whether_a_cell_was_given_up(self):
+        found = self.results([run_of(OURS, timed_out(i)) for i in range(10)])
+        self.assertTrue(found.summary(OURS).given_up)
+        self.assertIsNone(found.summary(RIVAL))
+        self.assertIn("rooms,snake:15,adaptive", to_csv(found.rows([OURS])))
+
+    def test_ratios_are_of_the_trials_that_both_have(self):
+        ours = [run_of(OURS, solved(1.0, i)) for i in range(5)] + [run_of(OURS, solved(9.0, i)) for i in range(5, 9)]
+        rival = [run_of(RIVAL, solved(3.0, i)) for i in range(5)]
+        found = self.results(ours + rival).ratio([(RIVAL, OURS)])
+        for value in (found.estimate.value, found.low, found.high):
+            self.assertAlmostEqual(value, 3.0)
+
+    def test_ratios_are_formed_within_each_machine(self):
+        runs = []
+        for trial, (machine, ours, rival) in enumerate([(0, 1.0, 2.0)] * 3 + [(1, 100.0, 800.0)] * 3):
+            runs += [run_of(OURS, solved(ours, trial, limit_s=1e3), machine)]
+            runs += [run_of(RIVAL, solved(rival, trial, limit_s=1e3), machine)]
+        found = self.results(runs, ("a", "b")).ratio([(RIVAL, OURS)])
+        self.assertAlmostEqual(found.estimate.value, 4.0)  # of 2 and 8
+
+    def test_a_censored_rival_bounds_the_ratio_and_a_censored_self_says_nothing(self):
+        runs = [run_of(OURS, solved(0.1)), run_of(RIVAL, timed_out())]
+        found = self.results(runs).ratio([(RIVAL, OURS)])
+        self.assertEqual((found.estimate.at_least, found.reaches(50), found.reaches(200)), (True, True, None))
+        runs = [run_of(OURS, timed_out()), run_of(RIVAL, solved(0.1))]
+        self.assertIsNone(self.results(runs).ratio([(RIVAL, OURS)]).reaches(0.5))
+
+    def test_counts_and_times_a_step_are_measured_as_times_are(self):
+        runs = [run_of(OURS, solved(1.0, i, vertices=i, plan_steps=10)) for i in (10, 20, 30)]
+        runs += [run_of(RIVAL, solved(4.0, i, vertices=4 * i, plan_steps=20)) for i in (10, 20, 30)]
+        found = self.results(runs)
+        self.assertAlmostEqual(found.mean_quantile([OURS], 0.5, vertices).estimate.value, 20)
+        self.assertAlmostEqual(found.ratio([(RIVAL, OURS)], value=vertices).estimate.value, 4)
+        self.assertAlmostEqual(found.ratio([(RIVAL, OURS)], value=time_a_step).estimate.value, 2)
+        self.assertIsNone(found.ratio([(PAPER, OURS)]))
 
 
 PROGRAM = """
@@ -251,81 +285,51 @@ for line in sys.stdin:
 
 
 class Programs(unittest.TestCase):
-    def worker(self, fresh=False, stop=None):
-        worker = Worker(["/usr/bin/python3", "-c", PROGRAM], 1, fresh, timing_cores(1)[0], stop or Stop())
-        self.addCleanup(worker.stop)
-        return worker
+    def worker(self, fresh=False, patience=60.0):
+        made = Worker(["/usr/bin/python3", "-c", PROGRAM], fresh, timing_core(), patience)
+        self.addCleanup(made.stop)
+        return made
+
+    def ask(self, worker_, trial):
+        return worker_.run({"trial": trial, "limit_s": 0.0})
 
     def test_answer_in_turn(self):
         for fresh in (False, True):
-            worker = self.worker(fresh)
-            self.assertEqual([worker.run({"trial": i})["trial"] for i in (1, 5, 6)], [1, 5, 6])
+            made = self.worker(fresh)
+            self.assertEqual([self.ask(made, i)["trial"] for i in (1, 5, 6)], [1, 5, 6])
 
     def test_that_crash_or_hang_cost_one_trial(self):
-        worker = self.worker()
-        self.assertEqual(worker.run({"trial": 2})["status"], "crashed")
-        worker.patience = 0.5
-        self.assertEqual(worker.run({"trial": 3})["status"], "hung")
-        worker.patience = 60
-        self.assertEqual(worker.run({"trial": 1})["status"], "solved")
+        made = self.worker()
+        self.assertEqual(self.ask(made, 2)["status"], "crashed")
+        made.patience = 0.5
+        self.assertEqual(self.ask(made, 3)["status"], "hung")
+        made.patience = 60
+        self.assertEqual(self.ask(made, 1)["status"], "solved")
 
     def test_that_refuse_their_input_end_the_session(self):
         with self.assertRaisesRegex(BadInput, "bad scene"):
-            self.worker().run({"trial": 4})
+            self.ask(self.worker(), 4)
 
-    def test_are_not_waited_for_once_told_to_stop(self):
-        stop = Stop()
-        worker = self.worker(stop=stop)
-        threading.Timer(0.2, stop.say).start()
-        with self.assertRaises(Stopped):
-            worker.run({"trial": 3})
-
-
-class Pools(unittest.TestCase):
-    def test_begin_in_order_and_do_everything_once(self):
-        done = []
-        Pool([7]).each("abc", lambda *item: done.append(item))
-        self.assertEqual(done, [("a", 7), ("b", 7), ("c", 7)])
-        done.clear()
-        Pool([0, 1]).each(range(1000), lambda item, _: done.append(item))
-        self.assertEqual(sorted(done), list(range(1000)))
-
-    def test_work_on_all_cores_at_once(self):
-        meeting = threading.Barrier(2, timeout=30)
-        cores = []
-
-        def meet(_, core):
-            meeting.wait()
-            cores.append(core)
-
-        Pool([0, 1]).each("ab", meet)
-        self.assertEqual(sorted(cores), [0, 1])
-
-    def test_end_all_when_one_fails(self):
-        pool = Pool([0, 1])
-        done = []
-
-        def work(item, _):
-            done.append(item)
-            if item == "bad":
-                raise BadInput("bad scene")
-            while not pool.stop.said:
-                time.sleep(0.01)
-
-        with self.assertRaisesRegex(BadInput, "bad scene"):
-            pool.each(["slow", "bad", "never"], work)
-        self.assertEqual(sorted(done), ["bad", "slow"])
+    def test_have_the_last_core_and_leave_it_to_them(self):
+        with mock.patch("os.sched_getaffinity", lambda _: {5, 0, 2}), mock.patch("os.sched_setaffinity") as kept:
+            self.assertEqual(timing_core(), 5)
+            worker.leave(5)
+        kept.assert_called_once_with(0, {0, 2})
 
 
-# Answers with the core that it runs on; a scene's name says how it behaves.
+# Answers with its process and core; a scene's name says how it behaves.
 SEARCH = """#!/usr/bin/python3
 import json, os, sys, time
-scene = sys.argv[sys.argv.index("--scene") + 1]
+asked = 0
 for line in sys.stdin:
+    trial = json.loads(line)
+    scene = trial["scene"]
+    asked += 1
     if "refusing" in scene: print("bad scene", file=sys.stderr); sys.exit(2)
     if "endless" in scene: time.sleep(100)
-    answer = {"status": "solved", "verified": True, "time_s": 0.02, "cores": sorted(os.sched_getaffinity(0))}
-    print(json.dumps({"trial": json.loads(line)["trial"], **answer}), flush=True)
+    waited = 0.5 / asked if "noisy" in scene else 0.0
+    answer = {"status": "solved", "verified": True, "time_s": 0.02, "waited_s": waited, "hash": os.getpid()}
+    print(json.dumps({"trial": trial["trial"], "vertices": trial["limit_s"], **answer}), flush=True)
 """
 
 
@@ -336,14 +340,16 @@ class Sessions(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = Path(folder.name)
-        program = self.folder / "krait-bench-search"
-        program.write_text(SEARCH)
-        program.chmod(0o755)
+        for name in ("krait-bench-search", "krait-bench-peers"):
+            program = self.folder / name
+            program.write_text(SEARCH)
+            program.chmod(0o755)
         self.compiled = []
+        self.described = {"machine": "m", "commit": "abc", "programs": "p"}
         for where, name, stand_in in (
             (session, "BIN", self.folder),
             (session.problems, "prepare", self.prepare),
-            (session.machine, "describe", lambda cores: {"pinned_to_cores": cores, "commit": "abc"}),
+            (session.machine, "describe", lambda core: dict(self.described)),
         ):
             patch = mock.patch.object(where, name, stand_in)
             patch.start()
@@ -355,70 +361,88 @@ class Sessions(unittest.TestCase):
         scene.write_text(name)
         return Problem(name, scene, scene, 0.1)
 
-    def measure(self, cells, cores=1, seeds=3, stream=None):
+    def measure(self, cells, seeds=3, stream=None, shard=Shard(), rounds_of=None):
         """The journal's records."""
-        pinned = (timing_cores(cores) * cores)[:cores]  # a machine with one core will do
-        path = self.folder / f"{cores}.jsonl"
+        path = self.folder / "runs.jsonl"
+        protocol = Protocol(seeds=seeds, pilot_seeds=2)
         try:
             with Journal(path) as journal:
                 progress = Progress(stream or io.StringIO())
-                session.Session(self.folder, journal, Protocol(seeds=seeds), progress, pinned).measure_all(cells)
+                with session.Session(self.folder, journal, protocol, progress, timing_core(), shard) as measured:
+                    measured.measure_all(cells, rounds_of)
         finally:
             self.records = Journal(path, writable=False).records
         return self.records
 
-    def cells(self, *scenes, planners=("prior", "rrt", "adaptive")):
+    def cells(self, *scenes, planners=("adaptive", "prior")):
         return [Cell(scene, "snake:15", planner) for scene in scenes for planner in planners]
 
-    def test_on_two_cores_measure_what_one_does(self):
-        def content(records):
-            return sorted(json.dumps(record | {"cores": 0}) for record in records if record["kind"] != "session")
+    def runs(self, records):
+        return [record for record in records if record["kind"] == "run"]
 
-        cells = self.cells("rooms", "comb", "gates")
-        one, two = self.measure(cells, 1), self.measure(cells, 2)
-        self.assertEqual(content(one), content(two))
-        self.assertEqual(sum(record["kind"] == "run" for record in two), 3 * len(cells))
-        self.assertEqual(self.compiled, 2 * ["rooms", "comb", "gates"])
+    def test_run_a_trial_of_every_cell_and_then_the_next(self):
+        cells = self.cells("rooms", "comb")
+        runs = self.runs(self.measure(cells))
+        self.assertEqual([run["cell"] for run in runs], 3 * [cell.key for cell in cells])
+        self.assertEqual([run["trial"] for run in runs], [seed for seed in (10001, 10002, 10003) for _ in cells])
+        self.assertEqual(self.compiled, ["rooms", "comb"])
 
-    def test_pin_each_program_to_one_of_the_cores(self):
-        started, *records = self.measure(self.cells("rooms", "comb"), 2)
-        cores = [record["cores"] for record in records if record["kind"] == "run"]
-        self.assertEqual({len(pinned) for pinned in cores}, {1})
-        self.assertLessEqual({core for [core] in cores}, set(started["pinned_to_cores"]))
+    def test_measure_some_cells_in_more_rounds(self):
+        ours, rival = self.cells("rooms")
+        runs = self.runs(self.measure([ours, rival], 2, rounds_of={ours: 4}))
+        self.assertEqual([run["cell"] for run in runs].count(ours.key), 4)
+        self.assertEqual([run["cell"] for run in runs].count(rival.key), 2)
 
-    def test_compile_first_then_measure_all_references_then_the_others(self):
-        kinds = {"compiled": 0, "run": 1, "cell": 1}
-        for cores in (1, 2):
-            _, *records = self.measure(self.cells("rooms", "comb"), cores)
-            order = [kinds[r["kind"]] + ("cell" in r and "adaptive" not in r["cell"]) for r in records]
-            self.assertEqual(order, sorted(order))
-            self.assertEqual(set(order), {0, 1, 2})
+    def test_set_limits_by_a_pilot_on_other_seeds(self):
+        records = self.measure(self.cells("rooms", planners=["prior"]))
+        self.assertEqual([r["cell"] for r in records if r["kind"] == "pilot"], ["rooms snake:15 adaptive"])
+        self.assertEqual({run["limit_s"] for run in self.runs(records)}, {6.0})  # 300 times 0.02 s
+        self.assertEqual({run["cell"] for run in self.runs(records)}, {"rooms snake:15 prior"})
 
-    def test_measure_references_that_nobody_asked_for_where_they_set_the_limit(self):
-        records = self.measure(self.cells("rooms", planners=["prior"]), 2)
-        limits = {record["cell"]: record["limit_s"] for record in records if record["kind"] == "cell"}
-        self.assertEqual(limits, {"rooms snake:15 adaptive": 100.0, "rooms snake:15 prior": 20.0})
-        self.assertEqual(session.in_phases(self.cells("rooms", planners=["prior"]), False)[0], [])
+    def test_share_a_process_but_for_those_that_need_a_new_one(self):
+        planners = ("adaptive", "prior", FRESH + "adaptive", "ompl:RRT")
+        processes = {}
+        for run in self.runs(self.measure(self.cells("rooms", planners=planners))):
+            processes.setdefault(run["cell"].split()[-1], set()).add(run["hash"])
+        self.assertEqual([len(processes[planner]) for planner in planners], [1, 1, 3, 3])
+        self.assertEqual(processes["adaptive"], processes["prior"])
+
+    def test_make_a_disturbed_run_again(self):
+        ours = Cell("noisy", "snake:15", "prior")
+        with mock.patch.object(Protocol, "limit_of", lambda *_: 1.0), mock.patch.object(
+            session.Session, "_pilot", lambda *_: 1.0
+        ):
+            [run] = self.runs(self.measure([ours], 1))
+        self.assertEqual((run["repeats"], run["waited_s"]), (3, 0.12))  # 0.5 / 4, the least
+        self.assertEqual(Results(self.records).repeated(), (1, 1))
 
     def test_go_on_where_they_were_broken_off(self):
-        self.measure(self.cells("rooms", "comb"), 2, seeds=2)
-        records = self.measure(self.cells("rooms", "comb"), 2, seeds=3)
-        self.assertEqual(sum(record["kind"] == "run" for record in records), 3 * 6)
+        self.measure(self.cells("rooms", "comb"), seeds=2)
+        runs = self.runs(self.measure(self.cells("rooms", "comb"), seeds=3))
+        self.assertEqual(len(runs), 3 * 4)
+        self.assertEqual([run["session"] for run in runs], 8 * [0] + 4 * [1])
+
+    def test_do_not_go_on_with_another_build(self):
+        self.measure(self.cells("rooms"))
+        for name in self.described:
+            with mock.patch.dict(self.described, {name: "another"}), self.assertRaisesRegex(JournalError, "abc"):
+                self.measure(self.cells("rooms"))
+
+    def test_measure_the_rounds_of_their_shard(self):
+        runs = self.runs(self.measure(self.cells("rooms"), 5, shard=Shard(2, 2)))
+        self.assertEqual(sorted({run["trial"] for run in runs}), [10002, 10004])
 
     def test_skip_problems_that_are_not_there(self):
         shown = io.StringIO()
         with mock.patch.object(problems, "SAMPLES", self.folder):
-            self.measure(self.cells("movingai/none", "rooms", planners=["prior"]), 2, stream=shown)
-        first = f"[1/3] movingai/none snake:15 prior: skipped: {self.folder / 'movingai/none.map'} is not there"
+            self.measure(self.cells("movingai/none", "rooms", planners=["prior"]), stream=shown)
+        first = f"movingai/none snake:15 prior: skipped, {self.folder / 'movingai/none.map'} is not there"
         self.assertEqual(shown.getvalue().splitlines()[0], first)
         self.assertEqual(self.compiled, ["rooms"])
 
     def test_end_when_one_program_refuses_its_input(self):
-        begin = time.monotonic()
         with self.assertRaisesRegex(BadInput, "bad scene"):
-            self.measure(self.cells("endless", "rooms", "refusing"), 2)
-        self.assertLess(time.monotonic() - begin, 30)
-        self.assertEqual({record["status"] for record in self.records if record["kind"] == "run"}, {"solved"})
+            self.measure(self.cells("rooms", "refusing"))
         self.assert_no_program_is_left()
 
     def test_end_at_once_when_interrupted(self):
@@ -429,9 +453,9 @@ class Sessions(unittest.TestCase):
         self.addCleanup(timer.cancel)
         timer.start()
         with self.assertRaises(KeyboardInterrupt):
-            self.measure(self.cells("endless", "endless2", "rooms"), 2)
+            self.measure(self.cells("endless"))
         self.assertLess(time.monotonic() - begin, 30)
-        self.assertFalse([record for record in self.records if record["kind"] == "run"])
+        self.assertFalse(self.runs(self.records))
         self.assert_no_program_is_left()
 
     def assert_no_program_is_left(self):
@@ -441,83 +465,66 @@ class Sessions(unittest.TestCase):
 
 
 class ProgressShown(unittest.TestCase):
-    def setUp(self):
-        self.stream = io.StringIO()
-        self.progress = Progress(self.stream)
-        self.clock = 0.0
-        patch = mock.patch("time.monotonic", lambda: self.clock)
-        patch.start()
-        self.addCleanup(patch.stop)
-
-    def test_of_two_cells_at_once(self):
-        a, b, known, last = (Cell("rooms", "snake:15", name) for name in "abcd")
-        self.progress.expect(4)
-        self.progress.begin_cell(known)
-        self.clock = 5.0
-        self.progress.end_cell(known, "there")
-        for cell in (a, b):
-            self.progress.begin_cell(cell)
-        for cell in (b, a, b):
-            self.progress.made_run(cell, 1, 2, LIMIT)
-        self.clock = 45.0
-        self.progress.end_cell(a, "solved")
-        self.progress.begin_cell(last)
-        self.progress.end_cell(b, "solved too")
-        self.assertEqual(
-            self.stream.getvalue().splitlines(),
-            [
-                "[1/4] rooms snake:15 c: there",
-                "[2/4, about 80 s left] rooms snake:15 a: solved",
-                "[3/4, about 20 s left] rooms snake:15 b: solved too",
-            ],
-        )
+    def test_is_a_line_a_round_with_the_time_left(self):
+        stream, clock = io.StringIO(), [0.0]
+        with mock.patch("time.monotonic", lambda: clock[0]):
+            progress = Progress(stream)
+            progress.expect(10)
+            for clock[0] in (10.0, 20.0):
+                progress.made("rooms")
+            progress.end_round(1)
+        self.assertEqual(stream.getvalue(), "[2 of at most 10 runs, 80 s left] round 1\n")
 
     def test_on_a_terminal_is_of_the_last_run(self):
-        self.stream.isatty = lambda: True
-        a, b = (Cell("rooms", "snake:15", name) for name in "ab")
-        for cell in (a, b):
-            self.progress.begin_cell(cell)
-        for cell in (a, b):
-            self.progress.made_run(cell, 1, 2, LIMIT)
-        last = self.stream.getvalue().split("\r\033[K")[-1]
-        self.assertEqual(last, "[0/0] rooms snake:15 b: 1 of 2, limit 10 s")
+        stream = io.StringIO()
+        stream.isatty = lambda: True
+        progress = Progress(stream)
+        progress.expect(2)
+        progress.made("rooms")
+        self.assertRegex(stream.getvalue(), r"^\r\033\[K\[1 of at most 2 runs, .* left\] rooms$")
 
 
-class Planners(unittest.TestCase):
-    @unittest.skipUnless(importlib.util.find_spec("matplotlib"), "bench/run's program draws")
-    def test_can_be_measured_alone(self):
-        from harness.__main__ import only
-
-        cells = experiments.cells_of("scenes")
-        kept = only(cells, ["plain", "prior"])
-        self.assertEqual(len(kept), 2 * len(experiments.SCENES))
-        self.assertEqual({cell.planner for cell in kept}, {"plain", "prior"})
-        with self.assertRaisesRegex(BadInput, "--planner best: there is .*adaptive"):
-            only(cells, ["best"])
-
-
-class Cores(unittest.TestCase):
-    @unittest.skipUnless(importlib.util.find_spec("matplotlib"), "bench/run's program draws")
-    def test_that_are_not_there_are_refused(self):
+@unittest.skipUnless(HAS_MATPLOTLIB, "bench/run's program draws")
+class CommandLine(unittest.TestCase):
+    def refusal(self, *arguments):
         from harness.__main__ import parse
 
-        there = len(os.sched_getaffinity(0))
-        self.assertEqual(parse(["scenes"]).cores, 1)
-        self.assertEqual(parse(["scenes", "--cores", str(there)]).cores, there)
-        for count in (0, -1, there + 1):
-            with contextlib.redirect_stderr(io.StringIO()) as complaint, self.assertRaises(SystemExit):
-                parse(["scenes", "--cores", str(count)])
-            self.assertIn(f"--cores must be between 1 and {there}", complaint.getvalue())
+        with contextlib.redirect_stderr(io.StringIO()) as complaint, self.assertRaises(SystemExit) as ended:
+            parse(list(arguments))
+        self.assertEqual(ended.exception.code, 2)
+        return complaint.getvalue()
 
-    def test_are_the_last(self):
-        with mock.patch("os.sched_getaffinity", lambda _: {5, 0, 2}):
-            self.assertEqual([timing_cores(count) for count in (1, 2, 3)], [[5], [2, 5], [0, 2, 5]])
+    def test_measures_planners_alone(self):
+        from harness.__main__ import only
 
-    def test_are_told_of_all_sessions(self):
-        old, one, two = {"cores": 4}, {"cores": 4, "pinned_to_cores": [3]}, {"cores": 4, "pinned_to_cores": [2, 3]}
-        self.assertEqual(cores_described([old]), "4 cores")
-        self.assertEqual(cores_described([old, one]), "4 cores, core 3 for the timed program")
-        self.assertEqual(cores_described([two, one]), "4 cores, cores 2 and 3 for timed programs, one each")
+        kept = only(experiments.cells_of("scenes"), ["plain", "prior"])
+        self.assertEqual(len(kept), 2 * len(experiments.SCENES))
+        self.assertEqual({cell.planner for cell in kept}, {"plain", "prior"})
+        with self.assertRaisesRegex(BadInput, "--planner best: there is plain, prior"):
+            only(kept, ["best"])
+
+    def test_reads_a_shard(self):
+        from harness.__main__ import parse, shard_of
+
+        self.assertEqual(parse(["goals", "--shard", "2/4"]).shard, Shard(2, 4))
+        for text in ("0/4", "5/4", "2", "a/b", "1/0"):
+            with self.assertRaisesRegex(argparse.ArgumentTypeError, "I/N"):
+                shard_of(text)
+        self.assertIn("--shard", self.refusal("goals", "--shard", "3/2"))
+
+    def test_refuses_what_cannot_be_meant(self):
+        self.assertIn("MAP", self.refusal("own"))
+        self.assertIn("MAP", self.refusal("goals", "map.png"))
+        self.assertIn("--seeds", self.refusal("goals", "--seeds", "0"))
+        self.assertIn("--planner", self.refusal("results", "--planner", "prior"))
+
+    def test_publishes_runs_of_one_clean_commit_only(self):
+        from harness.page import refuse_mixture
+
+        refuse_mixture(Results([session_of(), session_of()]))
+        for commits in (("abc", "def"), ("abc-dirty",)):
+            with self.assertRaisesRegex(JournalError, "one clean commit"):
+                refuse_mixture(Results([session_of(commit=commit) for commit in commits]))
 
 
 class Queries(unittest.TestCase):
@@ -535,13 +542,11 @@ class Queries(unittest.TestCase):
         self.assertEqual(query["start"][:2], [1.5, 1.5])
         self.assertEqual(query["goal"], [4.5, 2.5, 0.5])
 
-    def test_are_all_asked_or_evenly_spread(self):
-        problem = Problem("m", Path(), Path(), 0.0, list(range(10)))
-        self.assertEqual(problem.trials(60, 0), list(range(10)))
-        self.assertEqual(problem.trials(60, 3), [0, 3, 6])
-        self.assertEqual(problem.trials(60, 99), list(range(10)))
-        seeds = Problem("s", Path(), Path(), 0.0).trials(2, 0)
-        self.assertEqual(seeds, [{"trial": 1, "seed": 1}, {"trial": 2, "seed": 2}])
+    def test_are_the_trials_where_there_are_some(self):
+        self.assertEqual(Problem("m", Path(), Path(), 0.0, ["a", "b"]).trial(1, 10001), "b")
+        self.assertEqual(Problem("s", Path(), Path(), 0.0).trial(1, 10001), {"trial": 10002, "seed": 10002})
+        far = Problem("f", Path(), Path(), 0.0, ends={"goal": [1, 2, 3]}).trial(0, 5)
+        self.assertEqual(far, {"trial": 5, "seed": 5, "goal": [1, 2, 3]})
 
     def test_face_where_most_room_is(self):
         free = [[c == "." for c in row] for row in self.MAP.splitlines()[4:]]
@@ -551,64 +556,49 @@ class Queries(unittest.TestCase):
 
 
 class Written(unittest.TestCase):
-    """Claims and the README's table, from a journal with known runs."""
+    """Claims and the README's table, from known runs."""
 
     def results(self, seconds_of):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        figures = {"vertices": 5, "step_error": 1e-4, "drift_m": 1e-3, "clearance_m": 0.01, "goal_depth_m": 0.03}
-        with Journal(Path(folder.name) / "runs.jsonl") as journal:
-            for cell, seconds in seconds_of.items():
-                run = solved(seconds) | figures if seconds else timed_out()
-                journal.append({"kind": "run", "cell": cell.key, "build": "b", **run})
-                finished = {"limit_s": LIMIT, "asked": 1, "given_up": False, "trials": [1]}
-                journal.append({"kind": "cell", "cell": cell.key, "build": "b", **finished})
-            return Results(journal)
+        figures = {"vertices": 500, "plan_steps": 100, "step_error": 1e-4, "drift_m": 1e-3, "clearance_m": 0.01}
+        figures |= {"goal_depth_m": 0.03}
+        runs = [run_of(cell, solved(s) | figures if s else timed_out()) for cell, s in seconds_of.items()]
+        return Results([session_of(), *runs])
+
+    def found(self, seconds_of):
+        return {claim.text: claim for group in claims(self.results(seconds_of)).values() for claim in group}
 
     def test_claims_say_by_how_much_and_whether(self):
-        ours, prior, rrt = (Cell("gates", "snake:15", planner) for planner in ("adaptive", "prior", "rrt"))
-        slow, fast = (Cell("gates", "snake:15", peer) for peer in ("ompl:RRT", "ompl:SyclopEST"))
-        published = Cell("gates", "snake:15", "prior-unpruned")
-        known = {ours: 0.01, published: 0.7, prior: 0.1, rrt: None, slow: None, fast: 0.3}
-        found = claims(self.results(known))
-        self.assertEqual(
-            [(claim.found, claim.holds) for claim in found],
-            [("70.0 ×", True), ("10.0 ×", False), ("≥ 1000 ×", True), ("30.0 ×", True), ("1 of 1", True)],
-        )
-        self.assertIn("SyclopEST", found[3].text)
-        [undecided, _] = claims(self.results({ours: 1.0, prior: None}))
-        self.assertEqual((undecided.found, undecided.holds), ("≥ 10.0 ×", None))
+        ours, prior = (Cell("gates", "snake:15", planner) for planner in ("adaptive", "prior"))
+        [text] = [text for text in self.found({ours: 0.01, prior: 0.1}) if "prior" in text]
+        for seconds, shown, holds in (
+            (0.1, "10.0 [10, 10]", True),
+            (0.005, "0.500 [0.50, 0.50]", False),
+            (None, "≥ 1000 [1000, ∞]", True),
+        ):
+            claim = self.found({ours: 0.01, prior: seconds})[text]
+            self.assertEqual((claim.found, claim.holds), (shown, holds))
+        self.assertIsNone(self.found({ours: None, prior: 0.1})[text].holds)
 
     def test_claims_over_all_scenes_are_geometric_means(self):
         scenes = experiments.SCENES
-        ours = {Cell(scene, "snake:15", "adaptive"): seconds for scene, seconds in zip(scenes, (0.1, 0.1, 0.4, 0.1, 0.1))}
-        plain = {Cell(scene, "snake:15", "plain"): 0.5 for scene in scenes}
-        peers = {Cell(scene, "snake:15", "ompl:RRT"): None for scene in scenes}
+        ours = {Cell(scene, "snake:15", "adaptive"): 0.1 * 4 ** (scene == "rooms") for scene in scenes}
+        peers = {Cell(scene, "snake:15", peer): s for scene in scenes for peer, s in (("ompl:RRT", None), ("ompl:EST", 8.0))}
         large = {Cell(f"{scene}@4", "snake:15", "adaptive"): 0.16 for scene in scenes}
         long = {Cell("rooms", "snake:25", "adaptive"): 1.5}
-        repairs = {experiments.with_setting("kappa", value): seconds for value, seconds in (("1", 0.42), ("20", 0.4))}
-        found = {claim.text: claim for claim in claims(self.results(ours | plain | peers | large | long | repairs))}
+        found = self.found(ours | peers | large | long)
         for text, shown, holds in (
-            ("all scenes: 5 × faster than plain in the median", "3.79 ×", False),  # 5 / 4 ** 0.2
-            ("all scenes: 60 × faster than the best peer of each in the median", "≥ 75.8 ×", True),
-            ("all scenes: 90th percentile over median at most 2.5", "1.00", True),
-            ("all scenes: median vertices at most 2500", "5.00", True),
-            ("comb, 4 times as large: at most 1.5 × in the median", "1.60 ×", False),
-            ("all scenes, 4 times as large: at most 1.5 × in the median", "1.21 ×", True),  # 1.6 / 4 ** 0.2
-            ("kappa 1: at most 1.1 × kappa 20 in the median", "1.05 ×", True),
-            ("rooms, snake:25: 95 % of the runs solved within 1 s", "0 of 1", False),
+            ("all scenes: median vertices: at most 600", "500 [500, 500]", True),
+            ("all scenes: time of the best peer of each over ours: at least 60", "60.6 [61, 61]", True),  # 80 / 4 ** 0.2
+            ("all scenes: time a plan's step at scale 4 over that at 1: at most 1.5", "1.21 [1.2, 1.2]", True),
+            ("all scenes: 90th percentile of time over its median: at most 2.5", "1.00 [1.0, 1.0]", True),
+            ("rooms, snake:25: every run within 1 s", "0 of 1", False),
         ):
             self.assertEqual((found[text].found, found[text].holds), (shown, holds), text)
 
-    def test_claims_leave_out_what_no_run_tells(self):
-        none = {Cell(scene, "snake:15", "adaptive"): None for scene in experiments.SCENES}
-        self.assertNotIn("vertices", " ".join(claim.text for claim in claims(self.results(none))))
-
-    def test_claims_that_a_bound_leaves_open_are_open(self):
-        ours, large = (Cell(problem, "snake:15", "adaptive") for problem in ("comb", "comb@4"))
-        known = self.results({ours: LIMIT, large: None})
-        [open_] = [claim for claim in claims(known) if "at most 1.5" in claim.text]
-        self.assertEqual((open_.found, open_.holds), ("≥ 1.00 ×", None))
+    def test_the_papers_comparison_is_by_its_own_criterion(self):
+        pair = {Cell("comb", "snake:15", planner): s for planner, s in (("paper", 0.1), ("paper-prior", 2.0))}
+        found = self.found(pair)
+        self.assertEqual([claim.holds for text, claim in found.items() if "table 1" in text], [True])
 
     def test_the_readmes_table_is_replaced_and_nothing_else(self):
         results = self.results({cell: 0.5 for cell in readme.cells()})
@@ -619,7 +609,7 @@ class Written(unittest.TestCase):
             text = page.read_text()
         self.assertTrue(text.startswith(f"before\n{readme.BEGIN}\nsnake:15, adaptive, 1 seeds\n"))
         self.assertTrue(text.endswith(f"|\n{readme.END}\nafter\n"))
-        self.assertIn("| rooms | 1 | 1 | 500.0 | 500.0 | 5 | 5 | 1.0e-04 | 1.0 | 10.0 | 30.0 |\n", text)
+        self.assertIn("| rooms | 1 | 1 | 500.0 | 500.0 | 500 | 500 | 1.0e-04 | 1.0 | 10.0 | 30.0 |\n", text)
         self.assertNotIn("old", text)
 
 
@@ -643,9 +633,9 @@ class Parts(unittest.TestCase):
 
     def setUp(self):
         entries = []
-        for name, (time, unit) in self.TIMES.items():
+        for name, (time_, unit) in self.TIMES.items():
             for aggregate, factor in (("mean", 7), ("median", 1)):
-                entries.append({"run_name": name, "aggregate_name": aggregate, "cpu_time": factor * time, "time_unit": unit})
+                entries.append({"run_name": name, "aggregate_name": aggregate, "cpu_time": factor * time_, "time_unit": unit})
         entries[5] |= {"seeds": 2.0, "vertices": 30.0, "attempts": 40.0, "expansions": 5.0, "plan_steps": 10.0}
         self.parts = parts_of({"benchmarks": entries})
 
@@ -660,23 +650,31 @@ class Parts(unittest.TestCase):
 
 
 class Experiments(unittest.TestCase):
-    def test_measure_what_sets_limits_first(self):
+    def test_name_each_cell_once(self):
         cells = experiments.cells_of("all")
-        references = [cell == cell.reference for cell in cells]
-        self.assertEqual(references, sorted(references, reverse=True))
         self.assertEqual(len(cells), len(set(cells)))
-        self.assertTrue(all(cell.reference in cells for cell in cells))
+        self.assertEqual(len({cell.key for cell in cells}), len(cells))
 
     def test_of_goals_are_cells_of_others(self):
         others = {cell for name, cells in experiments.EXPERIMENTS.items() if name != "goals" for cell in cells()}
         self.assertEqual(set(experiments.goals()) - others, set())
-        self.assertEqual(len(experiments.goals()), 5 * 6 + 2)
 
     def test_have_the_papers_cells(self):
-        self.assertEqual(len(experiments.links()), 5 * 5 * 3)
-        self.assertEqual(len(experiments.scale()), 5 * 3 + 4)  # and our other scenes
-        self.assertEqual(len(experiments.parameters()), 21)  # and our own beta
-        self.assertEqual(len(set(experiments.parameters())), 18)
+        self.assertEqual(len(experiments.links()), 5 * 5 * 4)
+        self.assertEqual(len(experiments.parameters()), 20)
+        self.assertEqual(len(set(experiments.parameters())), 17)  # the defaults are one cell
+        for name, values in experiments.PARAMETERS.items():
+            self.assertIn(experiments.PAPER_DEFAULTS[name], values)
+
+    def test_give_few_rounds_to_slow_peers_and_many_to_goals(self):
+        rounds = experiments.rounds(Protocol())
+        self.assertEqual(rounds[Cell("rooms", "snake:15", "ompl:RRT-random")], 20)
+        self.assertNotIn(Cell("rooms", "snake:15", "ompl:SyclopEST"), rounds)
+        self.assertEqual(rounds[OURS], 200)
+
+    def test_of_a_users_own_have_peers_where_they_can_drive(self):
+        self.assertEqual(len(experiments.own("map.png", "car")), len(experiments.RIVALS))
+        self.assertGreater(len(experiments.own("map.png", "snake:3")), 10)
 
 
 if __name__ == "__main__":

@@ -35,17 +35,14 @@ class Trials(unittest.TestCase):
         subprocess.run([BIN / "krait", "compile", path, "-o", scene], check=True, capture_output=True)
         return scene
 
-    def ask(self, program, planner, trials, *options):
-        given = {"--scene": self.scene, "--input": self.input, "--robot": "snake:1", "--time-limit": "300"}
-        if program == SEARCH:
-            given["--memory"] = "64"
-        given |= dict(zip(options[::2], options[1::2]))
-        command = [program, "trials", "--planner", planner, *(text for option in given.items() for text in option)]
-        lines = "".join(json.dumps(trial) + "\n" for trial in trials)
+    def ask(self, program, planner, trials, **given):
+        same = {"scene": str(self.scene), "input": str(self.input), "robot": "snake:1", "limit_s": 300} | given
+        command = [program, "trials", *(["--memory", "64"] if program == SEARCH else [])]
+        lines = "".join(json.dumps({"planner": planner, **same, **trial}) + "\n" for trial in trials)
         return subprocess.run(command, input=lines, capture_output=True, text=True)
 
-    def answers(self, *arguments):
-        result = self.ask(*arguments)
+    def answers(self, *arguments, **given):
+        result = self.ask(*arguments, **given)
         self.assertEqual(result.returncode, 0, result.stderr)
         return [json.loads(line) for line in result.stdout.splitlines()]
 
@@ -60,7 +57,7 @@ class Trials(unittest.TestCase):
             with self.subTest(planner):
                 [answer] = self.answers(program, planner, [{"trial": 3, "seed": 5}])
                 self.assertEqual((answer["trial"], answer["status"]), (3, "solved"))
-                if planner != "paper":  # which checks states, not the steps between
+                if not planner.startswith("paper"):  # which checks states, not the steps between
                     self.assertTrue(answer["verified"], answer.get("complaint"))
                 self.assertGreater(answer["time_s"], 0)
                 self.assertGreater(answer["plan_length_m"], 5)
@@ -81,14 +78,37 @@ class Trials(unittest.TestCase):
     def test_a_setting_changes_the_search(self):
         gates = self.folder / "gates.json"
         subprocess.run([BIN / "krait", "scene", "gates", "-o", gates], check=True)
-        files = ("--input", gates, "--scene", self.compiled(gates))
-        trial = [{"trial": 1, "seed": 10}]
-        usual, same, other = (
-            self.answers(SEARCH, "adaptive", trial, *files, *setting)[0]["hash"]
-            for setting in ((), ("--set", "beta=0.85"), ("--set", "beta=0.1"))
-        )
+        files = {"input": str(gates), "scene": str(self.compiled(gates))}
+        settings = ({}, {"beta": 0.85}, {"beta": 0.1}, {"candidates": 0}, {"prune_portals": 0})
+        trials = [{"trial": i, "seed": 10, "set": setting} for i, setting in enumerate(settings)]
+        usual, same, *others = (answer["hash"] for answer in self.answers(SEARCH, "adaptive", trials, **files))
         self.assertEqual(usual, same)
-        self.assertNotEqual(usual, other)
+        self.assertEqual(len({usual, *others}), 4)
+
+    def test_one_process_answers_trials_of_several_scenes_robots_and_planners(self):
+        other = self.folder / "other.json"
+        other.write_text(json.dumps(SCENE | {"name": "other", "obstacles": []}))
+        trials = [
+            {"trial": 1, "seed": 1},
+            {"trial": 2, "seed": 1, "input": str(other), "scene": str(self.compiled(other)), "robot": "car"},
+            {"trial": 3, "seed": 1, "planner": "prior"},
+            {"trial": 4, "seed": 1},
+        ]
+        first, second, third, last = self.answers(SEARCH, "adaptive", trials)
+        self.assertTrue(all(answer["verified"] for answer in (first, second, third, last)))
+        self.assertEqual(first["hash"], last["hash"])
+        self.assertEqual(len({answer["hash"] for answer in (first, second, third)}), 3)
+
+    def test_says_how_long_it_waited_for_its_core(self):
+        [answer] = self.answers(SEARCH, "adaptive", [{"trial": 1, "seed": 1}])
+        self.assertLess(abs(answer["waited_s"]), 60)
+
+    def test_plans_are_not_verified_where_instructions_are_counted(self):
+        line = {"trial": 1, "seed": 1, "scene": str(self.scene), "input": str(self.input), "robot": "snake:1"}
+        line |= {"planner": "adaptive", "limit_s": 300}
+        command = [SEARCH, "trials", "--memory", "64", "--unverified"]
+        done = subprocess.run(command, input=json.dumps(line) + "\n", capture_output=True, text=True, check=True)
+        self.assertNotIn("verified", json.loads(done.stdout))
 
     def test_a_query_has_its_own_start_and_goal(self):
         queries = [
@@ -114,7 +134,7 @@ class Trials(unittest.TestCase):
         self.assertTrue({"open", "set_up", "plan", "floor", "steer", "propagate", "check"} <= set(entries))
         self.assertTrue(all(entry["cpu_time"] > 0 for entry in entries.values()))
         trials = [{"trial": seed, "seed": seed} for seed in (1, 2)]
-        answers = self.answers(SEARCH, "adaptive", trials, "--robot", "snake:2")
+        answers = self.answers(SEARCH, "adaptive", trials, robot="snake:2")
         for name in ("vertices", "plan_steps"):
             self.assertEqual(entries["plan"][name], sum(answer[name] for answer in answers))
 
@@ -128,15 +148,24 @@ class Trials(unittest.TestCase):
 
     def test_bad_input_ends_the_program_with_a_line(self):
         trial = [{"trial": 1, "seed": 1}]
-        for result in (
-            self.ask(SEARCH, "none", trial),
-            self.ask(SEARCH, "adaptive", trial, "--set", "delta=1"),
-            self.ask(SEARCH, "adaptive", [{"trial": 1}]),
-            self.ask(SEARCH, "adaptive", [{"trial": 1, "seed": 1, "speed": 1}]),
-            self.ask(SEARCH, "adaptive", trial, "--scene", "/nowhere"),
+        for words, result in (
+            ("no planner 'none'", self.ask(SEARCH, "none", trial)),
+            ("no setting 'delta'", self.ask(SEARCH, "adaptive", trial, set={"delta": 1})),
+            ("set beta: must be from", self.ask(SEARCH, "adaptive", trial, set={"beta": 1})),
+            ("without a fraction", self.ask(SEARCH, "adaptive", trial, set={"kappa": 1.5})),
+            ("seed", self.ask(SEARCH, "adaptive", [{"trial": 1}])),
+            ("speed", self.ask(SEARCH, "adaptive", [{"trial": 1, "seed": 1, "speed": 1}])),
+            ("limit_s", self.ask(SEARCH, "adaptive", trial, limit_s=0)),
+            ("/nowhere", self.ask(SEARCH, "adaptive", trial, scene="/nowhere")),
         ):
             self.assertEqual(result.returncode, 2)
             self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
+            self.assertIn(words, result.stderr)
+
+    @unittest.skipUnless(PEERS.exists(), "built without OMPL (bench/packages)")
+    def test_peers_have_no_settings(self):
+        result = self.ask(PEERS, "RRT", [{"trial": 1, "seed": 1}], set={"alpha": 1})
+        self.assertEqual((result.returncode, len(result.stderr.splitlines())), (2, 1))
 
 
 if __name__ == "__main__":
