@@ -19,7 +19,7 @@ from harness.progress import Progress
 from harness.protocol import Protocol, Shard
 from harness.results import Results
 from harness.session import Session
-from harness.tables import own_section
+from harness.tables import own_section, tuning_section
 from harness.worker import BadInput, leave, timing_core
 
 DATA = ROOT / "build/bench"
@@ -38,7 +38,8 @@ HELP = {
         "parameters": "table 2",
         "peers": "OMPL",
     },
-    "all": "all of these, the parts of a search, and its instructions",
+    "tuning": "the peers' settings, each alone, on seeds from 1 on, in no page",
+    "all": "all of these but tuning, the parts of a search, and its instructions",
     "own": "a map and a robot of yours: own MAP --robot ROBOT",
     "results": "write bench/RESULTS.md, bench/results and README's table of what was measured; with files: of these, the journals of shards",
 }
@@ -81,7 +82,7 @@ def parse(arguments):
 def protocol_of(options):
     if options.quick:
         return QUICK
-    protocol = Protocol(limit=options.limit)
+    protocol = Protocol(limit=options.limit, first_seed=1 if options.what == "tuning" else Protocol.first_seed)
     return replace(protocol, seeds=options.seeds, goal_seeds=options.seeds) if options.seeds else protocol
 
 
@@ -97,7 +98,7 @@ def folder_of(options):
     if options.what == "own":
         robot = re.sub(r"\W+", "-", options.robot)
         return DATA / f"own-{options.files[0].stem}-{robot}{'-quick' if options.quick else ''}"
-    return DATA / ("quick" if options.quick else "full")
+    return DATA / ("quick" if options.quick else options.what if options.what == "tuning" else "full")
 
 
 def cells_of(options):
@@ -121,8 +122,8 @@ def measure(options):
                 measure_instructions(session, progress)
                 measure_parts(session, progress)
         results = Results(journal.records)
-    if options.what == "own":
-        print(own_section(results, cells), end="")
+    if options.what in ("own", "tuning"):
+        print((own_section if options.what == "own" else tuning_section)(results, cells), end="")
         return
     write_page(results, folder)
     print(f"what was found: {os.path.relpath(folder / 'RESULTS.md')}; bench/run results publishes it")

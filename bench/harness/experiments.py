@@ -84,6 +84,30 @@ def peers():
     return [Cell(scene, ROBOT, planner) for scene in SCENES for planner in ("adaptive", FRESH + "adaptive", *PEERS)]
 
 
+# Each alone, for the peers that steer; the default stands in bench/peers/planners.cpp.
+SYCLOP = {"max_steps": ("5", "10", "20", "40"), "slowest": ("1",), "gentle_share": ("0.2",)}
+TUNINGS = {
+    "RRT": {"max_steps": ("20", "80"), "goal_bias": ("0.01", "0.2"), "slowest": ("1",), "gentle_share": ("0.2",)},
+    "KPIECE1": {"max_steps": ("20", "80"), "cell_lengths": ("0.5", "2", "4"), "slowest": ("1",), "gentle_share": ("0.2",)},
+    "EST": {"max_steps": ("20", "80"), "range": ("10", "40"), "cell_lengths": ("0.5", "2"), "slowest": ("1",), "gentle_share": ("0.2",)},
+    "PDST": {"max_steps": ("20", "80"), "slowest": ("1",), "gentle_share": ("0.2",)},
+    "SST": {"max_steps": ("20", "80"), "selection_radius": ("0.5", "2"), "pruning_radius": ("0.15", "0.6"), "heading_weight": ("0", "3"), "slowest": ("1",), "gentle_share": ("0.2",)},
+    "SyclopRRT": SYCLOP,
+    "SyclopEST": SYCLOP,
+    "SyclopRRT-grid": {"cells_a_side": ("16", "64")},
+    "SyclopEST-grid": {"cells_a_side": ("16", "64")},
+}
+
+
+def tuning():
+    """Peers as they are published, and with each of their settings changed."""
+    cells = []
+    for peer, settings in TUNINGS.items():
+        changes = [(), *((f"{name}={value}",) for name, values in settings.items() for value in values)]
+        cells += [Cell(scene, ROBOT, PEER + peer, change) for scene in SCENES for change in changes]
+    return cells
+
+
 FOREIGN = [
     *((problem, "unicycle1_v0") for problem in DYNOBENCH),
     *((problem, robot) for problem in MOVINGAI for robot in ("unicycle", "car")),
@@ -133,8 +157,11 @@ EXPERIMENTS = {
 }
 
 
+APART = {"tuning": tuning}  # on other seeds, and in no page
+
+
 def cells_of(what):
     """The cells of an experiment, or of all, each once."""
     if what == "all":
         return list(dict.fromkeys(cell for experiment in EXPERIMENTS.values() for cell in experiment()))
-    return list(dict.fromkeys(EXPERIMENTS[what]()))
+    return list(dict.fromkeys((EXPERIMENTS | APART)[what]()))

@@ -245,6 +245,17 @@ def own_section(results, cells):
     return section(f"{cells[0].problem}, {cells[0].robot}", ["planner", *FIGURES], rows)
 
 
+def tuning_section(results, cells):
+    """Times over those of the peer as it is published: less than 1 is better."""
+    rows = []
+    for planner, settings in dict.fromkeys((cell.planner, cell.settings) for cell in cells if cell.settings):
+        pairs = [(Cell(scene, ROBOT, planner, settings), Cell(scene, ROBOT, planner)) for scene in SCENES]
+        found = results.ratio(pairs)
+        solved = [sum(summary.solved for c in column if (summary := results.summary(c))) for column in zip(*pairs)]
+        rows.append([planner.removeprefix(PEER), *settings, found.shown() if found else "", *map(str, solved)])
+    return section(f"Tuning of the peers, {ROBOT}", ["planner", "set", "× median time", "solved", "as published"], rows)
+
+
 def _percent(share):
     return f"{100 * share:.0f} %"
 

@@ -4,17 +4,20 @@
 #include <ompl/control/SpaceInformation.h>
 #include <ompl/util/RandomNumbers.h>
 
-#include "host/rivals/rival.hpp"
-
 namespace krait::bench {
 namespace {
 
 namespace ob = ompl::base;
 namespace oc = ompl::control;
 
-constexpr double kSlowest{rivals::kRivalsSlowest};
+constexpr double kGentlest = 0.15;  // of the sharpest turn, as krait's own gentle turns
 
 using ValueControl = oc::RealVectorControlSpace::ControlType;
+
+// The share of the sharpest turn that a control may have.
+double random_turn(ompl::RNG& rng, const PeerTuning& tuning) {
+  return rng.uniform01() < tuning.gentle_share ? rng.uniformReal(kGentlest, 1.0) : 1.0;
+}
 
 class SteeringSampler : public oc::DirectedControlSampler {
  public:
@@ -25,7 +28,8 @@ class SteeringSampler : public oc::DirectedControlSampler {
     double* values = control->as<ValueControl>()->values;
     values[0] = static_cast<double>(peer(dest).position().x);
     values[1] = static_cast<double>(peer(dest).position().y);
-    values[2] = rng_.uniformReal(kSlowest, 1.0);
+    values[2] = rng_.uniformReal(problem_.tuning.slowest, 1.0);
+    values[3] = random_turn(rng_, problem_.tuning);
     const int steps = rng_.uniformInt(1, static_cast<int>(si_->getMaxControlDuration()));
     return si_->propagateWhileValid(source, control, steps, dest);
   }
@@ -47,10 +51,12 @@ class TargetSampler : public oc::RealVectorControlUniformSampler {
 
   void sample(oc::Control* control) override {
     RealVectorControlUniformSampler::sample(control);
-    if (rng_.uniform01() >= kGoalBias) return;
+    double* values = control->as<ValueControl>()->values;
+    values[3] = random_turn(rng_, problem_.tuning);
+    if (rng_.uniform01() >= problem_.tuning.goal_bias) return;
     const Vec2 center = goal_center(problem_);
-    control->as<ValueControl>()->values[0] = static_cast<double>(center.x);
-    control->as<ValueControl>()->values[1] = static_cast<double>(center.y);
+    values[0] = static_cast<double>(center.x);
+    values[1] = static_cast<double>(center.y);
   }
 
  private:
@@ -60,9 +66,9 @@ class TargetSampler : public oc::RealVectorControlUniformSampler {
 ob::RealVectorBounds control_bounds(const PeerProblem& problem) {
   if (problem.controls == ControlKind::pid) {
     const Box box = problem.scene.bounds();
-    ob::RealVectorBounds bounds(3);
-    bounds.low = {static_cast<double>(box.min.x), static_cast<double>(box.min.y), kSlowest};
-    bounds.high = {static_cast<double>(box.max.x), static_cast<double>(box.max.y), 1.0};
+    ob::RealVectorBounds bounds(4);
+    bounds.low = {static_cast<double>(box.min.x), static_cast<double>(box.min.y), problem.tuning.slowest, kGentlest};
+    bounds.high = {static_cast<double>(box.max.x), static_cast<double>(box.max.y), 1.0, 1.0};
     return bounds;
   }
   const ChainParameters& p = problem.robot.parameters();

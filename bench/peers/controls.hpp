@@ -9,10 +9,11 @@
 
 namespace krait::bench {
 
-// ControlKind::pid: (x, y, share of the top speed); random: (acceleration, steering rate).
+// ControlKind::pid: (x, y, share of the top speed, share of the sharpest turn); random: (acceleration, steering rate).
 ompl::control::ControlSpacePtr control_space(const ompl::base::StateSpacePtr& states, const PeerProblem& problem);
 
-// Steers to the sampled state's position, with a random speed, until there, in the goal, or at an obstacle.
+// Steers to the sampled state's position, with a random speed and sharpness, until there, in the goal, or at an
+// obstacle.
 ompl::control::DirectedControlSamplerPtr steering_sampler(const ompl::control::SpaceInformation* space,
                                                           const PeerProblem& problem);
 

@@ -33,7 +33,8 @@ void random_control(const PeerProblem& problem, const float* state, const double
 void steered_control(const PeerProblem& problem, const float* state, const double* values, float* held) {
   const Target target{{static_cast<float>(values[0]), static_cast<float>(values[1])},
                       static_cast<float>(values[2]),
-                      problem.parameters.dt};
+                      problem.parameters.dt,
+                      static_cast<float>(values[3])};
   Steering steering;
   problem.robot.steer(StateView(state, problem.robot.state_size()), target, steering,
                       ControlRef(held, problem.robot.control_size()));

@@ -16,9 +16,10 @@ void print_planners() {
 
 void answer() {
   const auto choose = [](const Trial& trial) -> Solve {
-    if (!trial.settings.empty()) throw host::InputError("set: the peers have no settings");
     const PeerPlanner& planner = peer_planner(trial.request.planner);
-    return [&](const host::SceneBytes& scene) { return solve(planner, trial.scene, scene, trial.request); };
+    return [&trial, &planner, tuning = tuned(planner, trial.settings)](const host::SceneBytes& scene) {
+      return solve(planner, tuning, trial.scene, scene, trial.request);
+    };
   };
   answer_trials(choose, Verify::yes);
 }

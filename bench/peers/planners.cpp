@@ -22,33 +22,29 @@ namespace oc = ompl::control;
 
 using Space = oc::SpaceInformationPtr;
 
-constexpr int kCellsASide = 32;
-constexpr double kRange = 20;           // m, EST samples so near
-constexpr double kSelectionRadius = 1;  // m
-constexpr double kPruningRadius = 0.3;  // m
-constexpr int kGridSamples = 10'000;    // to estimate which cells are free; triangles are
+constexpr int kGridSamples = 10'000;  // to estimate which cells are free; triangles are
 
-ob::PlannerPtr make_rrt(const Space& space, const PeerProblem&) {
+ob::PlannerPtr make_rrt(const Space& space, const PeerProblem& problem) {
   auto planner = std::make_shared<oc::RRT>(space);
-  planner->setGoalBias(kGoalBias);
+  planner->setGoalBias(problem.tuning.goal_bias);
   planner->setIntermediateStates(true);
   return planner;
 }
 
 ob::PlannerPtr make_kpiece(const Space& space, const PeerProblem&) { return std::make_shared<oc::KPIECE1>(space); }
 
-ob::PlannerPtr make_est(const Space& space, const PeerProblem&) {
+ob::PlannerPtr make_est(const Space& space, const PeerProblem& problem) {
   auto planner = std::make_shared<oc::EST>(space);
-  planner->setRange(kRange);
+  planner->setRange(problem.tuning.range);
   return planner;
 }
 
 ob::PlannerPtr make_pdst(const Space& space, const PeerProblem&) { return std::make_shared<oc::PDST>(space); }
 
-ob::PlannerPtr make_sst(const Space& space, const PeerProblem&) {
+ob::PlannerPtr make_sst(const Space& space, const PeerProblem& problem) {
   auto planner = std::make_shared<oc::SST>(space);
-  planner->setSelectionRadius(kSelectionRadius);
-  planner->setPruningRadius(kPruningRadius);
+  planner->setSelectionRadius(problem.tuning.selection_radius);
+  planner->setPruningRadius(problem.tuning.pruning_radius);
   return planner;
 }
 
@@ -61,9 +57,37 @@ ob::PlannerPtr make_syclop_on_triangles(const Space& space, const PeerProblem& p
 
 template <class Planner>
 ob::PlannerPtr make_syclop_on_grid(const Space& space, const PeerProblem& problem) {
-  auto planner = std::make_shared<Planner>(space, std::make_shared<SquareDecomposition>(problem, kCellsASide));
+  const auto cells = static_cast<int>(problem.tuning.cells_a_side);
+  auto planner = std::make_shared<Planner>(space, std::make_shared<SquareDecomposition>(problem, cells));
   planner->setNumFreeVolumeSamples(kGridSamples);
   return planner;
+}
+
+struct Setting {
+  const char* name;
+  double PeerTuning::*member;
+  double least;
+  double most;
+};
+
+constexpr Setting kSettings[] = {{"goal_bias", &PeerTuning::goal_bias, 0, 1},
+                                 {"max_steps", &PeerTuning::max_steps, 1, 1000},
+                                 {"slowest", &PeerTuning::slowest, 0.05, 1},
+                                 {"gentle_share", &PeerTuning::gentle_share, 0, 1},
+                                 {"heading_weight", &PeerTuning::heading_weight, 0, 100},
+                                 {"range", &PeerTuning::range, 0.1, 1000},
+                                 {"selection_radius", &PeerTuning::selection_radius, 0.001, 100},
+                                 {"pruning_radius", &PeerTuning::pruning_radius, 0.001, 100},
+                                 {"cells_a_side", &PeerTuning::cells_a_side, 1, 1000},
+                                 {"cell_lengths", &PeerTuning::cell_lengths, 0.01, 100}};
+
+const Setting& setting_of(const std::string& name) {
+  std::string known;
+  for (const Setting& setting : kSettings) {
+    if (name == setting.name) return setting;
+    known += (known.empty() ? "" : ", ") + std::string(setting.name);
+  }
+  throw host::InputError("no setting '" + name + "' (there is: " + known + ")");
 }
 
 }  // namespace
@@ -72,23 +96,51 @@ const std::vector<PeerPlanner>& peer_planners() {
   constexpr ControlKind pid = ControlKind::pid;
   constexpr ControlKind random = ControlKind::random;
   static const std::vector<PeerPlanner> planners = {
-      {"RRT", pid, 0, Stop::at_target, 40, make_rrt, "every step a vertex, goal bias 5 %"},
-      {"KPIECE1", pid, 0, Stop::in_goal, 40, make_kpiece, "cells of the robot's length, OMPL's factors"},
-      {"EST", pid, 0, Stop::in_goal, 40, make_est, "range 20 m, cells of the robot's length"},
-      {"PDST", pid, 0, Stop::in_goal, 40, make_pdst, "on the plane, goal bias 5 %"},
-      {"SST", pid, 1, Stop::never, 40, make_sst, "selection radius 1 m, pruning radius 0.3 m, a radian counts as 1 m"},
-      {"SyclopRRT", pid, 0, Stop::in_goal, 10, make_syclop_on_triangles<oc::SyclopRRT>, "on our triangles"},
-      {"SyclopEST", pid, 0, Stop::in_goal, 40, make_syclop_on_triangles<oc::SyclopEST>, "on our triangles"},
-      {"SyclopRRT-grid", pid, 0, Stop::in_goal, 10, make_syclop_on_grid<oc::SyclopRRT>, "on 32 x 32 cells"},
-      {"SyclopEST-grid", pid, 0, Stop::in_goal, 40, make_syclop_on_grid<oc::SyclopEST>, "on 32 x 32 cells"},
-      {"RRT-random", random, 0, Stop::in_goal, 20, make_rrt, "RRT with the robot's own controls at random"},
-      {"KPIECE1-random", random, 0, Stop::in_goal, 20, make_kpiece, "KPIECE1 with the robot's own controls at random"},
-      {"EST-random", random, 0, Stop::in_goal, 20, make_est, "EST with the robot's own controls at random"},
-      {"PDST-random", random, 0, Stop::in_goal, 20, make_pdst, "PDST with the robot's own controls at random"},
-      {"SST-random", random, 1, Stop::never, 20, make_sst, "SST with the robot's own controls at random"},
-      {"SyclopRRT-random", random, 0, Stop::in_goal, 20, make_syclop_on_triangles<oc::SyclopRRT>,
+      {"RRT", pid, Stop::at_target, {}, make_rrt, "every step a vertex, goal bias 5 %"},
+      {"KPIECE1", pid, Stop::in_goal, {}, make_kpiece, "cells of the robot's length, OMPL's factors"},
+      {"EST", pid, Stop::in_goal, {}, make_est, "range 20 m, cells of the robot's length"},
+      {"PDST", pid, Stop::in_goal, {}, make_pdst, "on the plane, goal bias 5 %"},
+      {"SST",
+       pid,
+       Stop::never,
+       {.heading_weight = 1},
+       make_sst,
+       "selection radius 1 m, pruning radius 0.3 m, a radian counts as 1 m"},
+      {"SyclopRRT", pid, Stop::in_goal, {.max_steps = 10}, make_syclop_on_triangles<oc::SyclopRRT>, "on our triangles"},
+      {"SyclopEST", pid, Stop::in_goal, {}, make_syclop_on_triangles<oc::SyclopEST>, "on our triangles"},
+      {"SyclopRRT-grid", pid, Stop::in_goal, {.max_steps = 10}, make_syclop_on_grid<oc::SyclopRRT>, "on 32 x 32 cells"},
+      {"SyclopEST-grid", pid, Stop::in_goal, {}, make_syclop_on_grid<oc::SyclopEST>, "on 32 x 32 cells"},
+      {"RRT-random", random, Stop::in_goal, {.max_steps = 20}, make_rrt, "RRT with the robot's own controls at random"},
+      {"KPIECE1-random",
+       random,
+       Stop::in_goal,
+       {.max_steps = 20},
+       make_kpiece,
+       "KPIECE1 with the robot's own controls at random"},
+      {"EST-random", random, Stop::in_goal, {.max_steps = 20}, make_est, "EST with the robot's own controls at random"},
+      {"PDST-random",
+       random,
+       Stop::in_goal,
+       {.max_steps = 20},
+       make_pdst,
+       "PDST with the robot's own controls at random"},
+      {"SST-random",
+       random,
+       Stop::never,
+       {.max_steps = 20, .heading_weight = 1},
+       make_sst,
+       "SST with the robot's own controls at random"},
+      {"SyclopRRT-random",
+       random,
+       Stop::in_goal,
+       {.max_steps = 20},
+       make_syclop_on_triangles<oc::SyclopRRT>,
        "SyclopRRT with the robot's own controls at random"},
-      {"SyclopEST-random", random, 0, Stop::in_goal, 20, make_syclop_on_triangles<oc::SyclopEST>,
+      {"SyclopEST-random",
+       random,
+       Stop::in_goal,
+       {.max_steps = 20},
+       make_syclop_on_triangles<oc::SyclopEST>,
        "SyclopEST with the robot's own controls at random"}};
   return planners;
 }
@@ -100,6 +152,19 @@ const PeerPlanner& peer_planner(const std::string& name) {
     known += (known.empty() ? "" : ", ") + std::string(planner.name);
   }
   throw host::InputError("no peer '" + name + "' (there is: " + known + ")");
+}
+
+PeerTuning tuned(const PeerPlanner& planner, const std::map<std::string, double>& settings) {
+  PeerTuning tuning = planner.tuning;
+  for (const auto& [name, value] : settings) {
+    const Setting& setting = setting_of(name);
+    if (!(value >= setting.least && value <= setting.most)) {
+      throw host::InputError("set " + name + ": must be from " + std::to_string(setting.least) + " to " +
+                             std::to_string(setting.most));
+    }
+    tuning.*setting.member = value;
+  }
+  return tuning;
 }
 
 }  // namespace krait::bench

@@ -6,6 +6,7 @@
 #include <ompl/control/SpaceInformation.h>
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,9 +17,8 @@ namespace krait::bench {
 struct PeerPlanner {
   const char* name;
   ControlKind controls;
-  double heading_weight;   // PeerSpace's, metres a radian
-  Stop stop;               // PeerMotion's
-  unsigned int max_steps;  // a control is held for 1 to that many steps
+  Stop stop;  // PeerMotion's
+  PeerTuning tuning;
   std::function<ompl::base::PlannerPtr(const ompl::control::SpaceInformationPtr& space, const PeerProblem& problem)>
       make;
   const char* description;  // a line for the page of results
@@ -28,5 +28,8 @@ const std::vector<PeerPlanner>& peer_planners();
 
 // Throws host::InputError if there is none of that name.
 const PeerPlanner& peer_planner(const std::string& name);
+
+// The planner's tuning, changed by names. Throws host::InputError that lists the names, or has the range.
+PeerTuning tuned(const PeerPlanner& planner, const std::map<std::string, double>& settings);
 
 }  // namespace krait::bench

@@ -4,6 +4,7 @@
 
 #include <ompl/base/State.h>
 
+#include "host/rivals/rival.hpp"
 #include "krait/krait.hpp"
 
 namespace krait::bench {
@@ -21,6 +22,20 @@ enum class Stop {
   at_target  // and in the goal
 };
 
+// What a planner of OMPL's can be tuned by; not every planner has all of them.
+struct PeerTuning {
+  double goal_bias = 0.05;                  // OMPL's own default: the share of targets that are the goal
+  double max_steps = 40;                    // a control is held for 1 to that many steps
+  double slowest = rivals::kRivalsSlowest;  // speeds are uniform from this share of the top speed to all of it
+  double gentle_share = 0;                  // of the controls that turn gently, as a share of krait's own do
+  double heading_weight = 0;                // metres that a radian counts in PeerSpace's distance
+  double range = 20;                        // m, EST samples so near
+  double selection_radius = 1;              // m, SST's
+  double pruning_radius = 0.3;              // m, SST's
+  double cells_a_side = 32;                 // of a grid, Syclop's
+  double cell_lengths = 1;  // side of a cell of the projection, in lengths of the robot: KPIECE1's, EST's
+};
+
 // Everything outlives the planners that use it. Coordinates are the scene's own.
 struct PeerProblem {
   const Snake& robot;
@@ -29,13 +44,12 @@ struct PeerProblem {
   float goal_depth;  // metres inside the goal where a plan may end
   Parameters parameters;
   ControlKind controls;
+  PeerTuning tuning;
 };
 
 inline bool in_goal(const PeerProblem& problem, Vec2 at) {
   return problem.goal.contains(problem.scene, at, problem.goal_depth);
 }
-
-inline constexpr double kGoalBias = 0.05;  // OMPL's own default
 
 inline Box goal_box(const PeerProblem& problem) {
   const Vec2 reach{problem.goal.radius(), problem.goal.radius()};

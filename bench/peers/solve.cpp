@@ -26,10 +26,10 @@ using Clock = std::chrono::steady_clock;
 double since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
 PeerProblem problem_of(const PeerPlanner& planner, const Snake& robot, const Scene& scene,
-                       const host::ResolvedQuery& query, const Parameters& parameters) {
+                       const host::ResolvedQuery& query, const Parameters& parameters, const PeerTuning& tuning) {
   const float tenth = 0.1F * query.goal.size(scene);
   const float depth = parameters.goal_margin < tenth ? parameters.goal_margin : tenth;
-  return {robot, scene, query.goal, depth, parameters, planner.controls};
+  return {robot, scene, query.goal, depth, parameters, planner.controls, tuning};
 }
 
 // An objective that the first plan satisfies: SST would go on improving it.
@@ -44,12 +44,12 @@ class PeerSearch {
  public:
   PeerSearch(const PeerPlanner& planner, const PeerProblem& problem, const std::vector<float>& start)
       : problem_(problem), motion_(problem, planner.stop) {
-    const auto states = std::make_shared<PeerSpace>(problem, planner.heading_weight);
+    const auto states = std::make_shared<PeerSpace>(problem);
     space_ = std::make_shared<oc::SpaceInformation>(states, control_space(states, problem));
     space_->setStatePropagator(std::make_shared<PeerPropagator>(space_, motion_));
     space_->setStateValidityChecker(std::make_shared<PeerValidity>(space_, motion_));
     space_->setPropagationStepSize(static_cast<double>(problem.parameters.dt));
-    space_->setMinMaxControlDuration(1, planner.max_steps);
+    space_->setMinMaxControlDuration(1, static_cast<unsigned int>(problem.tuning.max_steps));
     if (planner.controls == ControlKind::pid) {
       space_->setDirectedControlSamplerAllocator(
           [&problem](const oc::SpaceInformation* space) { return steering_sampler(space, problem); });
@@ -128,14 +128,14 @@ Snake snake_of(const host::SearchRequest& request) {
 
 }  // namespace
 
-host::SearchResult solve(const PeerPlanner& planner, const std::string& scene_path, const host::SceneBytes& bytes,
-                         const host::SearchRequest& request) {
+host::SearchResult solve(const PeerPlanner& planner, const PeerTuning& tuning, const std::string& scene_path,
+                         const host::SceneBytes& bytes, const host::SearchRequest& request) {
   ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(request.seed));
   const Clock::time_point begin = Clock::now();
   const Scene scene = host::open_scene(scene_path, bytes);
   const Snake robot = snake_of(request);
   const host::ResolvedQuery query = host::resolve(scene, robot, request);
-  const PeerProblem problem = problem_of(planner, robot, scene, query, request.parameters);
+  const PeerProblem problem = problem_of(planner, robot, scene, query, request.parameters, tuning);
   PeerSearch search(planner, problem, query.start);
   if (!search.start_is_free()) throw host::InputError("start_in_collision: the robot cannot stand at the start");
   const bool solved = search.run(request.time_limit.value_or(std::numeric_limits<double>::infinity()));

@@ -54,7 +54,7 @@ class PositionProjection : public ob::ProjectionEvaluator {
 
   unsigned int getDimension() const override { return 2; }
   void defaultCellSizes() override {
-    cellSizes_.assign(2, static_cast<double>(detail::robot_length(problem_.robot)));
+    cellSizes_.assign(2, problem_.tuning.cell_lengths * static_cast<double>(detail::robot_length(problem_.robot)));
     const Box bounds = problem_.scene.bounds();
     bounds_.resize(2);
     bounds_.low = {static_cast<double>(bounds.min.x), static_cast<double>(bounds.min.y)};
@@ -78,8 +78,7 @@ void place_straight(const PeerProblem& problem, Vec2 at, float heading, float sp
   state.origin = PeerState::kSampled;
 }
 
-PeerSpace::PeerSpace(const PeerProblem& problem, double heading_weight)
-    : problem_(problem), heading_weight_(heading_weight) {
+PeerSpace::PeerSpace(const PeerProblem& problem) : problem_(problem), heading_weight_(problem.tuning.heading_weight) {
   setName("robot");
 }
 

@@ -12,10 +12,10 @@
 
 namespace krait::bench {
 
-// Distance: metres between positions, plus `heading_weight` metres a radian between headings.
+// Distance: metres between positions, plus the tuning's `heading_weight` metres a radian between headings.
 class PeerSpace : public ompl::base::StateSpace {
  public:
-  PeerSpace(const PeerProblem& problem, double heading_weight);
+  explicit PeerSpace(const PeerProblem& problem);
 
   unsigned int getDimension() const override;
   double getMaximumExtent() const override;

@@ -163,9 +163,13 @@ class Trials(unittest.TestCase):
             self.assertIn(words, result.stderr)
 
     @unittest.skipUnless(PEERS.exists(), "built without OMPL (bench/packages)")
-    def test_peers_have_no_settings(self):
-        result = self.ask(PEERS, "RRT", [{"trial": 1, "seed": 1}], set={"alpha": 1})
-        self.assertEqual((result.returncode, len(result.stderr.splitlines())), (2, 1))
+    def test_peers_are_tuned_and_refuse_what_they_do_not_have(self):
+        trials = [{"trial": 1, "seed": 1, "set": {"gentle_share": 0.5, "slowest": 1}}]
+        self.assertTrue(self.answers(PEERS, "SyclopEST", trials)[0]["verified"])
+        for words, setting in (("no setting 'alpha'", {"alpha": 1}), ("set range: must be", {"range": 0})):
+            result = self.ask(PEERS, "EST", [{"trial": 1, "seed": 1}], set=setting)
+            self.assertEqual((result.returncode, len(result.stderr.splitlines())), (2, 1))
+            self.assertIn(words, result.stderr)
 
 
 if __name__ == "__main__":
