@@ -10,6 +10,7 @@ from dataclasses import dataclass
 TRIMMED = 12  # a twelfth of the runs is discarded at each end: the paper's 5 of 60
 RESAMPLED = 1000  # times, for an interval
 COVERED = 0.95  # of an interval
+NOTHING = 1e-9  # a bound below it says nothing
 
 
 @dataclass(frozen=True)
@@ -104,8 +105,11 @@ class Interval:
     high: float  # infinite where censored runs leave it without a bound
 
     def shown(self):
+        if self.estimate.at_least and self.estimate.value < NOTHING:
+            return "not known"
         high = "∞" if math.isinf(self.high) else rounded(self.high, 2)
-        return f"{self.estimate.shown()} [{rounded(self.low, 2)}, {high}]"
+        low = "0" if self.low < NOTHING else rounded(self.low, 2)
+        return f"{self.estimate.shown()} [{low}, {high}]"
 
     def reaches(self, least):
         """Whether it is that large; None where the interval has it between its ends."""

@@ -29,12 +29,12 @@ DIFFERENCES = """## What differs from the paper
 - **Prior and RRT** are this project's implementations of the published methods, not the authors' programs. They share our speeds, gentle turns, goal margin and collision proof, `prior` the paper's β.
 - **Figure 4** gives its numbers as bars only, so that ours stand alone there.
 - **Time limit.** The paper's is 100 s for all. A limit that follows the adaptive planner's median censors more of the rivals' runs: a "≥" is a bound, and success within 100 s may be higher.
-- **Peers** get our dynamics, collision proof, steering and triangles through OMPL's interfaces. Their parameters were chosen by short trials on these scenes; someone who knows them better may do better.
+- **Peers** get our dynamics, collision proof, steering and triangles through OMPL's interfaces. Their settings were chosen by `bash bench/run tuning` on these scenes and other seeds; someone who knows them better may do better. They end at any speed.
 """
 
 PEERS_NOTE = """
 A control of theirs is a target point (the sampled state's, or uniform over the workspace and in 5 % of the draws the goal) and a speed, to which our PID
-controller steers for at most 40 steps, SyclopRRT for 10; with `-random`, an acceleration and a steering rate held for at most 20 steps and clipped to what the
+controller steers for at most 40 steps (SyclopRRT 5, SST 80), in a fifth of the draws gently (SST never); with `-random`, an acceleration and a steering rate held for at most 20 steps and clipped to what the
 robot's limits allow. Sampled states are straight chains; the projection is the position. Each run of theirs is a new process, as it is of `fresh:adaptive`. """
 
 PARTS_NOTE = """
