@@ -5,7 +5,8 @@
 //   {"trial": 7, "seed": 7, "scene": "rooms.krait", "input": "rooms.json", "robot": "car", "planner": "adaptive",
 //    "set": {"alpha": 4}, "limit_s": 5, "start": [x, y, heading], "goal": [x, y, radius]}
 //
-// "input" is what the scene was compiled from: the verifier reads it. "robot" is as krait plan has it. "set", "start" and "goal" may be absent; coordinates are the world's, metres and radians.
+// "input" is what the scene was compiled from: the verifier reads it. "robot" is as krait plan has it. "set", "start"
+// and "goal" may be absent; coordinates are the world's, metres and radians.
 #pragma once
 
 #include <CLI/CLI.hpp>
