@@ -68,7 +68,7 @@ class Worker:
         )
 
     def run(self, trial):
-        """The program's answer; where it gives none, one whose status is "hung" or "crashed"."""
+        """The program's answer; where it prints none, one whose status is "hung" or "crashed"."""
         if not self._process:
             self._start()
         try:

@@ -33,7 +33,7 @@ void add_options(CLI::App& app, Setup& setup);
 // finds no fault. Throws host::InputError for a setup or a line that cannot be used.
 void answer_trials(const Setup& setup, const Solve& solve);
 
-// Parses, which runs the subcommand's callback, and gives the exit code: 0, 2 for bad input.
+// Parses, which runs the subcommand's callback, and returns the exit code: 0, 2 for bad input.
 int run_program(CLI::App& app, int argc, char** argv);
 
 // What the measurements depend on beside the machine: {"compiler": …, "flags": …, "build_type": …}, a line.
