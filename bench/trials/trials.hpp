@@ -34,7 +34,8 @@ using Choose = std::function<Solve(const Trial& trial)>;
 enum class Verify { yes, no };
 
 // Answers trials until standard input ends. Scenes and inputs are read once each, before any clock starts. A plan
-// counts as verified only if the verifier, given the input's own map, finds no fault. "waited_s" is how long the thread
+// counts as verified only if the verifier, given the input's own map, finds no fault; with Verify::no nobody looks,
+// which is for counting the instructions of trials whose plans were verified before. "waited_s" is how long the thread
 // stood ready without a processor: large where something else ran on its core. Throws host::InputError for a line that
 // cannot be used.
 void answer_trials(const Choose& choose, Verify verify);

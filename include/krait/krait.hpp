@@ -4,11 +4,7 @@
 #pragma once
 
 #include "krait/planner.hpp"
-#include "krait/robots/car.hpp"
-#include "krait/robots/differential_drive.hpp"
-#include "krait/robots/snake.hpp"
-#include "krait/robots/truck.hpp"
-#include "krait/robots/unicycle.hpp"
+#include "krait/robots/all.hpp"
 #include "krait/scene.hpp"
 #include "krait/status.hpp"
 #include "krait/version.h"

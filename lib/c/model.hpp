@@ -5,7 +5,6 @@
 #include <cstring>
 #include <new>
 #include <type_traits>
-#include <utility>
 
 #include "krait/krait.h"
 #include "krait/krait.hpp"
@@ -35,14 +34,13 @@ To convert(const From& from) {
   return to;
 }
 
-// A robot's parameters, by their type.
+// A robot's parameters: whichever of the union they are, they begin where it does.
 template <class Parameters>
 Parameters parameters_of(const krait_robot& robot) {
-  if constexpr (std::is_same_v<Parameters, ChainParameters>) return convert<Parameters>(robot.parameters.chain);
-  if constexpr (std::is_same_v<Parameters, UnicycleParameters>) return convert<Parameters>(robot.parameters.unicycle);
-  if constexpr (std::is_same_v<Parameters, DifferentialDriveParameters>) {
-    return convert<Parameters>(robot.parameters.diff_drive);
-  }
+  static_assert(sizeof(Parameters) <= sizeof robot.parameters && std::is_trivially_copyable_v<Parameters>);
+  Parameters parameters;
+  std::memcpy(static_cast<void*>(&parameters), &robot.parameters, sizeof parameters);
+  return parameters;
 }
 
 template <class R>
@@ -52,7 +50,7 @@ requires std::constructible_from<R, const krait_own&> R make_robot(const krait_r
 
 template <class R>
 R make_robot(const krait_robot& from) {
-  R robot(parameters_of<std::decay_t<decltype(std::declval<R>().parameters())>>(from));
+  R robot(parameters_of<typename R::Parameters>(from));
   for (int k = 0; from.bodies != nullptr && k < robot.body_count() && k < R::kMaxBodies; ++k) {
     Vec2 corners[kMaxVertices] = {};
     const krait_polygon& body = from.bodies[k];
@@ -94,5 +92,15 @@ struct Model {
 template <class R>
 inline constexpr krait_model kModel = {sizeof(R),      Model<R>::make,  Model<R>::state_size,
                                        Model<R>::rest, Model<R>::pools, Model<R>::limits_for};
+
+// The robot of the library's class R with its defaults, and as many trailers where it may have any.
+template <class R>
+krait_robot robot_of([[maybe_unused]] int trailers = 0) {
+  auto parameters = defaults_of<R>();
+  if constexpr (requires { parameters.trailers; }) parameters.trailers = trailers;
+  krait_robot robot{&kModel<R>, {}, nullptr};
+  std::memcpy(&robot.parameters, &parameters, sizeof parameters);
+  return robot;
+}
 
 }  // namespace krait::c

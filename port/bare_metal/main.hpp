@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the start-up code of every architecture calls, and what it gives.
+// What the start-up code of every architecture calls, and what it must provide.
 #pragma once
 
 #include <cstdint>

@@ -9,8 +9,8 @@
 
 namespace krait::firmware {
 
-// What model.cpp has, by the line of port/models that it is compiled for, or compiled_robot.cpp: the name of the model
-// or robot, whether it has a number of trailers to ask for, and the robot, which lasts.
+// What model.cpp has, by the line of krait/robots/all.hpp that it is compiled for, or compiled_robot.cpp: the name of
+// the model or robot, whether it has a number of trailers to ask for, and the robot, which lasts.
 extern const char* const kModel;
 extern const bool kHasTrailers;
 Robot robot_for(const Request& request);

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The robot of a program: KRAIT_MODEL is the model's name, KRAIT_ROBOT its class, KRAIT_TRAILERS whether it has any
-// (port/models).
-#include <type_traits>
-#include <utility>
-
+// (krait/robots/all.hpp).
 #include "firmware/application.hpp"
 
 namespace krait::firmware {
@@ -12,12 +9,8 @@ namespace {
 // The model's defaults, with the trailers that are asked for.
 template <class R>
 auto parameters_for([[maybe_unused]] const Request& request) {
-  std::decay_t<decltype(std::declval<R>().parameters())> parameters;
-  if constexpr (requires { R::defaults(); }) {
-    parameters = R::defaults();
-  } else if constexpr (requires { parameters.trailers; }) {
-    parameters.trailers = request.trailers;
-  }
+  auto parameters = defaults_of<R>();
+  if constexpr (requires { parameters.trailers; }) parameters.trailers = request.trailers;
   return parameters;
 }
 

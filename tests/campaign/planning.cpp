@@ -60,19 +60,11 @@ Planned plan_with(R robot, const Scene& scene, const Query& query) {
 }  // namespace
 
 Planned plan(const Scene& scene, const Query& query) {
-  const Robot& robot = query.robot;
-  switch (robot.model) {
-    case Model::snake:
-      return plan_with(Snake(robot.chain), scene, query);
-    case Model::truck:
-      return plan_with(Truck(robot.chain), scene, query);
-    case Model::car:
-      return plan_with(Car(robot.chain), scene, query);
-    case Model::unicycle:
-      return plan_with(Unicycle(robot.unicycle), scene, query);
-    case Model::diff_drive:
-      return plan_with(DifferentialDrive(robot.drive), scene, query);
-  }
+#define KRAIT_PLAN(name, Class, file, trailers) \
+  case Model::name:                             \
+    return plan_with(Class(query.robot.parameters<Class::Parameters>()), scene, query);
+  switch (query.robot.model) { KRAIT_MODELS(KRAIT_PLAN) }
+#undef KRAIT_PLAN
   throw std::logic_error("a model that nothing plans for");
 }
 

@@ -4,27 +4,39 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <type_traits>
 #include <vector>
 
-#include "krait/robots/chain.hpp"
-#include "krait/robots/differential_drive.hpp"
-#include "krait/robots/unicycle.hpp"
+#include "krait/robots/all.hpp"
 
 namespace krait::campaign {
 
-enum class Model { snake, truck, car, unicycle, diff_drive };
-inline constexpr int kModels = 5;
+#define KRAIT_NAME(name, Class, file, trailers) name,
+enum class Model { KRAIT_MODELS(KRAIT_NAME) };
+#undef KRAIT_NAME
 
-inline const char* name(Model model) {
-  static constexpr const char* kNames[kModels] = {"snake", "truck", "car", "unicycle", "diff_drive"};
-  return kNames[static_cast<int>(model)];
-}
+#define KRAIT_NAME(name, Class, file, trailers) #name,
+inline constexpr const char* kNames[] = {KRAIT_MODELS(KRAIT_NAME)};
+#undef KRAIT_NAME
+inline constexpr int kModels = std::size(kNames);
+
+inline const char* name(Model model) { return kNames[static_cast<int>(model)]; }
 
 struct Robot {
   Model model = Model::car;
   ChainParameters chain;  // of snake, truck and car
   UnicycleParameters unicycle;
   DifferentialDriveParameters drive;
+
+  // Those of one of these types.
+  template <class P>
+  const P& parameters() const {
+    if constexpr (std::is_same_v<P, ChainParameters>) return chain;
+    if constexpr (std::is_same_v<P, UnicycleParameters>) return unicycle;
+    if constexpr (std::is_same_v<P, DifferentialDriveParameters>) return drive;
+  }
+
   std::vector<std::vector<Vec2>> own_bodies;  // one a body, in place of the boxes; or empty
 
   bool is_chain() const { return model == Model::snake || model == Model::truck || model == Model::car; }

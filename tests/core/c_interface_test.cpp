@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The C interface gives what the C++ one gives: the same plans to the bit, the same refusals, every number in its
+// The C interface answers as the C++ one does: the same plans to the bit, the same refusals, every number in its
 // place.
 #include <gtest/gtest.h>
 

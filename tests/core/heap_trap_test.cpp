@@ -117,15 +117,16 @@ void expect_no_heap(const R& robot, const std::vector<float>& start) {
   EXPECT_EQ(status, Status::solved);
 }
 
-TEST_F(HeapTrap, NoRobotPlansWithTheHeap) {
-  expect_no_heap(Snake(small_chain(2)), {2, 6, 0, 0, 0, 0, 0});
-  expect_no_heap(Car(small_chain(0)), {2, 6, 0, 0, 0});
-  expect_no_heap(small_unicycle(), {2, 6, 0});
-  expect_no_heap(DifferentialDrive({}), {2, 6, 0, 0, 0});
-  expect_no_heap(Slider(0.5F, 1.5F), {2, 6});
+template <class R>
+class HeapTrapOf : public HeapTrap {};
+TYPED_TEST_SUITE(HeapTrapOf, Models, ModelNames);
+
+TYPED_TEST(HeapTrapOf, PlansWithoutTheHeap) {
+  const TypeParam robot = small_robot<TypeParam>();
+  expect_no_heap(robot, standing(robot, {2, 6}));
 }
 
-TEST_F(HeapTrap, TruckPlansWithoutTheHeap) { expect_no_heap(Truck(small_chain(1)), {2, 6, 0, 0, 0, 0}); }
+TEST_F(HeapTrap, ARobotOfYourOwnPlansWithoutTheHeap) { expect_no_heap(Slider(0.5F, 1.5F), {2, 6}); }
 
 }  // namespace
 }  // namespace krait::test

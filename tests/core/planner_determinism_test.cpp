@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The same query gives the same bits: again, in pieces, in another block, beside another planner.
+// The same query has the same answer, bit for bit: again, in pieces, in another block, beside another planner.
 #include <set>
 
 #include "planner_fixture.hpp"

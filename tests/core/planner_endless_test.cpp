@@ -15,7 +15,8 @@ std::size_t queries() {
   return asked != nullptr && std::string(asked) == "1" ? 100'000 : 2'000;
 }
 
-// Queries of every kind, bad ones among them: each gives what it gave the first time, and the memory stays as it was.
+// Queries of every kind, bad ones among them: each is answered as it was the first time, and the memory stays as it
+// was.
 TEST(PlannerEndless, AnswersTheSameForEverInTheSameMemory) {
   Bench<Unicycle> bench(two_rooms(), small_unicycle());
   bench.limits.vertices = 400;

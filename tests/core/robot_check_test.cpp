@@ -47,19 +47,12 @@ RobotRanges ranges_of(const Chain& chain) {
   return ranges;
 }
 
-RobotRanges ranges_of(const Unicycle& robot) {
+template <class R>
+requires std::derived_from<R, PlanarBody> RobotRanges ranges_of(const R& robot) {
   RobotRanges ranges;
   ranges.state = {{-10, 10}, {-10, 10}, {-3, 3}};
   ranges.headings = {2};
-  for (const Range range : control_limits(robot)) ranges.control.push_back({range.low, range.high});
-  return ranges;
-}
-
-RobotRanges ranges_of(const DifferentialDrive& robot) {
-  const float most = robot.parameters().max_wheel_speed;
-  RobotRanges ranges;
-  ranges.state = {{-10, 10}, {-10, 10}, {-3, 3}, {-most, most}, {-most, most}};
-  ranges.headings = {2};
+  for (const Range range : motion_limits(robot)) ranges.state.push_back({range.low, range.high});
   for (const Range range : control_limits(robot)) ranges.control.push_back({range.low, range.high});
   return ranges;
 }

@@ -218,15 +218,16 @@ inline double largest_speed(const DifferentialDrive& robot) {
   return wide(robot.parameters().wheel_radius) * wide(robot.parameters().max_wheel_speed);
 }
 
-using Models = ::testing::Types<Snake, Truck, Car, Unicycle, DifferentialDrive>;
+using Models = AllRobots<::testing::Types>;
 
 struct ModelNames {
   template <class R>
   static std::string GetName(int) {
-    if (std::is_same_v<R, Snake>) return "snake";
-    if (std::is_same_v<R, Truck>) return "truck";
-    if (std::is_same_v<R, Car>) return "car";
-    return std::is_same_v<R, Unicycle> ? "unicycle" : "diff_drive";
+#define KRAIT_NAME(name, Class, file, trailers) \
+  if (std::is_same_v<R, Class>) return #name;
+    KRAIT_MODELS(KRAIT_NAME)
+#undef KRAIT_NAME
+    return "";
   }
 };
 
@@ -246,18 +247,27 @@ inline std::vector<float> random_state(const Chain& r, std::mt19937& random, dou
   }
   return s;
 }
-inline std::vector<float> random_state(const Unicycle&, std::mt19937& random, double area = 10) {
-  return {uniform_float(random, -area, area), uniform_float(random, -area, area), uniform_float(random, -4, 4)};
-}
-inline std::vector<float> random_state(const DifferentialDrive& r, std::mt19937& random, double area = 10) {
-  const double most = wide(r.parameters().max_wheel_speed);
-  return {uniform_float(random, -area, area), uniform_float(random, -area, area), uniform_float(random, -4, 4),
-          uniform_float(random, -most, most), uniform_float(random, -most, most)};
-}
 
 struct Range {
   float low, high;
 };
+
+// Of what a state has behind position and heading.
+inline std::vector<Range> motion_limits(const Unicycle&) { return {}; }
+inline std::vector<Range> motion_limits(const DifferentialDrive& r) {
+  const float most = r.parameters().max_wheel_speed;
+  return {{-most, most}, {-most, most}};
+}
+
+template <class R>
+requires std::derived_from<R, PlanarBody> std::vector<float> random_state(const R& r, std::mt19937& random,
+                                                                          double area = 10) {
+  std::vector<float> s = {uniform_float(random, -area, area), uniform_float(random, -area, area),
+                          uniform_float(random, -4, 4)};
+  for (const Range range : motion_limits(r)) s.push_back(uniform_float(random, wide(range.low), wide(range.high)));
+  return s;
+}
+
 inline std::vector<Range> control_limits(const Chain& r) {
   const ChainParameters& p = r.parameters();
   return {{-p.max_acceleration, p.max_acceleration}, {-p.max_steering_rate, p.max_steering_rate}};

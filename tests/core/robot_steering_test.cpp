@@ -44,7 +44,7 @@ TEST(RobotSteering, ADifferentialDriveSlowsDownToTurn) {
   EXPECT_GT(wheels[0], 0.0F);
 }
 
-// Steered to rest for long enough; gives the state that it then stands in.
+// Steered to rest for long enough; returns the state that it then stands in.
 template <class R>
 std::vector<float> stopped(const R& robot, std::vector<float> state, Vec2 toward) {
   const int size = robot.state_size();

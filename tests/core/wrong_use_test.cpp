@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wrong use gives a status, never a wrong plan: blocks, poses, parameters at their ends, robots that break their word.
+// Wrong use is answered with a status, never a wrong plan: blocks, poses, parameters at their ends, robots that break
+// their word.
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -343,15 +344,11 @@ void expect_bad_starts(const R& robot) {
   }
 }
 
-TEST(WrongUse, NoStartWithANumberThatIsNone) {
-  ChainParameters p;
-  p.trailers = 2;
-  expect_bad_starts(Snake(p));
-  expect_bad_starts(Truck(p));
-  expect_bad_starts(Car({}));
-  expect_bad_starts(small_unicycle());
-  expect_bad_starts(DifferentialDrive({}));
-}
+template <class R>
+class WrongStart : public ::testing::Test {};
+TYPED_TEST_SUITE(WrongStart, Models, ModelNames);
+
+TYPED_TEST(WrongStart, IsRefusedWithANumberThatIsNone) { expect_bad_starts(small_robot<TypeParam>()); }
 
 TEST(WrongUse, GoalsAtTheEndsOfAllNumbersEnd) {
   for (const float radius : {1e-38F, 1e-4F, 1e4F, 3e38F}) {

@@ -11,6 +11,8 @@ namespace {
 
 using namespace krait::host;
 
+krait::fuzz::Outcomes drawings("a drawing");
+
 // Numbers from bytes: coordinates near a coarse grid, so that they meet, or anywhere.
 class Bytes {
  public:
@@ -57,7 +59,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   w.goals.push_back({"goal", {{9, 9}, {11, 9}, {11, 11}, {9, 11}}});
   try {
     krait::fuzz::require(!compile(w, options).bytes.empty(), "a scene without bytes");
+    drawings.accepted.reach();
   } catch (const InputError&) {
+    drawings.refused.reach();
   }
   return 0;
 }

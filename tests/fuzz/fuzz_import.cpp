@@ -13,6 +13,22 @@ namespace {
 
 using namespace krait::host;
 
+struct Kind {
+  const Format& format;
+  Outcomes outcomes;
+};
+Kind kinds[] = {{kSceneFile, Outcomes("scene")},    {kSvg, Outcomes("SVG")},     {kGeoJson, Outcomes("GeoJSON")},
+                {kNative, Outcomes("native")},      {kTpcap, Outcomes("TPCAP")}, {kMovingAi, Outcomes("MovingAI")},
+                {kDynobench, Outcomes("dynobench")}};
+Landmark map_server("map_server, recognised");  // and refused: no picture is there
+
+void look_at(const Source& source, Landmark Outcomes::*outcome) {
+  for (Kind& kind : kinds) {
+    if (kind.format.recognise(source)) (kind.outcomes.*outcome).reach();
+  }
+  if (kMapServer.recognise(source)) map_server.reach();
+}
+
 constexpr double kMost = 4 * kMaxCoordinate;  // what lies outside the bounds may lie beyond
 
 bool sound(const Point& p) { return std::abs(p.x) <= kMost && std::abs(p.y) <= kMost; }
@@ -48,7 +64,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const krait::host::Source source{"no/such/folder/map", std::string(reinterpret_cast<const char*>(data), size)};
   try {
     require_sound(krait::host::read_workspace(source, {}));
+    look_at(source, &Outcomes::accepted);
   } catch (const krait::host::InputError& error) {
+    look_at(source, &Outcomes::refused);
     require(std::string(error.what()).find('\n') == std::string::npos, "an error of more than one line");
   }
   return 0;

@@ -8,6 +8,8 @@
 namespace krait::fuzz {
 namespace {
 
+Outcomes scenes("a scene");
+
 void look_at_triangles(const Scene& scene) {
   for (Index t = 0; t < scene.triangle_count(); ++t) {
     const Index found = detail::locate(scene, scene.corner(t, 0), t);
@@ -58,7 +60,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Scene scene;
   const Failure failure = Scene::open(input.data(), input.size(), scene);
   require(failure.ok() || failure.status == Status::bad_scene, "another status than bad_scene");
-  if (!failure.ok()) return 0;
+  if (!failure.ok()) {
+    scenes.refused.reach();
+    return 0;
+  }
+  scenes.accepted.reach();
   look_at_triangles(scene);
   look_at_pieces(scene);
   look_at_names(scene);

@@ -7,12 +7,22 @@
 #include "host/cli/options.hpp"
 #include "host/import/import.hpp"
 
+namespace {
+
+using krait::fuzz::Outcomes;
+
+Outcomes kinds[] = {Outcomes("a memory"), Outcomes("a start"),        Outcomes("a goal"),
+                    Outcomes("a robot"),  Outcomes("a whole number"), Outcomes("a datum")};
+
+}  // namespace
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace krait::host;
   using krait::fuzz::require;
   if (size == 0) return 0;
   const std::string text(reinterpret_cast<const char*>(data) + 1, size - 1);
   SearchRequest request;
+  Outcomes& kind = kinds[data[0] % 6];
   try {
     switch (data[0] % 6) {
       case 0:
@@ -33,9 +43,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         require(std::abs(parse_datum(text).latitude) <= 90, "a datum off the earth");
         break;
       default:
-        (void)whole_number(data[0])(const_cast<std::string&>(text));
+        if (!whole_number(data[0])(const_cast<std::string&>(text)).empty()) throw InputError("no whole number");
     }
+    kind.accepted.reach();
   } catch (const InputError&) {
+    kind.refused.reach();
   }
   return 0;
 }

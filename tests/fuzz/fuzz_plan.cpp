@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any scene that opens can be planned in, and the verifier, which reads the file with code of its own, agrees with
-// every plan. The check sum's four bytes, which are repaired, choose robot, planner, seed, and how the search is cut
-// short: by little memory, which is recycled, and by restarts after every few expansions.
+// every plan. The bytes before the scene choose what is planned (plan_choice.hpp).
 #include <cstring>
+#include <limits>
+#include <numbers>
 #include <string>
 
 #include "host/import/format.hpp"
 #include "host/run/run.hpp"
 #include "host/verify/verify.hpp"
+#include "plan_choice.hpp"
 #include "scene_input.hpp"
 
 namespace krait::fuzz {
@@ -15,26 +17,61 @@ namespace {
 
 using namespace krait::host;
 
-struct Choice {
-  std::uint8_t robot, planner, seed, ways;
+constexpr std::uint32_t kRestartUnit = 4000;
+constexpr std::uint64_t kLittle = 12 * 1024;  // bytes of a block
 
-  bool paper() const { return (ways & 1U) != 0; }
-  std::uint64_t memory() const { return std::uint64_t{32 * 1024} << (ways >> 1U & 7U); }  // bytes, up to 4 MB
-  std::uint32_t restart_unit() const { return 4000U >> 4U * (ways >> 4U & 3U); }          // 4000, 250, 15 or none
-};
+Landmark restarted("restarted"), solved_restarted("solved after a restart");
+Landmark recycled("recycled"), solved_recycled("solved after recycling"), both("restarted and recycled");
+Landmark little_memory("solved in little memory");
+Landmark paper("solved with the paper's parameters"), paper_recycled("the paper's parameters, recycled");
+Landmark pose("solved for a pose"), either_way("solved for a pose either way round"), hitched("solved for hitches");
+Landmark any_speed("solved at any end speed");
+Landmark improved("improved"), improved_pose("improved for a pose");
+Landmark repaired("regions repaired");
+Landmark ends[] = {Landmark("solved"), Landmark("no_route"), Landmark("budget_used")};
+Landmark refusals[] = {Landmark("arena_too_small"), Landmark("start_in_collision"), Landmark("start_outside"),
+                       Landmark("goal_in_obstacle"), Landmark("bad_scene")};
+Landmark robots[] = {Landmark("solved for a unicycle"),   Landmark("solved for a car"),
+                     Landmark("solved for a diff_drive"), Landmark("solved for a snake:2"),
+                     Landmark("solved for a truck:1"),    Landmark("solved for a snake:6")};
+Landmark planners[] = {Landmark("solved by adaptive"), Landmark("solved by plain"), Landmark("solved by prior"),
+                       Landmark("solved by rrt")};
+static_assert(std::size(robots) == std::size(kRobots) && std::size(planners) == std::size(kPlanners));
 
-SearchRequest request_of(const Choice& choice) {
-  static const char* const kRobots[] = {"unicycle", "car", "diff_drive", "snake:2", "truck:1", "snake:6"};
-  static const char* const kPlanners[] = {"adaptive", "adaptive", "prior", "rrt"};
-  SearchRequest request;
-  request.robot = parse_robot(kRobots[choice.robot % std::size(kRobots)]);
-  request.planner = kPlanners[choice.planner % std::size(kPlanners)];
-  request.seed = choice.seed;
-  if (choice.paper()) request.parameters = Parameters::paper();
-  if (!choice.paper()) request.parameters.tuning.restart_unit = choice.restart_unit();
-  request.memory = choice.memory();
-  request.iterations = 2000;
-  return request;
+void reach_named(Landmark* first, std::size_t count, const std::string& text) {
+  for (std::size_t i = 0; i < count; ++i) {
+    if (text.find(first[i].name()) != std::string::npos) first[i].reach();
+  }
+}
+
+void look_at_plan(const PlanChoice& choice, const SearchResult& result) {
+  robots[choice.robot % std::size(kRobots)].reach();
+  planners[choice.planner % std::size(kPlanners)].reach();
+  if (result.plan.statistics["restarts"] > 0) solved_restarted.reach();
+  if (result.plan.statistics["recycled"] > 0) solved_recycled.reach();
+  if (choice.bytes() <= kLittle) little_memory.reach();
+  if (choice.paper()) paper.reach();
+  if (choice.at_any_speed()) any_speed.reach();
+  if (result.plan.statistics.value("improvements", 0) > 0) {
+    improved.reach();
+    if (choice.pose()) improved_pose.reach();
+  }
+  if (!result.asked.facing) return;
+  pose.reach();
+  if (result.asked.facing->either_way) either_way.reach();
+  if (result.asked.facing->hitches && result.plan.robot.links > 0) hitched.reach();
+}
+
+void look_at(const PlanChoice& choice, const SearchResult& result) {
+  reach_named(ends, std::size(ends), result.plan.status);
+  if (result.plan.statistics["restarts"] > 0) restarted.reach();
+  if (result.plan.statistics["recycled"] > 0) {
+    recycled.reach();
+    if (result.plan.statistics["restarts"] > 0) both.reach();
+    if (choice.paper()) paper_recycled.reach();
+  }
+  if (result.plan.statistics["regions_repaired"] > 0) repaired.reach();
+  if (result.plan.status == "solved") look_at_plan(choice, result);
 }
 
 Workspace workspace_of(SceneInput& input) {
@@ -42,9 +79,40 @@ Workspace workspace_of(SceneInput& input) {
   return kSceneFile.read(source, {});
 }
 
-void plan(SceneInput& input, const Choice& choice) {
-  const SearchResult result = run_search("scene", SceneBytes::copy(input.data(), input.size()), request_of(choice), {});
+// In the middle of the first goal.
+void ask_for_pose(const PlanChoice& choice, const Workspace& workspace, SearchRequest& request) {
+  if (workspace.goals.empty()) return;
+  const Ring& corners = workspace.goals.front().polygon;
+  GoalDisc disc{{}, 0.3};
+  for (const Point& corner : corners) {
+    disc.center.x += corner.x / static_cast<double>(corners.size());
+    disc.center.y += corner.y / static_cast<double>(corners.size());
+  }
+  request.goal = disc;
+  request.facing = GoalFacing{(choice.goal >> 3U) * std::numbers::pi / 16, 0.2, (choice.goal & 2U) != 0};
+  if ((choice.goal & 4U) != 0) request.facing->hitches = 0.4;
+}
+
+SearchRequest request_of(const PlanChoice& choice, SceneInput& input) {
+  SearchRequest request;
+  request.robot = parse_robot(kRobots[choice.robot % std::size(kRobots)]);
+  request.planner = kPlanners[choice.planner % std::size(kPlanners)];
+  request.seed = choice.seed;
+  if (choice.paper()) request.parameters = Parameters::paper();
+  if (!choice.paper()) request.parameters.tuning.restart_unit = kRestartUnit >> choice.restarts % 13U;
+  if (choice.at_any_speed()) request.parameters.end_speed = std::numeric_limits<float>::infinity();
+  if (choice.pose()) ask_for_pose(choice, workspace_of(input), request);
+  request.memory = choice.bytes();
+  request.iterations = 2000;
+  request.improve = choice.improvement / 64.0;
+  return request;
+}
+
+void plan(SceneInput& input, const PlanChoice& choice) {
+  const SearchRequest request = request_of(choice, input);
+  const SearchResult result = run_search("scene", SceneBytes::copy(input.data(), input.size()), request, {});
   require(result.plan.status != "internal", "a plan was not replayed");
+  look_at(choice, result);
   if (result.plan.status != "solved" || choice.paper()) return;  // the paper's plans are free at their states only
   const Verdict verdict = verify(workspace_of(input), result.plan, result.asked);
   for (const std::string& complaint : verdict.complaints) std::fprintf(stderr, "fuzz: %s\n", complaint.c_str());
@@ -56,27 +124,32 @@ void plan(SceneInput& input, const Choice& choice) {
 
 namespace {
 
-constexpr std::size_t kSum = offsetof(krait::format::Header, crc32);
+using Choice = krait::fuzz::PlanChoice;
 
 }  // namespace
 
-// Most changed scenes do not open: three in four times only what is chosen changes.
+// Most changed scenes do not open: three in four times only one byte of what is chosen changes.
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed) {
   const unsigned rest = seed / 4;
-  if (seed % 4 == 0 || size < sizeof(krait::format::Header)) return krait::fuzz::change_scene(data, size, most, rest);
-  std::memcpy(data + kSum, &rest, sizeof rest);
+  if (size < sizeof(Choice)) return krait::fuzz::change_scene(data, size, most, rest);
+  if (seed % 4 == 0) {
+    return sizeof(Choice) +
+           krait::fuzz::change_scene(data + sizeof(Choice), size - sizeof(Choice), most - sizeof(Choice), rest);
+  }
+  data[rest % sizeof(Choice)] = static_cast<std::uint8_t>(rest / sizeof(Choice));
   return size;
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace krait::fuzz;
-  Choice choice{};
-  if (size < sizeof(krait::format::Header)) return 0;
-  std::memcpy(&choice, data + kSum, sizeof choice);
-  SceneInput input(data, size);
+  if (size < sizeof(Choice)) return 0;
+  Choice choice;
+  std::memcpy(&choice, data, sizeof choice);
+  SceneInput input(data + sizeof choice, size - sizeof choice);
   try {
     plan(input, choice);
-  } catch (const krait::host::InputError&) {
+  } catch (const krait::host::InputError& error) {
+    reach_named(refusals, std::size(refusals), error.what());
   }
   return 0;
 }

@@ -10,6 +10,8 @@ namespace {
 
 using namespace krait::host;
 
+krait::fuzz::Outcomes files("a plan's file"), plans("a plan");
+
 Workspace room() {
   Workspace w;
   w.max = {10, 10};
@@ -22,13 +24,16 @@ Workspace room() {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
     const PlanFile plan = parse_plan(std::string(reinterpret_cast<const char*>(data), size), "plan");
+    files.accepted.reach();
     Asked asked;
     asked.robot = plan.robot;
     asked.start = {"start", {1, 1}, 0, {}};
     asked.goal = {{8, 8}, {9, 8}, {9, 9}};
     const Verdict verdict = verify(room(), plan, asked);
     krait::fuzz::require(verdict.holds == verdict.complaints.empty(), "a verdict without a reason");
+    (verdict.holds ? plans.accepted : plans.refused).reach();
   } catch (const InputError& error) {
+    files.refused.reach();
     krait::fuzz::require(std::string(error.what()).find('\n') == std::string::npos, "an error of more than one line");
   }
   return 0;

@@ -5,6 +5,12 @@
 #include "harness.hpp"
 #include "host/robot_file/robot_file.hpp"
 
+namespace {
+
+krait::fuzz::Outcomes robots("a robot");
+
+}  // namespace
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace krait::host;
   try {
@@ -13,7 +19,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     krait::fuzz::require(robot.bodies.size() == static_cast<std::size_t>(robot.links) + 1, "bodies and links disagree");
     const Json written = to_json(robot);
     krait::fuzz::require(to_json(read_robot(Field(written, "robot"))) == written, "a robot is read back as another");
+    robots.accepted.reach();
   } catch (const InputError& error) {
+    robots.refused.reach();
     krait::fuzz::require(std::string(error.what()).find('\n') == std::string::npos, "an error of more than one line");
   }
   return 0;

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <string>
+#include <utility>
 
 // Returns 0. Aborts on a finding.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
@@ -22,5 +24,34 @@ inline void require(bool holds, const char* what) {
   std::fprintf(stderr, "fuzz: %s\n", what);
   std::abort();
 }
+
+// A place that a harness's corpus must lead to: standalone.cpp counts how many of its files do.
+class Landmark {
+ public:
+  explicit Landmark(std::string name) : name_(std::move(name)), next_(first_) { first_ = this; }
+  Landmark(const Landmark&) = delete;
+  Landmark& operator=(const Landmark&) = delete;
+
+  void reach() { ++times_; }
+
+  const std::string& name() const { return name_; }
+  unsigned long times() const { return times_; }
+  const Landmark* next() const { return next_; }
+  static const Landmark* first() { return first_; }
+
+ private:
+  static inline const Landmark* first_ = nullptr;
+
+  std::string name_;
+  unsigned long times_ = 0;
+  const Landmark* next_;
+};
+
+// What becomes of inputs of one kind.
+struct Outcomes {
+  explicit Outcomes(const std::string& kind) : accepted(kind + ", accepted"), refused(kind + ", refused") {}
+
+  Landmark accepted, refused;
+};
 
 }  // namespace krait::fuzz

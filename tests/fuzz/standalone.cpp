@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A harness without a fuzzer: runs it on files and folders, and on changes of them.
-//   fuzz_NAME [--rounds N] [--seed S] FILE|FOLDER…     N changed copies, drawn from all files; the same for the same S
+//   fuzz_NAME [--rounds N] [--seed S] [--landmarks] FILE|FOLDER…
+// --rounds: N changed copies, drawn from all files, the same for the same S. --landmarks: prints how often the files
+// reach each of the harness's landmarks; exit code 1 where they never reach one.
 // Before each input it is written to crash-NAME in the working folder, and removed after: what is left made it fail.
 #include <unistd.h>
 
@@ -92,11 +94,23 @@ void run(const Bytes& bytes) {
   ::unlink(crash.c_str());
 }
 
+// Whether the inputs so far have reached every landmark.
+bool print_landmarks() {
+  bool all = true;
+  for (const auto* landmark = krait::fuzz::Landmark::first(); landmark != nullptr; landmark = landmark->next()) {
+    std::printf("%6lu  %s\n", landmark->times(), landmark->name().c_str());
+    all = all && landmark->times() > 0;
+  }
+  if (!all) std::fprintf(stderr, "fuzz: no file reaches the landmarks that are counted 0\n");
+  return all;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   unsigned long rounds = 0;
   unsigned long seed = 1;
+  bool landmarks = false;
   std::vector<Bytes> inputs;
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i];
@@ -104,13 +118,18 @@ int main(int argc, char** argv) {
       (argument == "--rounds" ? rounds : seed) = std::strtoul(argv[++i], nullptr, 10);
       continue;
     }
+    if (argument == "--landmarks") {
+      landmarks = true;
+      continue;
+    }
     for (const auto& file : files_in(argument)) inputs.push_back(read(file));
   }
   if (inputs.empty()) {
-    std::fprintf(stderr, "usage: %s [--rounds N] [--seed S] FILE|FOLDER...\n", argv[0]);
+    std::fprintf(stderr, "usage: %s [--rounds N] [--seed S] [--landmarks] FILE|FOLDER...\n", argv[0]);
     return 2;
   }
   for (const Bytes& bytes : inputs) run(bytes);
+  if (landmarks && !print_landmarks()) return 1;
   std::mt19937 random(static_cast<unsigned>(seed));
   for (unsigned long i = 0; i < rounds; ++i) run(changed(inputs[random() % inputs.size()], random));
   std::printf("%zu files, %lu changed ones: nothing found\n", inputs.size(), rounds);

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 
+#include "krait/robots/fields.hpp"
 #include "krait/robots/functions.hpp"
 
 namespace krait {
@@ -32,6 +33,25 @@ struct ChainParameters {
   int self_collision_gap = 2;  ///< >= 1: bodies i and j are tested against each other where |i - j| is at least this
   float max_hitch_angle =
       1.5707963F;  ///< radians, above 0, up to kMostHitch: the most of theta(i-1) - theta(i), either way
+
+  /// Calls see(field) for all of them, in their order.
+  template <class See>
+  static constexpr void describe(const See& see) {
+    using P = ChainParameters;
+    see(ParameterField<P, int>{"trailers", &P::trailers});
+    see(length_field("body_length", &P::body_length));
+    see(length_field("body_width", &P::body_width));
+    see(ParameterField<P, float>{"body_offset", &P::body_offset});
+    see(length_field("wheelbase", &P::wheelbase));
+    see(length_field("hitch_length", &P::hitch_length));
+    see(limit_field("max_speed", &P::max_speed, "metres a second"));
+    see(reverse_field("min_speed", &P::min_speed));
+    see(ParameterField<P, float>{"max_steering", &P::max_steering, "radians", 0.001F, kMostSteering});
+    see(limit_field("max_acceleration", &P::max_acceleration, "metres a second squared"));
+    see(limit_field("max_steering_rate", &P::max_steering_rate, "radians a second"));
+    see(ParameterField<P, int>{"self_collision_gap", &P::self_collision_gap, "bodies", 1, 1000});
+    see(ParameterField<P, float>{"max_hitch_angle", &P::max_hitch_angle, "radians", 0.001F, kMostHitch});
+  }
 };
 
 /// A car with steered front wheels and its trailers: what Snake, Truck and Car are. It owns its parameters and polygons
@@ -39,10 +59,12 @@ struct ChainParameters {
 /// O(trailers), except those of the car alone: steer, track, speed, stopping_way and integrate_lead, which are O(1).
 class Chain {
  public:
+  using Parameters = ChainParameters;  ///< what it is made from
   static constexpr int kCarState = 5;  ///< floats of the car's state, which moves as if it pulled nothing
-  static constexpr int kMaxState = kCarState + kMaxTrailers;  ///< floats of a state, at most
-  static constexpr int kMaxControl = 2;                       ///< floats of a control
-  static constexpr int kMaxBodies = 1 + kMaxTrailers;         ///< the car and its trailers, at most
+  static constexpr int kMaxState = kCarState + kMaxTrailers;                      ///< floats of a state, at most
+  static constexpr int kMaxControl = 2;                                           ///< floats of a control
+  static constexpr const char* kStateNames[] = {"x", "y", "theta0", "v", "psi"};  ///< of the car's components
+  static constexpr int kMaxBodies = 1 + kMaxTrailers;                             ///< the car and its trailers, at most
   static constexpr float kTurnReserve = 1.1F;  ///< of a truck: its turns over the tightest that its trailers follow
 
   /// How the trailers follow: `slip` with s = v (the paper's snake), else with the rear axle's speed s = v cos psi. A
@@ -100,6 +122,22 @@ class Chain {
   /// 1/s: the largest of speed over the shorter of wheelbase and hitch, the root of acceleration over that, and three
   /// quarters of the steering rate; as much of acceleration and steering rate as a time step of dt has room for.
   float fastest_rate(float dt) const;
+  /// What it does at most: at full speed and lock.
+  Extremes extremes() const {
+    const ChainParameters& p = parameters_;
+    const float speed = p.max_speed > -p.min_speed ? p.max_speed : -p.min_speed;
+    const float lock = p.max_steering / p.wheelbase;
+    const float pull = 1.0F / p.hitch_length;
+    const float slip = 0.5F * p.max_steering * p.max_steering;
+    return {speed * (1.0F + slip), speed * (lock > pull ? lock : pull), p.max_acceleration};
+  }
+  /// Writes the car's part of a state, and a control, of top speed and full lock to the left.
+  void turn_fastest(float* state, float* control) const {
+    state[3] = parameters_.max_speed;
+    state[4] = parameters_.max_steering;
+    control[0] = 0.0F;
+    control[1] = 0.0F;
+  }
 
   /// Eqn 1 with the hitch angle's sine as in LaValle, Planning Algorithms, 13.1.2.3: the trailers move with speed v if
   /// they slip, else with v cos psi.

@@ -3,6 +3,7 @@
 /// Differential drive: state (x, y, theta, left and right wheel speed), control their accelerations.
 #pragma once
 
+#include "krait/robots/fields.hpp"
 #include "krait/robots/planar.hpp"
 
 namespace krait {
@@ -15,14 +16,28 @@ struct DifferentialDriveParameters {
   float track_width = 0.36F;             ///< metres, > 0, between the wheels
   float max_wheel_speed = 12.0F;         ///< rad/s, > 0, both ways
   float max_wheel_acceleration = 24.0F;  ///< rad/s^2, > 0
+
+  /// Calls see(field) for all of them, in their order.
+  template <class See>
+  static constexpr void describe(const See& see) {
+    using P = DifferentialDriveParameters;
+    see(length_field("body_length", &P::body_length));
+    see(length_field("body_width", &P::body_width));
+    see(length_field("wheel_radius", &P::wheel_radius));
+    see(length_field("track_width", &P::track_width));
+    see(limit_field("max_wheel_speed", &P::max_wheel_speed, "radians a second"));
+    see(limit_field("max_wheel_acceleration", &P::max_wheel_acceleration, "radians a second squared"));
+  }
 };
 
 /// Two driven wheels on an axle, each with an acceleration of its own. It owns its parameters; its members are those
 /// that RobotModel says, and take O(1).
 class DifferentialDrive : public PlanarBody {
  public:
-  static constexpr int kMaxState = 5;    ///< floats of a state
-  static constexpr int kMaxControl = 2;  ///< floats of a control
+  using Parameters = DifferentialDriveParameters;                                     ///< what it is made from
+  static constexpr int kMaxState = 5;                                                 ///< floats of a state
+  static constexpr int kMaxControl = 2;                                               ///< floats of a control
+  static constexpr const char* kStateNames[] = {"x", "y", "theta", "left", "right"};  ///< of a state's components
 
   /// Copies the parameters; sound() says whether they can be used.
   explicit DifferentialDrive(const DifferentialDriveParameters& parameters)
@@ -76,6 +91,18 @@ class DifferentialDrive : public PlanarBody {
   /// 1/s: half the largest turn rate, or the root of half the largest angular acceleration, as much of it as a time
   /// step of dt has room for.
   float fastest_rate(float dt) const;
+  /// What it does at most.
+  Extremes extremes() const {
+    return {top_speed(), 2.0F * top_speed() / parameters_.track_width,
+            parameters_.wheel_radius * parameters_.max_wheel_acceleration};
+  }
+  /// Writes the wheels' speeds and the control of the sharpest turn to the left at top speed: one wheel stands still.
+  void turn_fastest(float* state, float* control) const {
+    state[3] = 0.0F;
+    state[4] = parameters_.max_wheel_speed;
+    control[0] = 0.0F;
+    control[1] = 0.0F;
+  }
 
  private:
   void approach(StateView s, const float* wanted, float dt, ControlRef u) const;

@@ -3,6 +3,7 @@
 /// First-order unicycle: state (x, y, theta), control (speed, turn rate).
 #pragma once
 
+#include "krait/robots/fields.hpp"
 #include "krait/robots/planar.hpp"
 
 namespace krait {
@@ -14,14 +15,27 @@ struct UnicycleParameters {
   float max_speed = 1.0F;      ///< m/s, > 0
   float min_speed = -1.0F;     ///< m/s, <= 0; below 0 it may reverse
   float max_turn_rate = 2.0F;  ///< rad/s, > 0, either way
+
+  /// Calls see(field) for all of them, in their order.
+  template <class See>
+  static constexpr void describe(const See& see) {
+    using P = UnicycleParameters;
+    see(length_field("body_length", &P::body_length));
+    see(length_field("body_width", &P::body_width));
+    see(limit_field("max_speed", &P::max_speed, "metres a second"));
+    see(reverse_field("min_speed", &P::min_speed));
+    see(limit_field("max_turn_rate", &P::max_turn_rate, "radians a second"));
+  }
 };
 
 /// A unicycle, whose speed and turn rate change at once. It owns its parameters; its members are those that RobotModel
 /// says, and take O(1).
 class Unicycle : public PlanarBody {
  public:
-  static constexpr int kMaxState = 3;    ///< floats of a state
-  static constexpr int kMaxControl = 2;  ///< floats of a control
+  using Parameters = UnicycleParameters;                             ///< what it is made from
+  static constexpr int kMaxState = 3;                                ///< floats of a state
+  static constexpr int kMaxControl = 2;                              ///< floats of a control
+  static constexpr const char* kStateNames[] = {"x", "y", "theta"};  ///< of a state's components
 
   /// Copies the parameters; sound() says whether they can be used.
   explicit Unicycle(const UnicycleParameters& parameters)
@@ -60,6 +74,16 @@ class Unicycle : public PlanarBody {
   bool travel(StateView s, ControlView u, float dt, StateView next, Travel* travel) const;
   /// 1/s: half the largest turn rate; the position alone has an error, of four orders above that of a chain.
   float fastest_rate(float) const { return 0.5F * parameters_.max_turn_rate; }
+  /// What it does at most.
+  Extremes extremes() const {
+    const UnicycleParameters& p = parameters_;
+    return {p.max_speed > -p.min_speed ? p.max_speed : -p.min_speed, p.max_turn_rate, 0.0F};
+  }
+  /// Writes the control of top speed and the sharpest turn to the left; the state has none of it.
+  void turn_fastest(float*, float* control) const {
+    control[0] = parameters_.max_speed;
+    control[1] = parameters_.max_turn_rate;
+  }
 
  private:
   UnicycleParameters parameters_;

@@ -10,7 +10,7 @@
 namespace krait::host::compiler {
 
 // The boundary between occupied cells and the rest, occupied on the left, one edge for every straight run.
-// place(column, row) gives the grid point of a cell's corner.
+// place(column, row) returns the grid point of a cell's corner.
 Edges outline(const CellMap& map, const std::function<GridPoint(int column, int row)>& place);
 
 }  // namespace krait::host::compiler

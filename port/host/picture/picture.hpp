@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Draws a scene, the search and the plan: SVG, PNG and a page that replays them.
-// The same picture gives the same bytes on one machine (fonts are the machine's own).
+// The same picture has the same bytes on one machine (fonts are the machine's own).
 #pragma once
 
 #include <cstdint>

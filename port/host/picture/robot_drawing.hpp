@@ -24,7 +24,7 @@ struct RobotPicture {
   std::vector<std::string> lines;  // of text, below the title
 };
 
-// Each throws InputError where Cairo fails. The same picture gives the same bytes on one machine.
+// Each throws InputError where Cairo fails. The same picture has the same bytes on one machine.
 std::string draw_robot_svg(const RobotPicture& picture);
 std::string draw_robot_png(const RobotPicture& picture);  // the bytes of the file
 

@@ -36,7 +36,7 @@ void expect(cairo_status_t status) {
     throw InputError(std::string("picture: Cairo: ") + cairo_status_to_string(status));
 }
 
-// Cairo numbers its groups by a counter of the process and gives a drawing no name for screen readers.
+// Cairo numbers its groups by a counter of the process and writes no name for screen readers into a drawing.
 std::string with_name(const std::string& svg, const std::string& name) {
   pugi::xml_document document;
   document.load_buffer(svg.data(), svg.size());

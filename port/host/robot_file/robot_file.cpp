@@ -5,14 +5,14 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
+#include <type_traits>
 
 #include "host/input/file.hpp"
 #include "host/robot_file/shipped.hpp"
 #include "host/workspace/printed.hpp"
 #include "host/workspace/ring.hpp"
-#include "krait/robots/car.hpp"
-#include "krait/robots/differential_drive.hpp"
-#include "krait/robots/unicycle.hpp"
+#include "krait/robots/all.hpp"
 
 namespace krait::host {
 namespace {
@@ -40,50 +40,45 @@ struct Model {
   bool centred = false;             // whether the box of body 0 is centred on the wheelbase, not on the axle
 };
 
-Parameter length(const char* name, float normal) { return {name, decimal(normal), 0.001, kMaxLength, "metres"}; }
-Parameter limit(const char* name, float normal, const char* unit) { return {name, decimal(normal), 0.001, 1e4, unit}; }
-
-constexpr const char* kSpeed = "metres a second";
-
-// Snake, truck and car: the front axle steers, the control is the acceleration and the steering rate.
-std::vector<Parameter> steered(const ChainParameters& normal) {
-  return {length("body_length", normal.body_length),
-          length("body_width", normal.body_width),
-          length("wheelbase", normal.wheelbase),
-          length("hitch_length", normal.hitch_length),
-          limit("max_speed", normal.max_speed, kSpeed),
-          {"min_speed", decimal(normal.min_speed), -1e4, 0, kSpeed},
-          {"max_steering", decimal(normal.max_steering), 0.001, decimal(ChainParameters::kMostSteering), "radians"},
-          limit("max_acceleration", normal.max_acceleration, "metres a second squared"),
-          limit("max_steering_rate", normal.max_steering_rate, "radians a second"),
-          {"self_collision_gap", double(normal.self_collision_gap), 1, 1000, "bodies", true},
-          {"max_hitch_angle", decimal(normal.max_hitch_angle), 0.001, decimal(ChainParameters::kMostHitch), "radians"}};
+// Of ROBOT.json: what it does not say has no unit.
+template <class P>
+std::vector<Parameter> parameters_of(const P& defaults) {
+  std::vector<Parameter> all;
+  P::describe([&]<class Number>(const ParameterField<P, Number>& field) {
+    if (*field.unit == '\0') return;
+    all.push_back({field.name, decimal(static_cast<float>(defaults.*field.member)), decimal(field.least),
+                   decimal(field.most), field.unit, std::is_same_v<Number, int>});
+  });
+  return all;
 }
 
-std::vector<Parameter> turning(const UnicycleParameters& normal) {
-  return {length("body_length", normal.body_length),
-          length("body_width", normal.body_width),
-          limit("max_speed", normal.max_speed, kSpeed),
-          {"min_speed", decimal(normal.min_speed), -1e4, 0, kSpeed},
-          limit("max_turn_rate", normal.max_turn_rate, "radians a second")};
+template <class R>
+int most_trailers() {
+  auto parameters = defaults_of<R>();
+  if constexpr (requires { parameters.trailers; }) parameters.trailers = kMaxLinks;
+  return R(parameters).body_count() - 1;
 }
 
-std::vector<Parameter> wheeled(const DifferentialDriveParameters& normal) {
-  return {length("body_length", normal.body_length),
-          length("body_width", normal.body_width),
-          length("wheel_radius", normal.wheel_radius),
-          length("track_width", normal.track_width),
-          limit("max_wheel_speed", normal.max_wheel_speed, "radians a second"),
-          limit("max_wheel_acceleration", normal.max_wheel_acceleration, "radians a second squared")};
+template <class R>
+bool is_centred() {
+  const R robot(defaults_of<R>());
+  if constexpr (requires { robot.parameters().body_offset; }) return robot.parameters().body_offset > 0.0F;
+  return false;
+}
+
+template <class R>
+Model model_of(const char* name) {
+  return {name,
+          most_trailers<R>(),
+          parameters_of(defaults_of<R>()),
+          {std::begin(R::kStateNames), std::end(R::kStateNames)},
+          is_centred<R>()};
 }
 
 const std::vector<Model>& models() {
-  static const std::vector<std::string> car = {"x", "y", "theta0", "v", "psi"};
-  static const std::vector<Model> all = {{"snake", kMaxLinks, steered({}), car},
-                                         {"truck", kMaxLinks, steered({}), car},
-                                         {"car", 0, steered(Car::defaults()), car, true},
-                                         {"unicycle", 0, turning({}), {"x", "y", "theta"}},
-                                         {"diff_drive", 0, wheeled({}), {"x", "y", "theta", "left", "right"}}};
+#define KRAIT_ROW(name, Class, file, trailers) model_of<Class>(#name),
+  static const std::vector<Model> all = {KRAIT_MODELS(KRAIT_ROW)};
+#undef KRAIT_ROW
   return all;
 }
 

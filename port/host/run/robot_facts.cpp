@@ -112,37 +112,25 @@ void turn_facts(const RobotSpec& robot, RobotFacts& facts) {
   turn.swept_width = turn.outer - turn.inner;
 }
 
-void stop_facts(const RobotSpec& robot, RobotFacts& facts) {
-  const TopSpeed top = top_speed_of(robot);
-  facts.top_speed = top.speed;
-  facts.stops_at_once = top.acceleration == 0;
+void stop_facts(const CoreRobot& core, RobotFacts& facts) {
+  const double braking = decimal(core.extremes().braking);
+  facts.top_speed = decimal(core.visit([](const auto& robot) { return robot.top_speed(); }));
+  facts.stops_at_once = braking == 0;
   if (facts.stops_at_once) return;
-  facts.stopping_time = facts.top_speed / top.acceleration;
+  facts.stopping_time = facts.top_speed / braking;
   facts.stopping_distance = 0.5 * facts.top_speed * facts.stopping_time;
-}
-
-// At top speed and full lock to the left, trailers straight; one wheel of two stands still.
-void begin_turn(const RobotSpec& robot, State& state, Control& control) {
-  if (has_steering(robot)) {
-    state[3] = parameter(robot, "max_speed");
-    state[4] = parameter(robot, "max_steering");
-  } else if (robot.model == "unicycle") {
-    control = {parameter(robot, "max_speed"), parameter(robot, "max_turn_rate")};
-  } else {
-    state[4] = parameter(robot, "max_wheel_speed");
-  }
 }
 
 // Metres, of the body that is off most after a second: the core's steps of dt, as a plan is driven, against the
 // verifier's of a hundredth, in double precision.
-double error_of_steps(const RobotSpec& robot, const Robot& core, double dt, int parts) {
+double error_of_steps(const RobotSpec& robot, const CoreRobot& any, double dt, int parts) {
   const Dynamics dynamics(robot);
-  State exact = dynamics.at_rest({0, 0}, 0, {});
-  Control control = {0, 0};
-  begin_turn(robot, exact, control);
+  const Robot core = any.view();
   float states[2][kMaxState] = {};
-  for (std::size_t i = 0; i < exact.size(); ++i) states[0][i] = static_cast<float>(exact[i]);
-  const float held[2] = {static_cast<float>(control[0]), static_cast<float>(control[1])};
+  float held[kMaxControl] = {};
+  any.visit([&](const auto& model) { model.turn_fastest(states[0], held); });
+  State exact(states[0], states[0] + core.state_size());
+  const Control control(held, held + core.control_size());
   const int steps = std::max(1, static_cast<int>(std::lround(1 / dt)));
   for (int i = 0; i < steps; ++i) {
     krait::Pose poses[kMaxBodies];
@@ -213,10 +201,10 @@ RobotFacts facts_of(const std::string& name, const RobotSpec& robot, const Param
   facts.longest_time_step = static_cast<double>(
       detail::can_integrate(view, parameters.dt) ? parameters.dt : detail::longest_time_step(view, parameters.dt));
   if (!(facts.longest_time_step < decimal(parameters.dt))) {
-    facts.step_error = error_of_steps(robot, view, decimal(parameters.dt), facts.plan_parts);
+    facts.step_error = error_of_steps(robot, core, decimal(parameters.dt), facts.plan_parts);
   }
   turn_facts(robot, facts);
-  stop_facts(robot, facts);
+  stop_facts(core, facts);
   return facts;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <iterator>
 #include <vector>
 
 #include "host/run/robots.hpp"
@@ -12,18 +13,18 @@
 namespace krait::host {
 namespace {
 
-// What a robot's class is called, and where it stands.
+// What a model is in C++.
 struct Class {
+  const char* model;
   const char* name;
   const char* header;  // of include/krait/robots
-  const char* parameters;
 };
-Class class_of(const Snake&) { return {"Snake", "snake", "ChainParameters"}; }
-Class class_of(const Truck&) { return {"Truck", "truck", "ChainParameters"}; }
-Class class_of(const Car&) { return {"Car", "car", "ChainParameters"}; }
-Class class_of(const Unicycle&) { return {"Unicycle", "unicycle", "UnicycleParameters"}; }
-Class class_of(const DifferentialDrive&) {
-  return {"DifferentialDrive", "differential_drive", "DifferentialDriveParameters"};
+#define KRAIT_CLASS(name, Class, file, trailers) {#name, #Class, #file},
+constexpr Class kClasses[] = {KRAIT_MODELS(KRAIT_CLASS)};
+#undef KRAIT_CLASS
+
+const Class& class_of(const std::string& model) {
+  return *std::find_if(std::begin(kClasses), std::end(kClasses), [&](const Class& c) { return model == c.model; });
 }
 
 // The shortest that a compiler reads as this very number.
@@ -35,33 +36,21 @@ std::string literal(float value) {
 }
 std::string literal(int value) { return std::to_string(value); }
 
-template <class Number>
-std::string field(const char* name, Number value) {
-  return std::string("    .") + name + " = " + literal(value) + ",\n";
+template <class P>
+constexpr std::size_t described_bytes() {
+  std::size_t bytes = 0;
+  P::describe([&]<class Number>(const ParameterField<P, Number>&) { bytes += sizeof(Number); });
+  return bytes;
 }
 
-// The bindings name every field, so that none can be added and forgotten here.
-std::string fields(const ChainParameters& parameters) {
-  const auto [trailers, body_length, body_width, body_offset, wheelbase, hitch_length, max_speed, min_speed,
-              max_steering, max_acceleration, max_steering_rate, self_collision_gap, max_hitch_angle] = parameters;
-  return field("trailers", trailers) + field("body_length", body_length) + field("body_width", body_width) +
-         field("body_offset", body_offset) + field("wheelbase", wheelbase) + field("hitch_length", hitch_length) +
-         field("max_speed", max_speed) + field("min_speed", min_speed) + field("max_steering", max_steering) +
-         field("max_acceleration", max_acceleration) + field("max_steering_rate", max_steering_rate) +
-         field("self_collision_gap", self_collision_gap) + field("max_hitch_angle", max_hitch_angle);
-}
-
-std::string fields(const UnicycleParameters& parameters) {
-  const auto [body_length, body_width, max_speed, min_speed, max_turn_rate] = parameters;
-  return field("body_length", body_length) + field("body_width", body_width) + field("max_speed", max_speed) +
-         field("min_speed", min_speed) + field("max_turn_rate", max_turn_rate);
-}
-
-std::string fields(const DifferentialDriveParameters& parameters) {
-  const auto [body_length, body_width, wheel_radius, track_width, max_wheel_speed, max_wheel_acceleration] = parameters;
-  return field("body_length", body_length) + field("body_width", body_width) + field("wheel_radius", wheel_radius) +
-         field("track_width", track_width) + field("max_wheel_speed", max_wheel_speed) +
-         field("max_wheel_acceleration", max_wheel_acceleration);
+template <class P>
+std::string fields(const P& parameters) {
+  static_assert(described_bytes<P>() == sizeof(P), "describe has left a field out");
+  std::string text;
+  P::describe([&]<class Number>(const ParameterField<P, Number>& field) {
+    text += std::string("    .") + field.name + " = " + literal(parameters.*field.member) + ",\n";
+  });
+  return text;
 }
 
 std::string body_name(int k) { return "kBody" + std::to_string(k); }
@@ -126,14 +115,14 @@ std::string remarks(const RobotSpec& spec, const std::string& name) {
 
 std::string robot_source(const RobotSpec& spec, const std::string& name, const std::string& path) {
   const CoreRobot core(spec);
-  const Class known = core.visit([](const auto& robot) { return class_of(robot); });
+  const Class& known = class_of(spec.model);
   const std::string space = identifier("robot_" + stem(path));
   std::string text = remarks(spec, name) + "#pragma once\n\n";
   text += std::string("#include \"krait/robots/") + known.header + ".hpp\"\n\n";
   text += "namespace " + space + " {\n\n";
   text += std::string("using Robot = krait::") + known.name + ";\n\n";
   text += "inline constexpr char kName[] = \"" + word(is_robot_file(name) ? stem(name) : name) + "\";\n\n";
-  text += std::string("inline constexpr krait::") + known.parameters + " kParameters{\n" +
+  text += "inline constexpr Robot::Parameters kParameters{\n" +
           core.visit([](const auto& robot) { return fields(robot.parameters()); }) + "};\n\n";
   text += "// Metres, in the frame of each body's axle, x ahead.\n" + bodies(core.view()) + "\n";
   text +=

@@ -2,7 +2,6 @@
 #include "host/run/robots.hpp"
 
 #include <algorithm>
-#include <iterator>
 
 #include "motion/rk4.hpp"
 #include "robot/shape.hpp"
@@ -10,70 +9,20 @@
 namespace krait::host {
 namespace {
 
-double value(const RobotSpec& spec, const char* name) { return spec.parameters.at(name); }
-float number(const RobotSpec& spec, const char* name) { return static_cast<float>(value(spec, name)); }
-
-ChainParameters chain_parameters(const RobotSpec& spec) {
-  ChainParameters p;
-  p.trailers = spec.links;
-  p.body_length = number(spec, "body_length");
-  p.body_width = number(spec, "body_width");
-  p.wheelbase = number(spec, "wheelbase");
-  p.hitch_length = number(spec, "hitch_length");
-  p.max_speed = number(spec, "max_speed");
-  p.min_speed = number(spec, "min_speed");
-  p.max_steering = number(spec, "max_steering");
-  p.max_acceleration = number(spec, "max_acceleration");
-  p.max_steering_rate = number(spec, "max_steering_rate");
-  p.self_collision_gap = static_cast<int>(value(spec, "self_collision_gap"));
-  p.max_hitch_angle = number(spec, "max_hitch_angle");
-  return p;
-}
-
-UnicycleParameters unicycle_parameters(const RobotSpec& spec) {
-  return {number(spec, "body_length"), number(spec, "body_width"), number(spec, "max_speed"), number(spec, "min_speed"),
-          number(spec, "max_turn_rate")};
-}
-
-DifferentialDriveParameters differential_drive_parameters(const RobotSpec& spec) {
-  return {number(spec, "body_length"), number(spec, "body_width"),      number(spec, "wheel_radius"),
-          number(spec, "track_width"), number(spec, "max_wheel_speed"), number(spec, "max_wheel_acceleration")};
-}
-
-float farthest_of(Polygon body) { return detail::farthest(body.vertices, body.count); }
-
-float longest_travel_of(const Chain& robot, float dt) {
-  const ChainParameters& p = robot.parameters();
-  const float way = dt * std::max(p.max_speed, -p.min_speed);
-  const float turn = way * std::max(p.max_steering / p.wheelbase, 1.0F / p.hitch_length);
-  const float dragged = way * (1.0F + 0.5F * p.max_steering * p.max_steering);
-  float farthest = 0.0F;
-  for (int k = 0; k < robot.body_count(); ++k) farthest = std::max(farthest, farthest_of(robot.body(k)));
-  return dragged + farthest * turn;
-}
-
-float longest_travel_of(const Unicycle& robot, float dt) {
-  const UnicycleParameters& p = robot.parameters();
-  return dt * (std::max(p.max_speed, -p.min_speed) + farthest_of(robot.body(0)) * p.max_turn_rate);
-}
-
-float longest_travel_of(const DifferentialDrive& robot, float dt) {
-  const DifferentialDriveParameters& p = robot.parameters();
-  const float rim = dt * p.wheel_radius * p.max_wheel_speed;
-  return rim * (1.0F + 2.0F * farthest_of(robot.body(0)) / p.track_width);
-}
-
-TopSpeed of_a_car(const RobotSpec& spec) { return {value(spec, "max_speed"), value(spec, "max_acceleration")}; }
-TopSpeed at_once(const RobotSpec& spec) { return {value(spec, "max_speed"), 0}; }
-TopSpeed of_wheels(const RobotSpec& spec) {
-  const double radius = value(spec, "wheel_radius");
-  return {radius * value(spec, "max_wheel_speed"), radius * value(spec, "max_wheel_acceleration")};
+template <class P>
+P parameters_of(const RobotSpec& spec) {
+  P parameters;
+  P::describe([&]<class Number>(const ParameterField<P, Number>& field) {
+    if (*field.unit != '\0') parameters.*field.member = static_cast<Number>(spec.parameters.at(field.name));
+  });
+  if constexpr (requires { parameters.trailers; }) parameters.trailers = spec.links;
+  return parameters;
 }
 
 // The robot of class R, with the parameters and the bodies of the specification.
-template <class R, auto parameters>
+template <class R>
 CoreRobot::Any make(const RobotSpec& spec) {
-  R robot(parameters(spec));
+  R robot(parameters_of<typename R::Parameters>(spec));
   for (std::size_t k = 0; k < spec.bodies.size(); ++k) {
     Vec2 vertices[kMaxVertices];
     int count = 0;
@@ -85,24 +34,12 @@ CoreRobot::Any make(const RobotSpec& spec) {
   return robot;
 }
 
-// What the workstation knows of a model beyond what its class says.
-struct Model {
-  const char* name;
-  CoreRobot::Any (*make)(const RobotSpec& spec);
-  TopSpeed (*top_speed)(const RobotSpec& spec);
-};
-
-constexpr Model kModels[] = {{"snake", make<Snake, chain_parameters>, of_a_car},
-                             {"truck", make<Truck, chain_parameters>, of_a_car},
-                             {"car", make<Car, chain_parameters>, of_a_car},
-                             {"unicycle", make<Unicycle, unicycle_parameters>, at_once},
-                             {"diff_drive", make<DifferentialDrive, differential_drive_parameters>, of_wheels}};
-
-const Model& model_of(const RobotSpec& spec) {
-  const Model* const found = std::find_if(std::begin(kModels), std::end(kModels),
-                                          [&](const Model& model) { return spec.model == model.name; });
-  if (found == std::end(kModels)) throw InputError("robot model \"" + spec.model + "\" is not known");
-  return *found;
+CoreRobot::Any core_of(const RobotSpec& spec) {
+#define KRAIT_MAKE(name, Class, file, trailers) \
+  if (spec.model == #name) return make<Class>(spec);
+  KRAIT_MODELS(KRAIT_MAKE)
+#undef KRAIT_MAKE
+  throw InputError("robot model \"" + spec.model + "\" is not known");
 }
 
 float largest_radius(Polygon body) {
@@ -113,20 +50,28 @@ float largest_radius(Polygon body) {
   return radius * (1.0F + 1e-6F);
 }
 
+// Metres: how far a point of a body moves in a time step of dt seconds, at most.
+float longest_travel(const CoreRobot& core, float dt) {
+  const Extremes most = core.extremes();
+  const Robot robot = core.view();
+  float farthest = 0.0F;
+  for (int k = 0; k < robot.body_count(); ++k) {
+    const Polygon body = robot.body(k);
+    farthest = std::max(farthest, detail::farthest(body.vertices, body.count));
+  }
+  return dt * (most.speed + farthest * most.turn);
+}
+
 }  // namespace
 
-CoreRobot::CoreRobot(const RobotSpec& spec) : robot_(model_of(spec).make(spec)) {}
-
-float CoreRobot::longest_travel(float dt) const {
-  return visit([dt](const auto& robot) { return longest_travel_of(robot, dt); });
-}
+CoreRobot::CoreRobot(const RobotSpec& spec) : robot_(core_of(spec)) {}
 
 RobotExtent extent_of(const CoreRobot& core, const Parameters& parameters) {
   const Robot robot = core.view();
   RobotExtent extent;
   extent.bodies = static_cast<std::uint64_t>(robot.body_count());
   extent.gap = static_cast<std::uint64_t>(robot.self_collision_gap());
-  extent.longest_travel = core.longest_travel(parameters.dt);
+  extent.longest_travel = longest_travel(core, parameters.dt);
   extent.length = detail::robot_length(robot);
   extent.tree_parts =
       detail::parts_of(parameters.dt, detail::longest_tree_step(robot, parameters.dt), detail::kMostParts);
@@ -141,7 +86,5 @@ RobotExtent extent_of(const CoreRobot& core, const Parameters& parameters) {
 RobotExtent extent_of(const RobotSpec& spec, const Parameters& parameters) {
   return extent_of(CoreRobot(spec), parameters);
 }
-
-TopSpeed top_speed_of(const RobotSpec& spec) { return model_of(spec).top_speed(spec); }
 
 }  // namespace krait::host

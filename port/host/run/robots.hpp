@@ -13,7 +13,7 @@ namespace krait::host {
 // A robot of the core that a specification describes, of whatever model.
 class CoreRobot {
  public:
-  using Any = std::variant<Snake, Truck, Car, Unicycle, DifferentialDrive>;
+  using Any = AllRobots<std::variant>;
 
   explicit CoreRobot(const RobotSpec& spec);
 
@@ -27,8 +27,9 @@ class CoreRobot {
   const R* as() const {
     return std::get_if<R>(&robot_);
   }
-  // Metres: how far a point of a body moves in a time step of dt seconds, at most: at full speed and lock.
-  float longest_travel(float dt) const;
+  Extremes extremes() const {
+    return visit([](const auto& robot) { return robot.extremes(); });
+  }
   // Refers to this.
   Robot view() const {
     return visit([](const auto& robot) { return Robot(robot); });
@@ -41,12 +42,5 @@ class CoreRobot {
 // What work_bound needs to know of a robot.
 RobotExtent extent_of(const CoreRobot& robot, const Parameters& parameters);
 RobotExtent extent_of(const RobotSpec& spec, const Parameters& parameters);
-
-// How a robot moves at its top speed.
-struct TopSpeed {
-  double speed = 0;         // metres a second, forward
-  double acceleration = 0;  // metres a second squared, with which it brakes; 0: its speed is its control
-};
-TopSpeed top_speed_of(const RobotSpec& spec);
 
 }  // namespace krait::host

@@ -19,7 +19,7 @@ constexpr std::uint64_t kSlice = 64;  // expansions between looks at the clock
 
 double since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
-// What happens beside a search: its user is told how far it is, and may stop it.
+// What happens beside a search: news of it are passed on, and its user may stop it.
 class Company {
  public:
   Company(Session& session, const SearchRequest& request, const SearchWatch& watch, Clock::time_point begin)

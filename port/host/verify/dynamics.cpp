@@ -37,69 +37,136 @@ void check_body(const Ring& body, std::size_t index) {
   if (!finite) throw InputError("robot: body " + std::to_string(index) + " has a corner that is not finite");
 }
 
-}  // namespace
-
-Dynamics::Model Dynamics::model_of(const std::string& name) {
-  if (name == "snake") return Model::snake;
-  if (name == "truck") return Model::truck;
-  if (name == "car") return Model::car;
-  if (name == "unicycle") return Model::unicycle;
-  if (name == "diff_drive") return Model::diff_drive;
-  throw InputError("robot: model \"" + name + "\" is none of snake, truck, car, unicycle, diff_drive");
+// How fast the headings of trailers change that are pulled at `pull` radians a second.
+void follow(const State& state, double pull, State& rate) {
+  double ahead = state[2];
+  for (std::size_t i = 5; i < state.size(); ++i) {
+    const double bend = ahead - state[i];
+    ahead = state[i];
+    rate[i] = pull * std::sin(bend);
+    pull *= std::cos(bend);
+  }
 }
 
-Dynamics::Dynamics(const RobotSpec& robot) : model_(model_of(robot.model)) {
-  const bool may_have_trailers = model_ == Model::snake || model_ == Model::truck;
-  if (robot.links < 0 || robot.links > (may_have_trailers ? kMostTrailers : 0)) {
+// Speed, steering, and the hitch angles, from the front.
+std::vector<double> values_of_chain(const State& state) {
+  std::vector<double> values{state[3], state[4]};
+  for (std::size_t i = 5; i < state.size(); ++i) {
+    const double ahead = i == 5 ? state[2] : state[i - 1];
+    values.push_back(std::remainder(ahead - state[i], 2 * std::numbers::pi));
+  }
+  return values;
+}
+
+void add_trailers(const RobotSpec& robot, Equations& e) {
+  if (robot.links == 0) return;
+  e.hitch_length = positive(robot, "hitch_length");
+  const double most = number(robot, "max_hitch_angle");
+  for (int i = 1; i <= robot.links; ++i) e.state_limits.push_back(within("hitch angle " + std::to_string(i), most));
+  e.self_collision_gap = static_cast<std::size_t>(std::clamp(number(robot, "self_collision_gap"), 1.0, 1e6));
+}
+
+// Trailers that slip are pulled at the front wheels' speed, others at the rear axle's.
+Equations chain(const RobotSpec& robot, bool slip) {
+  Equations e;
+  e.state_names = {"x", "y", "theta0", "v", "psi"};
+  e.state_limits = {{"speed", minimum_speed(robot, 0), number(robot, "max_speed")},
+                    within("steering", number(robot, "max_steering"))};
+  e.control_limits = {within("acceleration", number(robot, "max_acceleration")),
+                      within("steering rate", number(robot, "max_steering_rate"))};
+  e.steered = true;
+  add_trailers(robot, e);
+  e.motion = [slip, wheelbase = positive(robot, "wheelbase"), hitch_length = e.hitch_length](
+                 const State& state, const Control& control, State& rate) {
+    const double front_speed = state[3];
+    const double speed = front_speed * std::cos(state[4]);
+    rate[2] = front_speed * std::sin(state[4]) / wheelbase;
+    rate[3] = control[0];
+    rate[4] = control[1];
+    if (state.size() > 5) follow(state, (slip ? front_speed : speed) / hitch_length, rate);
+    return speed;
+  };
+  e.speed = [](const State& state) { return std::abs(state[3]); };
+  e.values = values_of_chain;
+  return e;
+}
+
+Equations snake(const RobotSpec& robot) { return chain(robot, true); }
+Equations truck(const RobotSpec& robot) { return chain(robot, false); }
+
+Equations unicycle(const RobotSpec& robot) {
+  Equations e;
+  e.state_names = {"x", "y", "theta"};
+  const double max_speed = number(robot, "max_speed");
+  e.control_limits = {{"speed", minimum_speed(robot, -max_speed), max_speed},
+                      within("turn rate", number(robot, "max_turn_rate"))};
+  e.motion = [](const State&, const Control& control, State& rate) {
+    rate[2] = control[1];
+    return control[0];
+  };
+  e.speed = [](const State&) { return 0.0; };
+  e.values = [](const State&) { return std::vector<double>{}; };
+  return e;
+}
+
+Equations diff_drive(const RobotSpec& robot) {
+  Equations e;
+  e.state_names = {"x", "y", "theta", "left wheel speed", "right wheel speed"};
+  const double radius = positive(robot, "wheel_radius");
+  const double max_wheel_speed = number(robot, "max_wheel_speed");
+  const double max_speed = radius * max_wheel_speed;
+  e.state_limits = {within("left wheel speed", max_wheel_speed),
+                    within("right wheel speed", max_wheel_speed),
+                    {"speed", minimum_speed(robot, -max_speed), max_speed}};
+  const double max_acceleration = number(robot, "max_wheel_acceleration");
+  e.control_limits = {within("left wheel acceleration", max_acceleration),
+                      within("right wheel acceleration", max_acceleration)};
+  e.motion = [radius, track_width = positive(robot, "track_width")](const State& state, const Control& control,
+                                                                    State& rate) {
+    rate[2] = radius * (state[4] - state[3]) / track_width;
+    rate[3] = control[0];
+    rate[4] = control[1];
+    return radius * (state[3] + state[4]) / 2;
+  };
+  e.speed = [radius](const State& state) { return radius * std::max(std::abs(state[3]), std::abs(state[4])); };
+  e.values = [radius](const State& state) {
+    return std::vector<double>{state[3], state[4], radius * (state[3] + state[4]) / 2};
+  };
+  return e;
+}
+
+struct Model {
+  const char* name;
+  int most_trailers;
+  Equations (*equations)(const RobotSpec& robot);
+};
+constexpr Model kModels[] = {{"snake", kMostTrailers, snake},
+                             {"truck", kMostTrailers, truck},
+                             {"car", 0, truck},
+                             {"unicycle", 0, unicycle},
+                             {"diff_drive", 0, diff_drive}};
+
+const Model& model_of(const std::string& name) {
+  std::string names;
+  for (const Model& model : kModels) {
+    if (name == model.name) return model;
+    names += (names.empty() ? "" : ", ") + std::string(model.name);
+  }
+  throw InputError("robot: model \"" + name + "\" is none of " + names);
+}
+
+}  // namespace
+
+Dynamics::Dynamics(const RobotSpec& robot) {
+  const Model& model = model_of(robot.model);
+  if (robot.links < 0 || robot.links > model.most_trailers) {
     throw InputError("robot: " + std::to_string(robot.links) + " links are out of range for " + robot.model);
   }
   trailers_ = static_cast<std::size_t>(robot.links);
   if (robot.bodies.size() != trailers_ + 1) throw InputError("robot: needs one body more than links");
   for (std::size_t i = 0; i < robot.bodies.size(); ++i) check_body(robot.bodies[i], i);
-  if (is_car_like()) {
-    read_car_like(robot);
-  } else if (model_ == Model::unicycle) {
-    read_unicycle(robot);
-  } else {
-    read_diff_drive(robot);
-  }
-}
-
-void Dynamics::read_car_like(const RobotSpec& robot) {
-  state_names_ = {"x", "y", "theta0", "v", "psi"};
-  for (std::size_t i = 1; i <= trailers_; ++i) state_names_.push_back("theta" + std::to_string(i));
-  wheelbase_ = positive(robot, "wheelbase");
-  state_limits_ = {{"speed", minimum_speed(robot, 0), number(robot, "max_speed")},
-                   within("steering", number(robot, "max_steering"))};
-  control_limits_ = {within("acceleration", number(robot, "max_acceleration")),
-                     within("steering rate", number(robot, "max_steering_rate"))};
-  if (trailers_ == 0) return;
-  hitch_length_ = positive(robot, "hitch_length");
-  const double most = number(robot, "max_hitch_angle");
-  for (std::size_t i = 1; i <= trailers_; ++i)
-    state_limits_.push_back(within("hitch angle " + std::to_string(i), most));
-  self_collision_gap_ = static_cast<std::size_t>(std::clamp(number(robot, "self_collision_gap"), 1.0, 1e6));
-}
-
-void Dynamics::read_unicycle(const RobotSpec& robot) {
-  state_names_ = {"x", "y", "theta"};
-  const double max_speed = number(robot, "max_speed");
-  control_limits_ = {{"speed", minimum_speed(robot, -max_speed), max_speed},
-                     within("turn rate", number(robot, "max_turn_rate"))};
-}
-
-void Dynamics::read_diff_drive(const RobotSpec& robot) {
-  state_names_ = {"x", "y", "theta", "left wheel speed", "right wheel speed"};
-  wheel_radius_ = positive(robot, "wheel_radius");
-  track_width_ = positive(robot, "track_width");
-  const double max_wheel_speed = number(robot, "max_wheel_speed");
-  const double max_speed = wheel_radius_ * max_wheel_speed;
-  state_limits_ = {within("left wheel speed", max_wheel_speed),
-                   within("right wheel speed", max_wheel_speed),
-                   {"speed", minimum_speed(robot, -max_speed), max_speed}};
-  const double max_acceleration = number(robot, "max_wheel_acceleration");
-  control_limits_ = {within("left wheel acceleration", max_acceleration),
-                     within("right wheel acceleration", max_acceleration)};
+  equations_ = model.equations(robot);
+  for (std::size_t i = 1; i <= trailers_; ++i) equations_.state_names.push_back("theta" + std::to_string(i));
 }
 
 State Dynamics::at_rest(const Point& position, double heading, const std::vector<double>& trailers) const {
@@ -111,12 +178,6 @@ State Dynamics::at_rest(const Point& position, double heading, const std::vector
   return state;
 }
 
-double Dynamics::speed(const State& state) const {
-  if (model_ == Model::unicycle) return 0;
-  if (model_ == Model::diff_drive) return wheel_radius_ * std::max(std::abs(state[3]), std::abs(state[4]));
-  return std::abs(state[3]);
-}
-
 State Dynamics::derivative(const State& state, const Control& control) const {
   State rate(state.size(), 0.0);
   set_rate(state, control, rate);
@@ -124,30 +185,7 @@ State Dynamics::derivative(const State& state, const Control& control) const {
 }
 
 void Dynamics::set_rate(const State& state, const Control& control, State& rate) const {
-  double speed = 0;  // of the axle in the middle of frame 0
-  if (model_ == Model::unicycle) {
-    speed = control[0];
-    rate[2] = control[1];
-  } else if (model_ == Model::diff_drive) {
-    speed = wheel_radius_ * (state[3] + state[4]) / 2;
-    rate[2] = wheel_radius_ * (state[4] - state[3]) / track_width_;
-    rate[3] = control[0];
-    rate[4] = control[1];
-  } else {
-    const double front_speed = state[3];
-    speed = front_speed * std::cos(state[4]);
-    rate[2] = front_speed * std::sin(state[4]) / wheelbase_;
-    rate[3] = control[0];
-    rate[4] = control[1];
-    double pull = (model_ == Model::snake ? front_speed : speed) / hitch_length_;
-    double ahead = state[2];
-    for (std::size_t i = 5; i < state.size(); ++i) {
-      const double bend = ahead - state[i];
-      ahead = state[i];
-      rate[i] = pull * std::sin(bend);
-      pull *= std::cos(bend);
-    }
-  }
+  const double speed = equations_.motion(state, control, rate);
   rate[0] = speed * std::cos(state[2]);
   rate[1] = speed * std::sin(state[2]);
 }
@@ -172,20 +210,9 @@ std::vector<Frame> Dynamics::frames(const State& state) const {
     const double cos = std::cos(state[5 + i]);
     const double sin = std::sin(state[5 + i]);
     const Point hitch = frames.back().origin;
-    frames.push_back({{hitch.x - hitch_length_ * cos, hitch.y - hitch_length_ * sin}, cos, sin});
+    frames.push_back({{hitch.x - equations_.hitch_length * cos, hitch.y - equations_.hitch_length * sin}, cos, sin});
   }
   return frames;
-}
-
-std::vector<double> Dynamics::limited_values(const State& state) const {
-  if (model_ == Model::unicycle) return {};
-  if (model_ == Model::diff_drive) return {state[3], state[4], wheel_radius_ * (state[3] + state[4]) / 2};
-  std::vector<double> values{state[3], state[4]};
-  for (std::size_t i = 5; i < state.size(); ++i) {
-    const double ahead = i == 5 ? state[2] : state[i - 1];
-    values.push_back(std::remainder(ahead - state[i], 2 * std::numbers::pi));
-  }
-  return values;
 }
 
 }  // namespace krait::host

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -37,15 +38,29 @@ struct Limit {
   double max = 0;
 };
 
+// What differs between models: the limits, and the equations of a robot with its parameters.
+struct Equations {
+  std::vector<std::string> state_names;  // but the trailers' headings
+  std::vector<Limit> state_limits;
+  std::vector<Limit> control_limits;
+  bool steered = false;     // component 4 is the angle of the front wheels
+  double hitch_length = 0;  // metres; only with trailers
+  std::size_t self_collision_gap = 0;
+  // Writes how fast all but the position changes, and returns the speed of body 0's axle along its x axis.
+  std::function<double(const State&, const Control&, State& rate)> motion;
+  std::function<double(const State&)> speed;                // m/s, as Dynamics::speed says
+  std::function<std::vector<double>(const State&)> values;  // those that state_limits hold for, in their order
+};
+
 class Dynamics {
  public:
   // Throws InputError if the model is unknown, or a parameter is missing or not a number in its range.
   explicit Dynamics(const RobotSpec& robot);
 
-  std::size_t state_size() const { return state_names_.size(); }
+  std::size_t state_size() const { return equations_.state_names.size(); }
   std::size_t control_size() const { return 2; }
   std::size_t body_count() const { return trailers_ + 1; }
-  const std::vector<std::string>& state_names() const { return state_names_; }
+  const std::vector<std::string>& state_names() const { return equations_.state_names; }
 
   // The state of a robot at rest with this pose; `trailers` are headings, all equal to `heading` if empty.
   State at_rest(const Point& position, double heading, const std::vector<double>& trailers) const;
@@ -54,10 +69,10 @@ class Dynamics {
   bool is_heading(std::size_t index) const { return index == 2 || index >= 5; }
 
   // Component `index` is an angle: a heading, or the steering of a car.
-  bool is_angle(std::size_t index) const { return is_heading(index) || (index == 4 && is_car_like()); }
+  bool is_angle(std::size_t index) const { return is_heading(index) || (index == 4 && equations_.steered); }
 
   // m/s, at least 0: of the front wheels, or of the faster wheel; 0 of a unicycle, whose state has no speed.
-  double speed(const State& state) const;
+  double speed(const State& state) const { return equations_.speed(state); }
 
   State derivative(const State& state, const Control& control) const;
 
@@ -69,37 +84,20 @@ class Dynamics {
   std::vector<Frame> frames(const State& state) const;
 
   // Limits of what a state says, and the values that they hold for, in the same order.
-  const std::vector<Limit>& state_limits() const { return state_limits_; }
-  std::vector<double> limited_values(const State& state) const;
+  const std::vector<Limit>& state_limits() const { return equations_.state_limits; }
+  std::vector<double> limited_values(const State& state) const { return equations_.values(state); }
 
   // Limits of each control.
-  const std::vector<Limit>& control_limits() const { return control_limits_; }
+  const std::vector<Limit>& control_limits() const { return equations_.control_limits; }
 
   // Bodies whose indices differ by at least this many must not meet.
-  std::size_t self_collision_gap() const { return self_collision_gap_; }
+  std::size_t self_collision_gap() const { return equations_.self_collision_gap; }
 
  private:
-  enum class Model { snake, truck, car, unicycle, diff_drive };
-
-  static Model model_of(const std::string& name);
-  bool is_car_like() const { return model_ == Model::snake || model_ == Model::truck || model_ == Model::car; }
-  void read_car_like(const RobotSpec& robot);
-  void read_unicycle(const RobotSpec& robot);
-  void read_diff_drive(const RobotSpec& robot);
   void set_rate(const State& state, const Control& control, State& rate) const;
 
-  Model model_;
   std::size_t trailers_ = 0;
-  std::vector<std::string> state_names_;
-  std::vector<Limit> state_limits_;
-  std::vector<Limit> control_limits_;
-  std::size_t self_collision_gap_ = 0;
-
-  // Of these, those that the model has.
-  double wheelbase_ = 0;
-  double hitch_length_ = 0;
-  double wheel_radius_ = 0;
-  double track_width_ = 0;
+  Equations equations_;
 };
 
 }  // namespace krait::host

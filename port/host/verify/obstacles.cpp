@@ -62,7 +62,8 @@ double room_in(const Convex& body, const Point& size) {
   return room;
 }
 
-// Looks at each indexed shape near the body: `shape_of` gives it, `found` is told of a new nearest one.
+// Looks at each indexed shape near the body: `shape_of` returns it, `found` is called with each that is nearer than
+// those before.
 template <typename Index, typename BoxOf, typename ShapeOf, typename Found>
 void search(const Index& index, const Convex& body, Contact& contact, BoxOf box_of, ShapeOf shape_of, Found found) {
   const Box box = bg::return_envelope<Box>(body);

@@ -19,7 +19,7 @@ using testing::HasSubstr;
 
 class CliPlan : public CliTest {
  protected:
-  // krait plan room.krait … -o plan.json, expected to end with `code`; gives the JSON.
+  // krait plan room.krait … -o plan.json, expected to end with `code`; returns the JSON.
   ordered_json plan(std::vector<std::string> options, int code = 0) const {
     std::vector<std::string> arguments = {"plan", "room.krait", "-o", "plan.json"};
     arguments.insert(arguments.end(), options.begin(), options.end());

@@ -30,7 +30,7 @@ class ImportThreads : public ScratchTest {
             write("broken.json", "{")};
   }
 
-  // What an import gives, in a line.
+  // What an import has read, in a line.
   static std::string import_of(const std::string& path) {
     try {
       const Workspace w = import_workspace(path, {});

@@ -37,7 +37,7 @@ TEST(ShippedRobots, AreRealMachinesOfEveryKind) {
   EXPECT_THAT(trailers, testing::IsSupersetOf({0, 1, 2, 3}));
 }
 
-// Every number that a file gives, and every one that it leaves at a model's default, has a source, and says of which
+// Every number that a file states, and every one that it leaves at a model's default, has a source, and says of which
 // kind it is; a robot without trailers needs none for what only trailers have.
 TEST(ShippedRobots, NameTheSourceOfEveryNumber) {
   const std::set<std::string> of_trailers = {"hitch_length", "max_hitch_angle", "self_collision_gap"};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes the corpora that fuzzing begins with: make_corpus FOLDER gives FOLDER/HARNESS/NAME, each NAME telling what the
-// file is. Sound ones, and one for every way of being wrong that is known.
+// What the corpora have grown from: make_seeds FOLDER writes FOLDER/HARNESS/NAME, each NAME telling what the file is.
+// Sound ones, and one for every way of being wrong that is known.
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -12,6 +13,7 @@
 #include "../host/import/bmp_writer.hpp"
 #include "../host/import/jpeg_writer.hpp"
 #include "../host/import/png_writer.hpp"
+#include "plan_choice.hpp"
 
 namespace krait::fuzz {
 namespace {
@@ -20,12 +22,35 @@ using Named = std::vector<std::pair<std::string, std::string>>;
 
 std::string text(const test::SceneBytes& bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
 
+// Of few bytes: what is coarse serves a fuzzer as well.
+test::Room small(test::Room room) {
+  room.spacing = 20;
+  room.clearance_cell = 4;
+  room.bucket_size = 8;
+  return room;
+}
+
+test::Room rooms(double door) {
+  test::Room room = test::two_rooms(door);
+  room.starts = {{2.0F, 6.0F, 0.0F, 0, 0}};
+  room.goals.erase(room.goals.begin() + 1);
+  return small(room);
+}
+
+// With room for trailers.
+test::Room hall() {
+  test::Room room;
+  room.bounds = {0, 0, 60, 20};
+  room.boxes = {{30, 0, 31, 8}};
+  room.goals = {{46, 4, 56, 16}};
+  room.starts = {{22.0F, 12.0F, 0.0F, 0, 0}};
+  return small(room);
+}
+
 Named sound_scenes() {
   Named all;
   for (const std::uint8_t width : {std::uint8_t{2}, std::uint8_t{4}}) {
-    test::Room room = test::two_rooms();
-    room.starts = {{2.0F, 6.0F, 0.0F, 0, 0}};
-    room.goals.erase(room.goals.begin() + 1);
+    test::Room room = rooms(2);
     room.index_width = width;
     all.emplace_back("two_rooms_" + std::to_string(width), text(test::data_of(room).bytes()));
   }
@@ -38,15 +63,59 @@ Named sound_scenes() {
   return all;
 }
 
-// Doors that a search needs long for: it is restarted and fills its memory.
-Named narrow_scenes() {
+std::string planned(const PlanChoice& choice, const test::Room& room) {
+  return std::string(reinterpret_cast<const char*>(&choice), sizeof choice) + text(test::data_of(room).bytes());
+}
+
+// Every robot and planner.
+void add_kinds(Named& all) {
+  for (std::uint8_t robot = 0; robot < std::size(kRobots); ++robot)
+    all.emplace_back(std::string("robot_") + kRobots[robot], planned({.robot = robot}, hall()));
+  for (std::uint8_t planner = 0; planner < std::size(kPlanners); ++planner)
+    all.emplace_back(std::string("planner_") + kPlanners[planner], planned({.planner = planner}, rooms(2)));
+}
+
+// Doors that a search needs long for, and blocks that hold few vertices.
+void add_corners(Named& all) {
+  all.emplace_back("paper", planned({.parameters = 1}, rooms(2)));
+  all.emplace_back("paper_recycling", planned({.parameters = 1, .memory = 4}, rooms(0.48)));
+  all.emplace_back("any_speed", planned({.parameters = 2}, rooms(2)));
+  all.emplace_back("restarts", planned({.restarts = 9}, rooms(0.44)));
+  for (std::uint8_t memory = 4; memory <= 10; memory += 2)
+    all.emplace_back("recycling_" + std::to_string(memory), planned({.memory = memory}, rooms(0.44)));
+  all.emplace_back("restarts_recycling", planned({.memory = 4, .restarts = 4}, rooms(0.44)));
+  all.emplace_back("improvement", planned({.improvement = 255}, rooms(2)));
+  all.emplace_back("improvement_recycling", planned({.memory = 32 + 5, .improvement = 255}, rooms(0.48)));
+  all.emplace_back("budget_used", planned({}, rooms(0.4)));
+}
+
+void add_poses(Named& all) {
+  all.emplace_back("pose", planned({.goal = 1}, rooms(2)));
+  all.emplace_back("pose_either_way", planned({.robot = 1, .goal = 3 | 16 << 3}, hall()));
+  all.emplace_back("pose_hitches", planned({.robot = 4, .goal = 5}, hall()));
+  all.emplace_back("pose_improvement", planned({.goal = 1, .improvement = 255}, rooms(2)));
+}
+
+void add_refused(Named& all) {
+  all.emplace_back("too_little_memory", planned({.memory = 0}, rooms(2)));
+  all.emplace_back("no_route", planned({}, rooms(0.3)));
+  test::Room room = rooms(2);
+  room.starts = {{-3.0F, 6.0F, 0.0F, 0, 0}};
+  all.emplace_back("start_outside", planned({}, room));
+  room.starts = {{6.1F, 1.0F, 0.0F, 0, 0}};
+  all.emplace_back("start_in_collision", planned({}, room));
+  room = rooms(2);
+  room.goals = {{6, 0.5, 6.25, 1.5}};
+  all.emplace_back("goal_in_obstacle", planned({}, room));
+  all.emplace_back("bad_scene", planned({}, rooms(2)).substr(0, 600));
+}
+
+Named plans() {
   Named all;
-  for (const double door : {0.45, 0.55, 0.65, 1.0}) {
-    test::Room room = test::two_rooms(door);
-    room.starts = {{2.0F, 6.0F, 0.0F, 0, 0}};
-    room.goals.erase(room.goals.begin() + 1);
-    all.emplace_back("door_" + std::to_string(all.size()), text(test::data_of(room).bytes()));
-  }
+  add_kinds(all);
+  add_corners(all);
+  add_poses(all);
+  add_refused(all);
   return all;
 }
 
@@ -90,6 +159,7 @@ Named natives() {
           {"deep_objects", repeated("{\"bounds\":", 1000)},
           {"twice", R"({"bounds": 1, "bounds": 2})"},
           {"half", native("").substr(0, 60)},
+          {"key_of_two_lines", R"({"obsta\ncles": []})"},  // once an error of two lines
           {"not_utf8", native("\"\xFF\xFE\"")}};
 }
 
@@ -271,14 +341,30 @@ Named robots() {
           {"nothing", "{}"}};
 }
 
+// Turns, drives straight into the goal of fuzz_plan_file and misses the wall.
+std::string whole_way() {
+  constexpr double kHeading = 0.75;
+  constexpr double kSpeed = 0.95;
+  std::string states = "[1, 1, 0]";
+  std::string controls = "[0, " + std::to_string(kHeading) + "]";
+  for (int step = 0; step <= 11; ++step) {
+    const double way = kSpeed * step;
+    states += ", [" + std::to_string(1 + way * std::cos(kHeading)) + ", " +
+              std::to_string(1 + way * std::sin(kHeading)) + ", " + std::to_string(kHeading) + "]";
+    if (step > 0) controls += ", [" + std::to_string(kSpeed) + ", 0]";
+  }
+  return R"("status": "solved", "states": [)" + states + R"(], "controls": [)" + controls + "]}";
+}
+
 Named plan_files() {
   const std::string robot = R"("robot": {"model": "unicycle", "links": 0})";
   const std::string head =
       R"({"format": "krait-plan", "version": 1, "scene": "s", "seed": 1, "planner": "adaptive", )" + robot +
-      R"(, "dt": 0.1, "goal": {"name": "g", "polygon": [[8, 8], [9, 8], [9, 9]]}, )"
+      R"(, "dt": 1, "goal": {"name": "g", "polygon": [[8, 8], [9, 8], [9, 9]]}, )"
       R"("state_names": ["x", "y", "theta"], "origin": [0, 0], "statistics": {}, )";
   return {
       {"solved", head + R"("status": "solved", "states": [[1, 1, 0], [1.1, 1, 0]], "controls": [[1, 0]]})"},
+      {"holds", head + whole_way()},
       {"unsolved", head + R"("status": "no_route", "states": [], "controls": []})"},
       {"far", head + R"("status": "solved", "states": [[1, 1, 0], [3e38, -3e38, 1e30]], "controls": [[3e38, 3e38]]})"},
       {"one_state_too_many", head + R"("status": "solved", "states": [[1, 1, 0]], "controls": [[1, 0]]})"},
@@ -292,7 +378,7 @@ Named options() {
       {"1,2,3", "nan,0,0", "1e7,1e7,1000", "1,2", ",,", "home", "1e999,0,0"},
       {"1,2,3", "1,2,-1", "1,2,0", "dock", "inf,0,1"},
       {"snake:15", "snake:26", "truck:", "car:1", "none.json", "snake:99999999999999999999"},
-      {"12", "-1", "1.5", "99999999999999999999"},
+      {"3", "12", "-1", "1.5", "99999999999999999999"},
       {"11.5,48.1", "181,0", "nan,0", "1,2,3", "-180,-90"}};
   for (std::size_t kind = 0; kind < texts.size(); ++kind) {
     for (std::size_t i = 0; i < texts[kind].size(); ++i) {
@@ -304,7 +390,9 @@ Named options() {
 
 // For fuzz_compile: each byte a coordinate on a coarse grid.
 Named drawings() {
-  return {{"square", std::string("\0\1\10\10\20\10\20\20\10\20\1", 11)},
+  return {{"small_angles", std::string("\1\2\20\1\1\37\1\1\37\37\1\1\1", 13)},  // once refined without end
+          {"far", std::string("\0\1\10\10\372\10\20\20\10\20\1", 11)},
+          {"square", std::string("\0\1\10\10\20\10\20\20\10\20\1", 11)},
           {"crossing", std::string("\1\1\5\5\25\25\25\5\5\25\1\2\1\1\37\37\1\37\37\1\1\5\3\2", 24)},
           {"spike", std::string("\0\0\4\4\36\4\4\4\1\0\10\12\13\14\15\16", 16)}};
 }
@@ -320,13 +408,12 @@ void write(const std::filesystem::path& folder, const Named& files, const std::s
 int main(int argc, char** argv) {
   using namespace krait::fuzz;
   if (argc != 2) {
-    std::fprintf(stderr, "usage: make_corpus FOLDER\n");
+    std::fprintf(stderr, "usage: make_seeds FOLDER\n");
     return 2;
   }
   const std::filesystem::path folder = argv[1];
   write(folder / "fuzz_open", evil_scenes());
-  write(folder / "fuzz_plan", sound_scenes());
-  write(folder / "fuzz_plan", narrow_scenes());
+  write(folder / "fuzz_plan", plans());
   write(folder / "fuzz_import", evil_scenes(), "scene_");
   write(folder / "fuzz_import", natives(), "native_");
   write(folder / "fuzz_import", dynobenches(), "dynobench_");

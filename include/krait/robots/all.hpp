@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+/// \file
+/// The robots of the library: the one list of them, from which the workstation, the firmware's builds and the tests
+/// have theirs.
+#pragma once
+
+#include "krait/robots/car.hpp"
+#include "krait/robots/differential_drive.hpp"
+#include "krait/robots/snake.hpp"
+#include "krait/robots/truck.hpp"
+#include "krait/robots/unicycle.hpp"
+
+/// MODEL(name, class, file, trailers) for every model: what users call it; its class; the name of its header and
+/// source; and how many trailers its robot has where tests run it on targets, - where it never has any. CMake and bash
+/// read these lines, too: one a model, as they stand.
+// clang-format off
+#define KRAIT_MODELS(MODEL)                                  \
+  MODEL(snake, Snake, snake, 15)                             \
+  MODEL(truck, Truck, truck, 2)                              \
+  MODEL(car, Car, car, -)                                    \
+  MODEL(unicycle, Unicycle, unicycle, -)                     \
+  MODEL(diff_drive, DifferentialDrive, differential_drive, -)
+// clang-format on
+
+namespace krait {
+namespace detail {
+
+template <template <class...> class List, class, class... Models>
+using WithoutFirst = List<Models...>;
+
+}  // namespace detail
+
+/// For AllRobots alone: a class with the comma before it.
+#define KRAIT_COMMA_CLASS(name, Class, file, trailers) , Class
+/// Their classes as the arguments of a template, as in AllRobots<std::variant>.
+template <template <class...> class List>
+using AllRobots = detail::WithoutFirst<List, void KRAIT_MODELS(KRAIT_COMMA_CLASS)>;
+#undef KRAIT_COMMA_CLASS
+
+}  // namespace krait

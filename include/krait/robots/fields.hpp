@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+/// \file
+/// What the parameters of the library's robots are called and may be, for the files, help and pages of a workstation.
+/// Nothing of it is in a program that does not ask.
+#pragma once
+
+namespace krait {
+
+/// A number among a robot's parameters P.
+template <class P, class Number>
+struct ParameterField {
+  const char* name;       ///< that of the member, which is that in a ROBOT.json, too
+  Number P::*member;      ///< where it stands
+  const char* unit = "";  ///< in words, plural; "": no ROBOT.json says it, since the robot's class or its model does
+  float least = 0.0F;     ///< in the unit
+  float most = 0.0F;      ///< in the unit
+};
+
+/// A dimension of a robot.
+template <class P>
+constexpr ParameterField<P, float> length_field(const char* name, float P::*member) {
+  return {name, member, "metres", 0.001F, 1000.0F};
+}
+
+/// How fast something may change.
+template <class P>
+constexpr ParameterField<P, float> limit_field(const char* name, float P::*member, const char* unit) {
+  return {name, member, unit, 0.001F, 1e4F};
+}
+
+/// How fast it may drive backwards: at most 0.
+template <class P>
+constexpr ParameterField<P, float> reverse_field(const char* name, float P::*member) {
+  return {name, member, "metres a second", -1e4F, 0.0F};
+}
+
+/// What a robot does at most.
+struct Extremes {
+  float speed;    ///< m/s, of any body's frame
+  float turn;     ///< rad/s, of any body
+  float braking;  ///< m/s^2, straight ahead at top speed; 0: it stops at once
+};
+
+/// The parameters that a robot of class R has where nobody says others.
+template <class R>
+constexpr typename R::Parameters defaults_of() {
+  if constexpr (requires { R::defaults(); }) {
+    return R::defaults();
+  } else {
+    return {};
+  }
+}
+
+}  // namespace krait
