@@ -6,10 +6,10 @@
 #include "collision/motion_check.hpp"
 #include "decomposition/regions.hpp"
 #include "krait/planner.hpp"
+#include "last_metres/last_metres.hpp"
 #include "motion/drive.hpp"
 #include "plan/ending.hpp"
 #include "plan/motion_tree.hpp"
-#include "search/last_metres.hpp"
 #include "search/recent_states.hpp"
 
 namespace krait::detail {

@@ -2,9 +2,9 @@
 // Parking spaces: what leads out of one, and that a car drives in where no line of one gear leads.
 #include <cmath>
 
+#include "last_metres/pull_outs.hpp"
 #include "plan/ending.hpp"
 #include "planner_fixture.hpp"
-#include "search/pull_outs.hpp"
 
 namespace krait::test {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "search/last_metres.hpp"
+#include "last_metres/last_metres.hpp"
 
 #include <iterator>
 
-#include "search/arc.hpp"
-#include "search/parking.hpp"
+#include "last_metres/arc.hpp"
+#include "last_metres/parking.hpp"
 
 namespace krait::detail {
 namespace {

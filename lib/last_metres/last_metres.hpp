@@ -9,10 +9,10 @@
 
 #include "collision/sight.hpp"
 #include "krait/goal.hpp"
-#include "search/dubins.hpp"
-#include "search/nimbleness.hpp"
-#include "search/pull_in.hpp"
-#include "search/pull_outs.hpp"
+#include "last_metres/dubins.hpp"
+#include "last_metres/nimbleness.hpp"
+#include "last_metres/pull_in.hpp"
+#include "last_metres/pull_outs.hpp"
 
 namespace krait::detail {
 
