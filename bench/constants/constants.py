@@ -26,6 +26,7 @@ MEASURES = {
     "turning": ("pose", ["diff_drive", "unicycle"], 200),
     "straight": ("straight", ["truck:1", "truck:2"], 100),
     "improve": ("improve", FIVE, 50),
+    "improve to poses": ("improve_pose", FIVE, 50),
 }
 
 # By measure and file: the constants and, where half and twice are not the sensible neighbours, the factors.
@@ -74,6 +75,7 @@ CONSTANTS = {
             "kSharpest": (), "kTurns": (0.5, 0.75), "kRound": (0.5, 1.3), "kVary": (0.8, 1.1), "kLeaveOut": (0.9, 1.1),
             "kInsert": (0.9, 1.2), "kWithNext": (), "kBeside": (), "kLittle": (), "kMuch": (), "kTogether": (),
             "kVaryMoved": ()}},
+    "improve to poses": {"lib/improve/improver.hpp": {"kBraking": ()}},
 }
 
 # Those that follow from an argument, which stands beside them; all others of these folders and of SearchTuning are

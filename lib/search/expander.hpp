@@ -92,6 +92,7 @@ class Expander {
   // The drives are free for others while no expansion runs.
   Drive& drive() { return drive_; }
   Drive& brake() { return brake_; }
+  LastMetres& last_metres() { return last_metres_; }
 
  private:
   // How often an expansion past max_steps may have crossed a portal; measured: bench/ABLATIONS.md, "Constants".
