@@ -26,6 +26,7 @@ MEASURES = {
     "turning": ("pose", ["diff_drive", "unicycle"], 200),
     "straight": ("straight", ["truck:1", "truck:2"], 100),
     "improve": ("improve", FIVE, 50),
+    "improve to poses": ("improve_pose", FIVE, 50),
 }
 
 # By measure and file: the constants and, where half and twice are not the sensible neighbours, the factors.
@@ -48,17 +49,17 @@ CONSTANTS = {
         "lib/collision/goal_room.cpp": {"kDeepest": (0.6, 1.4)}},
     "backward": {"include/krait/parameters.hpp": {"reverse_share": ()}},
     "pose": {
-        "lib/search/last_metres.hpp": {"kHold": (), "kEvery": (), "kMostShots": ()},
-        "lib/search/last_metres.cpp": {
+        "lib/last_metres/last_metres.hpp": {"kHold": (), "kEvery": (), "kMostShots": ()},
+        "lib/last_metres/last_metres.cpp": {
             "kRadii": (0.96, 1.5), "kCaptureRadii": (), "kCaptureLengths": (), "kLeads": (), "kShortLeads": (),
             "kDetour": (), "kDetourLengths": (), "kSightRoom": (0.5, 1.5), "kSightStep": (), "kMostLooks": (),
             "kLook": (), "kLookSteps": (), "kOff": (), "kBraking": (), "kNearEnough": (), "kMostStops": ()},
-        "lib/search/nimbleness.cpp": {"kSettle": (), "kSlowest": ()}},
+        "lib/last_metres/nimbleness.cpp": {"kSettle": (), "kSlowest": ()}},
     "turning": {
-        "lib/search/last_metres.hpp": {"kLongest": ()},
-        "lib/search/last_metres.cpp": {
+        "lib/last_metres/last_metres.hpp": {"kLongest": ()},
+        "lib/last_metres/last_metres.cpp": {
             "kLeastRadius": (), "kTight": (), "kFaced": (), "kTurned": (), "kTurnLook": (), "kTurnCreep": ()}},
-    "straight": {"lib/search/last_metres.cpp": {"kHitchLeads": ()}},
+    "straight": {"lib/last_metres/last_metres.cpp": {"kHitchLeads": ()}},
     "improve": {
         "lib/improve/improver.hpp": {
             "kHold": (), "kPatience": (), "kPolish": (), "kNearer": (), "kAsNear": (), "kTakenAsNear": (),
@@ -74,6 +75,7 @@ CONSTANTS = {
             "kSharpest": (), "kTurns": (0.5, 0.75), "kRound": (0.5, 1.3), "kVary": (0.8, 1.1), "kLeaveOut": (0.9, 1.1),
             "kInsert": (0.9, 1.2), "kWithNext": (), "kBeside": (), "kLittle": (), "kMuch": (), "kTogether": (),
             "kVaryMoved": ()}},
+    "improve to poses": {"lib/improve/improver.hpp": {"kBraking": ()}},
 }
 
 # Those that follow from an argument, which stands beside them; all others of these folders and of SearchTuning are
@@ -82,12 +84,12 @@ ARGUED = {
     "lib/search/search.hpp": ["kStartDepth"],
     "lib/search/disc_route.hpp": ["kReachRounding"],
     "lib/search/groups.hpp": ["kBlock"],
-    "lib/search/dubins.cpp": ["kNoTurn"],
-    "lib/search/dubins.hpp": ["kMostPieces", "kDubinsWords"],
-    "lib/search/last_metres.hpp": ["kRadii", "kMostLeads"],
-    "lib/search/pull_in.hpp": ["kNoWay"],
-    "lib/search/pull_outs.cpp": ["kSides"],
-    "lib/search/pull_outs.hpp": ["kMostLooks"],
+    "lib/last_metres/dubins.cpp": ["kNoTurn"],
+    "lib/last_metres/dubins.hpp": ["kMostPieces", "kDubinsWords"],
+    "lib/last_metres/last_metres.hpp": ["kRadii", "kMostLeads"],
+    "lib/last_metres/pull_in.hpp": ["kNoWay"],
+    "lib/last_metres/pull_outs.cpp": ["kSides"],
+    "lib/last_metres/pull_outs.hpp": ["kMostLooks"],
     "lib/search/recent_states.hpp": ["kCount"],
     "lib/improve/improver.hpp": ["kLeastVias", "kLeastPoints"],
     "lib/improve/corners.hpp": ["kShares"],
@@ -102,11 +104,11 @@ ARGUED = {
 }
 SECTIONS = {
     "include/krait/parameters.hpp": ["update_regions", "goal_near_radius"],
-    "lib/search/last_metres.hpp": ["kMostLegs"],
-    "lib/search/last_metres.cpp": ["kMoveRadius"],
-    "lib/search/pull_in.cpp": ["kBraking", "kAstray", "kGrip", "kLeastTurn", "kStill", "kMostWait", "kMostStops"],
-    "lib/search/pull_outs.hpp": ["kMost", "kMostMoves"],
-    "lib/search/pull_outs.cpp": ["kStep", "kStraights", "kOut", "kMostTurn", "kMostSteps", "kRooms", "kGearCost",
+    "lib/last_metres/last_metres.hpp": ["kMostLegs"],
+    "lib/last_metres/last_metres.cpp": ["kMoveRadius"],
+    "lib/last_metres/pull_in.cpp": ["kBraking", "kAstray", "kGrip", "kLeastTurn", "kStill", "kMostWait", "kMostStops"],
+    "lib/last_metres/pull_outs.hpp": ["kMost", "kMostMoves"],
+    "lib/last_metres/pull_outs.cpp": ["kStep", "kStraights", "kOut", "kMostTurn", "kMostSteps", "kRooms", "kGearCost",
                                  "kStrides"],
 }
 
@@ -249,7 +251,7 @@ def write(constants, measured):
 # What is defined in the folders whose constants are measured or argued for, by file.
 def defined():
     number = r"(?:float|double|int|Span|Index|std::(?:u?int\d+|size)_t)"
-    for folder in ("search", "improve", "collision", "scene"):
+    for folder in ("search", "last_metres", "improve", "collision", "scene"):
         for path in sorted(Path("lib", folder).glob("*.[ch]pp")):
             for name in re.findall(rf"constexpr {number} (\w+)(?:\[\w*\])? =", path.read_text()):
                 yield str(path), name

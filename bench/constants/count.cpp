@@ -22,8 +22,10 @@ constexpr std::uint64_t kSlice = 16;           // iterations between looks at th
 constexpr float kPi = 3.14159265F;
 
 // What is counted: the vertices of a search to the scene's goal, of one to a pose in its middle, also with the hitches
-// within 0.2 rad; or the steps of the plan, improved.
-enum class Kind { search, pose, straight, improve };
+// within 0.2 rad; or the steps of the plan, improved, to the goal or to a pose.
+enum class Kind { search, pose, straight, improve, improve_pose };
+
+bool improves(Kind kind) { return kind == Kind::improve || kind == Kind::improve_pose; }
 
 Goal goal_of(const Scene& scene, Kind kind, std::uint64_t seed) {
   const Goal named = Goal::named(0);
@@ -47,7 +49,7 @@ void count(const char* name, const R& robot, const Scene& scene, Kind kind, std:
   static std::vector<std::uint64_t> block(kBlock / 8);
   static Planner planner;
   Limits limits{.iterations = kIterations};
-  if (kind == Kind::improve) limits.way_legs = kWayLegs;
+  if (improves(kind)) limits.way_legs = kWayLegs;
   if (!planner.init({block.data(), kBlock, &scene, robot}, {}, limits).ok()) std::exit(2);
   float start[R::kMaxState];
   const ScenePose pose = scene.start(0);
@@ -56,8 +58,8 @@ void count(const char* name, const R& robot, const Scene& scene, Kind kind, std:
   for (std::uint64_t seed = first; seed <= last; ++seed) {
     (void)planner.start({start, goal_of(scene, kind, seed), seed});
     const bool solved = planner.advance(kIterations + 1'000'000) == Status::solved;
-    const bool improves = kind == Kind::improve && solved;
-    std::printf(" %llu", (unsigned long long)(improves ? improved_steps(planner) : planner.statistics().vertices));
+    const bool counts_steps = improves(kind) && solved;
+    std::printf(" %llu", (unsigned long long)(counts_steps ? improved_steps(planner) : planner.statistics().vertices));
   }
   std::printf("\n");
 }
@@ -95,7 +97,8 @@ int main(int argc, char** argv) {
   const Kind kind = name == "search"     ? Kind::search
                     : name == "pose"     ? Kind::pose
                     : name == "straight" ? Kind::straight
-                                         : Kind::improve;
+                    : name == "improve"  ? Kind::improve
+                                         : Kind::improve_pose;
   for (int i = 5; i < argc; ++i) {
     std::ifstream file(argv[i], std::ios::binary);
     const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};

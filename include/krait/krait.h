@@ -496,8 +496,8 @@ KRAIT_NODISCARD krait_status krait_advance(krait_planner* planner, uint64_t iter
 /** At most `iterations` more of looking for a plan of fewer steps: the plan is then the best so far, and krait_next
     begins again with its first state. The plan does not depend on how the iterations are cut into calls. KRAIT_SOLVED;
     where there is no plan, the search's status; KRAIT_BAD_ARGUMENT where krait_limits has no way_legs. Work of one: at
-    most max_steps steps and 16 legs' steps that are not proven, or O(way_legs); the first call after krait_start begins
-    with a Dijkstra. */
+    most max_steps steps, near a pose with the choice of lines as in krait_advance, and 16 legs' steps that are not
+    proven, or O(way_legs); the first call after krait_start begins with a Dijkstra. */
 KRAIT_NODISCARD krait_status krait_improve(krait_planner* planner, uint64_t iterations);
 
 /** Ends a search as KRAIT_TIME_USED, for a program whose clock says so. No effect once it has ended. O(1). */

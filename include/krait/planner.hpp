@@ -140,10 +140,10 @@ class Planner {
 
   /// At most `iterations` more of looking for a plan of fewer steps; plan() and Statistics::plan_steps, plan_length,
   /// plan_duration and hash are then those of the best so far, which was driven and proven as the first one was. Work
-  /// of one, which must end in the goal as the first did, so that few are found for a pose: at most max_steps steps,
-  /// and 16 legs' steps that are not proven, or O(way_legs); the first call after start begins with one Dijkstra. The
-  /// result does not depend on how the iterations are cut into calls. Plans and their cursors from before the call end
-  /// with it. Returns status() and does nothing where that is not solved or the plan has no steps; bad_argument where
+  /// of one: at most max_steps steps, near a pose with the choice of lines as in advance at every third at most, and 16
+  /// legs' steps that are not proven, or O(way_legs); the first call after start begins with one Dijkstra. The result
+  /// does not depend on how the iterations are cut into calls. Plans and their cursors from before the call end with
+  /// it. Returns status() and does nothing where that is not solved or the plan has no steps; bad_argument where
   /// Limits::way_legs is 0.
   [[nodiscard]] Status improve(std::uint64_t iterations);
 

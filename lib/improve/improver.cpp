@@ -23,6 +23,7 @@ void Improver::begin(const WayTools& tools, PlanProof& proof, const Regions& reg
   depth_ = depth;
   random_ = random;
   robot_length_ = robot_length(tools.robot);
+  if (tools.last_metres != nullptr) tools.last_metres->brake(kBraking);
   half_width_ = inner_radius(tools.robot.body(0), middle(tools.robot.body(0)));
   stride_ = 0.0F;
   share_ = 0;
@@ -184,7 +185,8 @@ void Improver::begin_search() {
   reaches_ = false;
   left_ = kInfinity;
   vain_ = 0;
-  const std::uint32_t hold = std::max(plan_steps_ / current().capacity() + 1, kHold);
+  const std::uint32_t room = current().capacity() / (tools_.last_metres == nullptr ? 1 : 2);
+  const std::uint32_t hold = std::max(plan_steps_ / room + 1, kHold);
   const float near = 0.5F * regions_->goal().size(*tools_.scene);
   drives_.assign(tools_, {hold, stride_, kReach * turns_.unit, near});
   changed().copy(route());
@@ -290,7 +292,9 @@ std::uint32_t Improver::first_that_sees(float from) {
     const float look = route()[route().stretch(arc)].look;
     if (!(arc + (look > reach ? look : reach) < from)) return leg;
   }
-  return count > 0 ? count - 1 : 0;
+  std::uint32_t last = count > 0 ? count - 1 : 0;
+  while (last > 0 && current()[last].arc == Leg::kOffRoute) --last;
+  return last;
 }
 
 void Improver::begin_proof() {

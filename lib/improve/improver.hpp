@@ -58,6 +58,7 @@ class Improver {
   static constexpr std::uint32_t kRunUp = 15;     // steps straight on before a turn is measured,
   static constexpr std::uint32_t kTurning = 30;   // steps of the turn,
   static constexpr std::uint32_t kMeasured = 15;  // the last ones of which are measured
+  static constexpr float kBraking = 0.3F;         // of the sharpest: how shots brake
   static constexpr float kReach = 2.4F;           // units: how far on along a route the robot's place is looked for
   static constexpr float kSpacing = 0.5F;         // units between the points of a line that is pulled taut
   static constexpr float kLeastDisc = 1.15F;      // of body 0's half width: what a line is pulled taut for, and
@@ -127,7 +128,8 @@ class Improver {
   // the via's new number.
   std::uint32_t spread_around(std::uint32_t i);
 
-  // The first leg of the current way that may look further along the route than `from`, or else the last.
+  // The first leg of the current way that may look further along the route than `from`, or else the last from which it
+  // can change.
   std::uint32_t first_that_sees(float from);
 
   void begin_proof();

@@ -24,6 +24,7 @@ void WayDrive::begin(Way& way, const Way& from, std::uint32_t legs, const Route&
   stuck_ = 0;
   left_ = 0;
   braking_ = false;
+  shooting_ = false;
   rival_ = nullptr;
 }
 
@@ -37,6 +38,10 @@ void WayDrive::race(const Way& rival, float length, float from) {
 
 WayDrive::Outcome WayDrive::advance(std::uint32_t steps) {
   for (; steps > 0; --steps) {
+    if (shooting_) {
+      if (shoot()) return Outcome::reached;
+      continue;
+    }
     if (left_ == 0 && !braking_) {
       const Outcome outcome = begin_leg();
       if (outcome != Outcome::drives) return outcome;
@@ -51,6 +56,7 @@ WayDrive::Outcome WayDrive::advance(std::uint32_t steps) {
     if (tools_->ending->holds(state, tools_->depth)) return Outcome::reached;
     if (way_->steps() + 1 >= bound_) return Outcome::too_long;
     if (!way_->full() && tools_->ending->stops_inside(state, tools_->check->poses()[0])) begin_braking();
+    if (left_ == 0 && !braking_) begin_shots();
   }
   return Outcome::drives;
 }
@@ -101,6 +107,48 @@ bool WayDrive::brake() {
   return false;
 }
 
+void WayDrive::begin_shots() {
+  LastMetres* const last_metres = tools_->last_metres;
+  const float* const state = tools_->drive->state();
+  if (last_metres == nullptr || !last_metres->near({state[0], state[1]})) return;
+  last_metres->choose(tools_->check->poses()[0]);
+  shot_ = way_->count();
+  shooting_ = begin_shot();
+}
+
+bool WayDrive::begin_shot() {
+  const float* const state = tools_->drive->state();
+  tools_->check->begin(state);
+  tools_->brake->begin(state);
+  leg_steps_ = LastMetres::kLongest;
+  return tools_->last_metres->next(tools_->check->poses()[0]);
+}
+
+bool WayDrive::shoot() {
+  Drive& drive = *tools_->brake;
+  const Moment now{tools_->robot, drive.state(), tools_->check->poses()[0]};
+  const bool aimed = !tools_->last_metres->leg_over(leg_steps_, now) || begin_shot_leg(now);
+  if (aimed && take_step(drive)) {
+    ++leg_steps_;
+    if (tools_->ending->holds(drive.state(), tools_->depth)) return true;
+    if (way_->steps() + 1 < bound_) return false;
+  }
+  while (way_->count() > shot_) way_->remove_last();
+  shooting_ = begin_shot();
+  return false;
+}
+
+bool WayDrive::begin_shot_leg(const Moment& now) {
+  Target target;
+  if (way_->full() || !tools_->last_metres->aim(now, target)) return false;
+  if (too_long(tools_->last_metres->least_left(now))) return false;
+  const PackedTarget packed = tools_->grid.pack(target);
+  way_->add(packed, way_->count() == shot_ ? arc_ : Leg::kOffRoute, now.state);
+  tools_->brake->aim(tools_->grid.unpack(packed));
+  leg_steps_ = 0;
+  return true;
+}
+
 float WayDrive::slow_share(const float* state) const {
   if (!tools_->ending->limits_speed()) return 1.0F;
   const float way = math::absolute(tools_->robot.stopping_way(state));
@@ -118,8 +166,7 @@ WayDrive::Outcome WayDrive::begin_leg() {
   } else if (++stuck_ > kMostStuck) {
     return Outcome::blocked;
   }
-  const float rest = kLeastShare * (route_->length() - arc_ - manner_.near) / manner_.stride;
-  if (static_cast<float>(way_->steps()) + rest >= static_cast<float>(bound_)) return Outcome::too_long;
+  if (too_long(route_->length() - arc_)) return Outcome::too_long;
   if (rival_ != nullptr && arc_ > from_ && later()) return Outcome::too_long;
   const Via& via = (*route_)[route_->stretch(arc_)];
   Target target;
@@ -131,6 +178,11 @@ WayDrive::Outcome WayDrive::begin_leg() {
   tools_->drive->aim(tools_->grid.unpack(packed));
   left_ = manner_.hold;
   return Outcome::drives;
+}
+
+bool WayDrive::too_long(float left) const {
+  const float rest = kLeastShare * (left - manner_.near) / manner_.stride;
+  return static_cast<float>(way_->steps()) + rest >= static_cast<float>(bound_);
 }
 
 bool WayDrive::later() {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Drives a robot along a route, leg by leg: a leg is some steps at full speed toward the place ahead on the route that
-// its stretch says, and every step is proven as the tree's are.
+// its stretch says, and every step is proven as the tree's are. Near a pose it shoots as the tree does.
 #pragma once
 
 #include "improve/route.hpp"
+#include "last_metres/last_metres.hpp"
 #include "plan/ending.hpp"
 #include "plan/proven_step.hpp"
 #include "plan/way.hpp"
@@ -20,8 +21,9 @@ struct WayTools {
   Drive* brake = nullptr;
   TargetGrid grid;
   const Ending* ending = nullptr;
-  float depth = 0.0F;            // metres: how deep inside the goal a way ends
-  const float* start = nullptr;  // state_size() floats
+  LastMetres* last_metres = nullptr;  // null: none are driven
+  float depth = 0.0F;                 // metres: how deep inside the goal a way ends
+  const float* start = nullptr;       // state_size() floats
 };
 
 class WayDrive {
@@ -65,7 +67,7 @@ class WayDrive {
   static constexpr std::uint32_t kMostStuck = 12;  // legs that get no further along the route
   static constexpr float kFurther = 0.025F;        // of `reach`: what counts as further
   static constexpr float kLater = 0.5F;            // steps
-  static constexpr float kLeastShare = 0.97F;      // of the route that is left, below which no way on is
+  static constexpr float kLeastShare = 0.97F;      // of the route or line that is left, below which no way on is
 
   // The same bits as when the leg was driven first.
   void drive_again(const Leg& leg);
@@ -79,30 +81,48 @@ class WayDrive {
   // One step of the brake; whether it ends the plan. Where it cannot, the way goes on from where the brake began.
   bool brake();
 
+  // Chooses shots from the way's last state if it is near a pose.
+  void begin_shots();
+
+  // The next shot from there. False when there is none left.
+  bool begin_shot();
+
+  // One step of a shot; whether it ends the plan. Where none does, the way goes on from where they began.
+  bool shoot();
+
+  // Each leg is one of the way. False where there is none left, or the shot would be too long.
+  bool begin_shot_leg(const Moment& now);
+
   // So slow that the robot can stop where the route ends.
   float slow_share(const float* state) const;
 
   Outcome begin_leg();
 
+  // Whether the way would not have fewer steps than asked for, with so many metres left.
+  bool too_long(float left) const;
+
   // Whether the rival came to where as much of its route is left in fewer steps.
   bool later();
 
-  const WayTools* tools_ = nullptr;
-  Manner manner_{};
+  const WayTools* tools_;
+  Manner manner_;
   ProvenStep step_;
-  Way* way_ = nullptr;
-  const Route* route_ = nullptr;
-  std::uint32_t bound_ = 0;
-  float arc_ = 0.0F;
-  float furthest_ = 0.0F;  // of arc_, from where on it counted as further
-  std::uint32_t stuck_ = 0;
-  std::uint32_t left_ = 0;  // steps of the leg
-  bool braking_ = false;    // whether the last leg is a brake
-  const Way* rival_ = nullptr;
-  float rival_length_ = 0.0F;
-  float from_ = 0.0F;
-  std::uint32_t rival_leg_ = 0;    // that the rival was in where as much of its route was left, and
-  std::uint32_t rival_steps_ = 0;  // its steps before that
+  Way* way_;
+  const Route* route_;
+  std::uint32_t bound_;
+  float arc_;
+  float furthest_;  // of arc_, from where on it counted as further
+  std::uint32_t stuck_;
+  std::uint32_t left_;       // steps of the leg
+  bool braking_;             // whether the last leg is a brake
+  bool shooting_;            // whether the last legs are a shot's,
+  std::uint32_t shot_;       // the first of them,
+  std::uint32_t leg_steps_;  // and the steps of the last
+  const Way* rival_;
+  float rival_length_;
+  float from_;
+  std::uint32_t rival_leg_;    // that the rival was in where as much of its route was left, and
+  std::uint32_t rival_steps_;  // its steps before that
 };
 
 }  // namespace krait::detail

@@ -10,9 +10,11 @@
 namespace krait::detail {
 
 struct Leg {
+  static constexpr float kOffRoute = -kInfinity;
+
   PackedTarget target;
   std::uint32_t steps;
-  float arc;     // metres along the route that it follows, where it begins
+  float arc;     // metres along the route that it follows, where it begins; kOffRoute: the way cannot change from there
   float length;  // metres driven before it
 };
 

@@ -6,10 +6,10 @@
 #include "collision/motion_check.hpp"
 #include "decomposition/regions.hpp"
 #include "krait/planner.hpp"
+#include "last_metres/last_metres.hpp"
 #include "motion/drive.hpp"
 #include "plan/ending.hpp"
 #include "plan/motion_tree.hpp"
-#include "search/last_metres.hpp"
 #include "search/recent_states.hpp"
 
 namespace krait::detail {
@@ -92,6 +92,7 @@ class Expander {
   // The drives are free for others while no expansion runs.
   Drive& drive() { return drive_; }
   Drive& brake() { return brake_; }
+  LastMetres& last_metres() { return last_metres_; }
 
  private:
   // How often an expansion past max_steps may have crossed a portal; measured: bench/ABLATIONS.md, "Constants".

@@ -295,8 +295,9 @@ void Search::begin_to_improve() {
   improving_ = true;
   find_paths();
   const TargetGrid grid(scene_->bounds());
-  const WayTools tools{robot_, scene_,   &parameters_, &check_,           &expander_.drive(), &expander_.brake(),
-                       grid,   &ending_, goal_depth_,  tree_.state(kRoot)};
+  LastMetres* const last_metres = shoots() ? &expander_.last_metres() : nullptr;
+  const WayTools tools{robot_, scene_,   &parameters_, &check_,     &expander_.drive(), &expander_.brake(),
+                       grid,   &ending_, last_metres,  goal_depth_, tree_.state(kRoot)};
   improver_.begin(tools, proof_, regions_, found_path(), end_depth_, random_);
 }
 

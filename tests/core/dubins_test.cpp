@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Dubins' words against the formulas of Shkel and Lumelsky (Classification of the Dubins set, 2001) in double.
-#include "search/dubins.hpp"
+#include "last_metres/dubins.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,9 +2,9 @@
 // Parking spaces: what leads out of one, and that a car drives in where no line of one gear leads.
 #include <cmath>
 
+#include "last_metres/pull_outs.hpp"
 #include "plan/ending.hpp"
 #include "planner_fixture.hpp"
-#include "search/pull_outs.hpp"
 
 namespace krait::test {
 namespace {
@@ -70,6 +70,26 @@ int solved(const R& robot, double lengths) {
 
 TEST(PlannerParking, ACarDrivesIntoASpaceThatIsHardlyLonger) {
   for (const double lengths : {1.25, 1.4, 1.6}) EXPECT_EQ(solved(Parked(), lengths), 10) << lengths;
+}
+
+TEST(PlannerParking, ABetterPlanParksAsWell) {
+  Bench<Parked> bench(aisle(1.4), Parked());
+  bench.limits.way_legs = 300;
+  const std::vector<float> start = {1.0F, 0.8F, 0, 0, 0};
+  double first = 0;
+  double better = 0;
+  for (std::uint64_t seed = 10'001; seed <= 10'010; ++seed) {
+    ASSERT_TRUE(bench.init().ok());
+    ASSERT_EQ(bench.solve({start.data(), space(), seed}), Status::solved);
+    first += bench.planner.plan().steps();
+    ASSERT_EQ(bench.planner.improve(1000), Status::solved);
+    const std::vector<float> end = Path(bench.planner.plan()).states.back();
+    EXPECT_LE(std::hypot(end[0] - space().center().x, end[1] - space().center().y), space().radius());
+    EXPECT_LE(std::abs(end[2]), 0.1F);
+    EXPECT_LE(bench.planner.statistics().plan_end_speed, detail::kRestSpeed);
+    better += bench.planner.plan().steps();
+  }
+  EXPECT_LE(better, 0.95 * first);
 }
 
 TEST(PlannerParking, NoLineOfOneGearLeadsThere) { EXPECT_LE(solved(Unparked(), 1.25), 2); }

@@ -13,7 +13,7 @@ from pathlib import Path
 # Of the core, the lowest first: folders and files directly under include/krait and lib.
 LAYERS = [
     "version", "math", "geometry", "status", "base", "format", "parameters", "scene", "goal",
-    "decomposition", "robots", "robot", "motion", "collision", "plan", "improve", "planner", "search",
+    "decomposition", "robots", "robot", "motion", "collision", "plan", "last_metres", "improve", "planner", "search",
     "robot_check", "krait", "c",
 ]
 # What is installed under include/krait. Its headers are layers one by one, and the folder robots is one, too: its

@@ -184,6 +184,23 @@ TEST_F(CliPlan, ImprovesAndSaysSo) {
   }
 }
 
+TEST_F(CliPlan, ImprovesPlansToPoses) {
+  int better = 0;
+  for (const std::string& robot : every_robot(2)) {
+    for (const char* heading : {"0", "1.57", "3.14"}) {
+      const std::vector<std::string> pose = {"--goal", "15,8,0.2", "--heading", heading};
+      std::vector<std::string> options = {"--robot", robot, "--seed", "10001", "--improve", "20"};
+      options.insert(options.end(), pose.begin(), pose.end());
+      if (plan(options).at("statistics").at("improvements").get<int>() > 0) ++better;
+      std::vector<std::string> judged = {"verify", "room.json", "plan.json", "--robot", robot};
+      judged.insert(judged.end(), pose.begin(), pose.end());
+      const Outcome verdict = krait(judged);
+      EXPECT_EQ(verdict.code, 0) << verdict.output << verdict.errors;
+    }
+  }
+  EXPECT_GE(better, 10);  // of 15
+}
+
 TEST_F(CliPlan, RefusesToImproveByWhatIsNoNumber) {
   for (const char* times : {"-1", "1e7", "much", "nan"}) {
     EXPECT_EQ(krait({"plan", "room.krait", "--robot", "car", "--improve", times}).code, 2) << times;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "search/last_metres.hpp"
+#include "last_metres/last_metres.hpp"
 
 #include <iterator>
 
-#include "search/arc.hpp"
-#include "search/parking.hpp"
+#include "last_metres/arc.hpp"
+#include "last_metres/parking.hpp"
 
 namespace krait::detail {
 namespace {
@@ -54,6 +54,7 @@ void LastMetres::assign(const Scene& scene, const Goal& goal, const Nimbleness& 
   scene_ = &scene;
   goal_ = goal;
   robot_ = robot;
+  braking_ = kBraking;
   const float radius = least_radius(robot);
   const bool spins = robot.turning_radius == 0.0F;
   radii_[0] = 0.0F;
@@ -221,11 +222,17 @@ bool LastMetres::aim(const Moment& now, Target& target) {
   turning_ = false;
   if (stops && ++stops_ > kMostStops) return false;
   const float speed = now.robot.speed(now.state);
-  const float share = pace(robot_, line_.length() - arc_, speed, now.robot.stopping_way(now.state), kBraking);
+  const float share = pace(robot_, left(), speed, now.robot.stopping_way(now.state), braking_);
   target.speed = stops ? 0.0F : (shot.backward ? -share : share);
   target.turn = 1.0F;
   target.point = point_ahead(line_, arc_, kLook * robot_.length + kLookSteps * robot_.dt * speed);
   return true;
+}
+
+float LastMetres::least_left(const Moment& now) const {
+  const float left = this->left();
+  const float braked = math::absolute(now.robot.stopping_way(now.state)) / braking_;
+  return left + (braked < left ? braked : left);
 }
 
 bool LastMetres::leg_over(std::uint32_t steps, const Moment& now) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "search/arc.hpp"
+#include "last_metres/arc.hpp"
 
 namespace krait::detail {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "search/pull_outs.hpp"
+#include "last_metres/pull_outs.hpp"
 
-#include "search/arc.hpp"
+#include "last_metres/arc.hpp"
 
 namespace krait::detail {
 namespace {

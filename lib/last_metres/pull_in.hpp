@@ -6,8 +6,8 @@
 #include <cstdint>
 
 #include "krait/scene.hpp"
-#include "search/nimbleness.hpp"
-#include "search/pull_outs.hpp"
+#include "last_metres/nimbleness.hpp"
+#include "last_metres/pull_outs.hpp"
 
 namespace krait::detail {
 

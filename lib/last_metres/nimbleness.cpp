@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "search/nimbleness.hpp"
+#include "last_metres/nimbleness.hpp"
 
 namespace krait::detail {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "search/dubins.hpp"
+#include "last_metres/dubins.hpp"
 
 #include "krait/status.hpp"
-#include "search/arc.hpp"
+#include "last_metres/arc.hpp"
 
 namespace krait::detail {
 namespace {

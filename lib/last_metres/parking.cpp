@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "search/parking.hpp"
+#include "last_metres/parking.hpp"
 
 #include "krait/robots/functions.hpp"
-#include "search/last_metres.hpp"
+#include "last_metres/last_metres.hpp"
 
 namespace krait::detail {
 namespace {

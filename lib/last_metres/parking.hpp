@@ -3,7 +3,7 @@
 // models hold that do so (krait/robots/functions.hpp): a program of other models does not contain them.
 #pragma once
 
-#include "search/pull_in.hpp"
+#include "last_metres/pull_in.hpp"
 
 namespace krait::detail {
 

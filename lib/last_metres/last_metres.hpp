@@ -9,10 +9,10 @@
 
 #include "collision/sight.hpp"
 #include "krait/goal.hpp"
-#include "search/dubins.hpp"
-#include "search/nimbleness.hpp"
-#include "search/pull_in.hpp"
-#include "search/pull_outs.hpp"
+#include "last_metres/dubins.hpp"
+#include "last_metres/nimbleness.hpp"
+#include "last_metres/pull_in.hpp"
+#include "last_metres/pull_outs.hpp"
 
 namespace krait::detail {
 
@@ -26,6 +26,9 @@ class LastMetres {
 
   // For a goal that is a pose; the scene must outlive this.
   void assign(const Scene& scene, const Goal& goal, const Nimbleness& robot);
+
+  // How sharply later shots brake, of the sharpest: assign sets what keeps most of them on their lines.
+  void brake(float share) { braking_ = share; }
 
   // Whether a position is so near to the goal that it pays to shoot.
   bool near(Vec2 position) const { return length(position - goal_.center()) <= capture_; }
@@ -42,6 +45,9 @@ class LastMetres {
 
   // The next leg's target. False when the shot has ended, the robot has left its line, or it does not turn.
   bool aim(const Moment& now, Target& target);
+
+  // Metres at the top speed that what is left of the shot's line takes no less time than.
+  float least_left(const Moment& now) const;
 
   // Whether a leg of so many steps is over: one that turns the robot or its wheels, when they have turned.
   bool leg_over(std::uint32_t steps, const Moment& now);
@@ -78,8 +84,11 @@ class LastMetres {
   // Goes along the line as far as the robot has come. False where it has left the line.
   bool keep_to_line(const Pose& at);
 
+  // Metres that are left of the shot's line.
+  float left() const { return line_.length() - arc_; }
+
   // Whether the robot is where the line ends.
-  bool arrived() const { return line_.length() - arc_ <= near_; }
+  bool arrived() const { return left() <= near_; }
 
   // The straight piece from here toward the goal, or to the lead before it. Returns whether the robot faces it.
   bool begin_straight(const Shot& shot, const Pose& at);
@@ -98,6 +107,7 @@ class LastMetres {
   Nimbleness robot_;
   Sight sight_;
   Sight spin_;  // for a disc that body 0 lies in
+  float braking_;
   float radii_[kRadii];
   float leads_[kMostLeads];
   int lead_count_;

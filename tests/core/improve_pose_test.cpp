@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// improve where the goal is a pose: plans get better and end as it asks, whatever the calls.
+#include <cmath>
+#include <numbers>
+
+#include "improve_fixture.hpp"
+#include "plan/ending.hpp"
+
+namespace krait::test {
+namespace {
+
+constexpr Vec2 kPoint{14.5F, 1.5F};
+constexpr float kNear = 0.1F;  // metres and radians
+constexpr std::uint64_t kSeed = 10'001;
+
+Goal pose(int quarter, float hitches = kInfinity) {
+  return Goal::pose(kPoint, kNear, {0.5F * kPi * static_cast<float>(quarter), kNear, false, hitches});
+}
+
+double between(double a, double b) { return std::abs(std::remainder(a - b, 2 * std::numbers::pi)); }
+
+void expect_in_pose(const std::vector<Frame>& bodies, const Goal& goal) {
+  const Facing& facing = goal.facing();
+  EXPECT_LE(std::hypot(bodies[0].x - wide(kPoint.x), bodies[0].y - wide(kPoint.y)), wide(kNear));
+  EXPECT_LE(between(bodies[0].angle, wide(facing.heading)), wide(facing.tolerance));
+  for (std::size_t k = 1; k < bodies.size() && facing.hitches < kInfinity; ++k) {
+    EXPECT_LE(between(bodies[k].angle, bodies[k - 1].angle), wide(facing.hitches));
+  }
+}
+
+// The steps of better plans, of those of the first ones: of two seeds in each of four headings.
+template <class R>
+double share_of_steps(const R& robot, float hitches = kInfinity) {
+  double first = 0;
+  double better = 0;
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    const Goal goal = pose(quarter, hitches);
+    for (std::uint64_t seed = kSeed; seed < kSeed + 2; ++seed) {
+      SCOPED_TRACE(testing::Message() << "quarter " << quarter << ", seed " << seed);
+      Solved<R> bench(robot, seed, kLegs, goal);
+      const std::uint32_t steps = bench.planner.plan().steps();
+      EXPECT_EQ(bench.planner.improve(1500), Status::solved);
+      EXPECT_LE(bench.planner.plan().steps(), steps);
+      EXPECT_LE(bench.planner.statistics().plan_end_speed, detail::kRestSpeed);
+      expect_in_pose(frames(robot, drive_alone(bench, Path(bench.planner.plan()))), goal);
+      first += steps;
+      better += bench.planner.plan().steps();
+    }
+  }
+  return better / first;
+}
+
+TEST(ImprovePose, PlansOfEveryModelGetBetter) {
+  EXPECT_LE(share_of_steps(small_car()), 0.7);
+  EXPECT_LE(share_of_steps(DifferentialDrive(DifferentialDriveParameters())), 0.87);
+  EXPECT_LE(share_of_steps(small_unicycle()), 0.9);
+  EXPECT_LE(share_of_steps(Truck(small_chain(1))), 0.85);
+  EXPECT_LE(share_of_steps(Truck(small_chain(2))), 0.85);
+  EXPECT_LE(share_of_steps(Snake(small_chain(3))), 0.8);
+  EXPECT_LE(share_of_steps(Truck(small_chain(1)), 0.2F), 0.8);
+}
+
+TEST(ImprovePose, ThePlanDoesNotDependOnHowCallsAreCut) {
+  expect_independent_of_cuts(small_car(), pose(1));
+  expect_independent_of_cuts(DifferentialDrive(DifferentialDriveParameters()), pose(2));
+  expect_independent_of_cuts(Truck(small_chain(2)), pose(3));
+}
+
+// The shots of the next search, too, are those of a fresh planner.
+TEST(ImprovePose, TheNextStartForgetsThem) {
+  Solved<Car> used(small_car(), kSeed, kLegs, pose(1));
+  EXPECT_EQ(used.planner.improve(2000), Status::solved);
+  ASSERT_GT(used.planner.statistics().improvements, 0U);
+  Solved<Car> fresh(small_car(), kSeed + 1, kLegs, pose(2));
+  ASSERT_EQ(used.solve({used.start.data(), pose(2), kSeed + 1}), Status::solved);
+  EXPECT_EQ(used.planner.plan().hash(), fresh.planner.plan().hash());
+}
+
+}  // namespace
+}  // namespace krait::test
