@@ -51,7 +51,7 @@ CONSTANTS = {
     "pose": {
         "lib/last_metres/last_metres.hpp": {"kHold": (), "kEvery": (), "kMostShots": ()},
         "lib/last_metres/last_metres.cpp": {
-            "kRadii": (0.96, 1.5), "kCaptureRadii": (), "kCaptureLengths": (), "kLeads": (), "kShortLeads": (),
+            "kRadii": (0.96, 1.5), "kCaptureRadii": (), "kCaptureLengths": (), "kLeads": (),
             "kDetour": (), "kDetourLengths": (), "kSightRoom": (0.5, 1.5), "kSightStep": (), "kMostLooks": (),
             "kLook": (), "kLookSteps": (), "kOff": (), "kBraking": (), "kNearEnough": (), "kMostStops": ()},
         "lib/last_metres/nimbleness.cpp": {"kSettle": (), "kSlowest": ()}},

@@ -10,16 +10,17 @@ namespace krait::detail {
 namespace {
 
 // Measured: bench/ABLATIONS.md, "Constants".
-constexpr float kLeastRadius = 0.4F;                 // in lengths of body 0: of a robot that turns on the spot, and
-                                                     // of as many metres a radian of a turn counts
-constexpr float kRadii[] = {1.05F, 1.5F, 3.0F};      // of the lines' arcs, in turning radii
-constexpr float kCaptureRadii = 4.0F;                // how near the goal must be, in turning radii, and
-constexpr float kCaptureLengths = 3.5F;              // as many lengths of body 0 more
-constexpr float kLeads[] = {0.7F, 1.3F};             // straight ends of lines, in lengths of body 0, or
-constexpr float kShortLeads[] = {0.0F, 0.35F};       // where there is no room for those, or
-constexpr float kHitchLeads[] = {1.2F, 2.8F, 4.5F};  // where hitches must be straight
-constexpr float kDetour = 2.0F;                      // the most of a line, in distances to the goal, and
-constexpr float kDetourLengths = 8.0F;               // as many lengths of body 0 more
+constexpr float kLeastRadius = 0.4F;                   // in lengths of body 0: of a robot that turns on the spot, and
+                                                       // of as many metres a radian of a turn counts
+constexpr float kRadii[] = {1.05F, 1.5F, 3.0F};        // of the lines' arcs, in turning radii
+constexpr float kCaptureRadii = 4.0F;                  // how near the goal must be, in turning radii, and
+constexpr float kCaptureLengths = 3.5F;                // as many lengths of body 0 more
+constexpr float kLeads[] = {0.0F, 0.35F, 0.7F, 1.3F};  // straight ends of lines, in lengths of body 0: two short
+                                                       // ones, for where there is no room for the others; or
+constexpr float kHitchLeads[] = {1.2F, 2.8F, 1.15F, 2.4F};  // where hitches must be straight, the latter two in so many
+                                                            // lengths as there are bodies
+constexpr float kDetour = 2.0F;                             // the most of a line, in distances to the goal, and
+constexpr float kDetourLengths = 8.0F;                      // as many lengths of body 0 more
 constexpr float kSightRoom = 0.9F;    // of the disc that is looked for, of that in body 0 at its position
 constexpr float kSightStep = 0.4F;    // of looks along a line, in lengths of body 0, or
 constexpr int kMostLooks = 128;       // so many
@@ -59,16 +60,12 @@ void LastMetres::assign(const Scene& scene, const Goal& goal, const Nimbleness& 
   const bool spins = robot.turning_radius == 0.0F;
   radii_[0] = 0.0F;
   for (int i = spins ? 1 : 0; i < kRadii; ++i) radii_[i] = detail::kRadii[spins ? i - 1 : i] * radius;
-  lead_count_ = 0;
-  short_leads_ = 0;
-  if (goal.facing().hitches == kInfinity) {
-    add_leads(kShortLeads, std::size(kShortLeads));
-    if (!spins) short_leads_ = lead_count_;
-    add_leads(kLeads, std::size(kLeads));
-  } else {
-    add_leads(kHitchLeads, std::size(kHitchLeads));
-  }
-  capture_ = kCaptureRadii * radius + kCaptureLengths * robot.length + leads_[lead_count_ - 1];
+  const bool straightens = goal.facing().hitches < kInfinity;
+  const float* leads = straightens ? kHitchLeads : kLeads;
+  const float unit = straightens ? robot.train : robot.length;
+  for (int i = 0; i < kLeadCount; ++i) leads_[i] = leads[i] * (i < kShortLeadCount ? robot.length : unit);
+  short_leads_ = straightens || !spins ? kShortLeadCount : 0;
+  capture_ = kCaptureRadii * radius + kCaptureLengths * robot.length + leads_[kLeadCount - 1];
   sight_ = Sight(scene, kSightRoom * robot.half_width, kSightStep * robot.length);
   spin_ = Sight(scene, robot.reach, kSightStep * robot.length);
   near_ = kNearEnough * goal.radius();
@@ -77,15 +74,11 @@ void LastMetres::assign(const Scene& scene, const Goal& goal, const Nimbleness& 
   found_ways_ = false;
 }
 
-void LastMetres::add_leads(const float* lengths, std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) leads_[lead_count_++] = lengths[i] * robot_.length;
-}
-
 void LastMetres::choose(const Pose& from) {
   shot_count_ = 0;
   shot_ = 0;
   for_ways_ = false;
-  consider_leads(from, short_leads_, lead_count_);
+  consider_leads(from, short_leads_, kLeadCount);
   if (shot_count_ == 0) consider_leads(from, 0, short_leads_);
 }
 

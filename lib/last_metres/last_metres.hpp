@@ -54,7 +54,8 @@ class LastMetres {
 
  private:
   static constexpr int kRadii = 3;
-  static constexpr int kMostLeads = 4;
+  static constexpr int kShortLeadCount = 2;
+  static constexpr int kLeadCount = 2 * kShortLeadCount;
   static constexpr std::uint32_t kMostShots = 4;  // measured likewise
 
   struct Shot {
@@ -73,7 +74,6 @@ class LastMetres {
   // Where the shot's line is `lead` metres from its end, and the direction that it has there.
   static Pose before_end(const Shot& shot, float lead);
 
-  void add_leads(const float* lengths, std::size_t count);
   bool draw(const Pose& from, const Shot& shot, CurvedLine& line) const;
   void consider_leads(const Pose& from, int first, int last);
   void consider_words(const Pose& from, Shot& shot);
@@ -109,9 +109,8 @@ class LastMetres {
   Sight spin_;  // for a disc that body 0 lies in
   float braking_;
   float radii_[kRadii];
-  float leads_[kMostLeads];
-  int lead_count_;
-  int short_leads_;  // of the leads, the first
+  float leads_[kLeadCount];  // metres, the short ones first
+  int short_leads_;          // how many are only for where there is no room for the others
   float capture_;
   Shot shots_[kMostShots];
   std::uint32_t shot_count_;

@@ -13,6 +13,7 @@ Nimbleness nimbleness(const Robot& robot, float length, const Parameters& parame
   const float radius = robot.turning_radius(length);
   const Polygon outline = robot.body(0);
   return {length,
+          length * static_cast<float>(robot.body_count()),
           radius,
           robot.top_speed(length),
           inner_radius(outline, {}),
