@@ -86,7 +86,7 @@ ARGUED = {
     "lib/search/groups.hpp": ["kBlock"],
     "lib/last_metres/dubins.cpp": ["kNoTurn"],
     "lib/last_metres/dubins.hpp": ["kMostPieces", "kDubinsWords"],
-    "lib/last_metres/last_metres.hpp": ["kRadii", "kMostLeads"],
+    "lib/last_metres/last_metres.hpp": ["kRadii", "kShortLeadCount", "kLeadCount"],
     "lib/last_metres/pull_in.hpp": ["kNoWay"],
     "lib/last_metres/pull_outs.cpp": ["kSides"],
     "lib/last_metres/pull_outs.hpp": ["kMostLooks"],

@@ -11,8 +11,8 @@
 #include "krait/robots/unicycle.hpp"
 
 /// MODEL(name, class, file, trailers) for every model: what users call it; its class; the name of its header and
-/// source; and how many trailers its robot has where tests run it on targets, - where it never has any. CMake and bash
-/// read these lines, too: one a model, as they stand.
+/// source; and as many trailers as one of it has where nobody says, as in tests, or - where it never has any. CMake and
+/// bash read these lines, too: one a model, as they stand.
 // clang-format off
 #define KRAIT_MODELS(MODEL)                                  \
   MODEL(snake, Snake, snake, 15)                             \
