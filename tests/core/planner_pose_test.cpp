@@ -169,6 +169,23 @@ TEST(PlannerPose, HitchesAreAsStraightAsAsked) {
   expect_poses(Truck(narrow), 0.2F);
 }
 
+// In an empty hall. The last trailer follows last.
+TEST(PlannerPose, TwoTrailersHaveTheRoomToStraighten) {
+  Room hall;
+  hall.bounds = {0, 0, 24, 24};
+  hall.goals = {{20, 20, 21, 21}};
+  Poses<Truck> poses(Truck(chain(2)), hall, {6, 6});
+  std::uint64_t vertices = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    for (int quarter = 0; quarter < 4; ++quarter) {
+      const Facing facing{0.5F * kPi * static_cast<float>(quarter), 0.1F, false, 0.2F};
+      EXPECT_LE(poses.miss(Goal::pose({13, 13}, 0.1F, facing), seed), 0) << "quarter " << quarter << ", seed " << seed;
+      vertices += poses.bench().planner.statistics().vertices;
+    }
+  }
+  EXPECT_LE(vertices / 80, 150U);
+}
+
 TEST(PlannerPose, EitherWayTakesTheNearerEnd) {
   Poses<Car> poses{Car(Car::defaults())};
   bool there = false;
