@@ -3,6 +3,8 @@
 // of steps toward one target, and whoever needs the states drives it again; some states are kept to begin from.
 #pragma once
 
+#include <limits>
+
 #include "base/arena.hpp"
 #include "krait/status.hpp"
 #include "plan/target_grid.hpp"
@@ -10,7 +12,7 @@
 namespace krait::detail {
 
 struct Leg {
-  static constexpr float kOffRoute = -kInfinity;
+  static constexpr float kOffRoute = std::numeric_limits<float>::lowest();
 
   PackedTarget target;
   std::uint32_t steps;
