@@ -11,7 +11,8 @@ namespace krait::bench {
 namespace {
 
 void print_planners() {
-  for (const PeerPlanner& planner : peer_planners()) std::printf("%s\t%s\n", planner.name, planner.description);
+  for (const PeerPlanner& planner : peer_planners())
+    std::printf("%s\t%s\n", planner.name.c_str(), planner.description.c_str());
 }
 
 void answer() {

@@ -11,8 +11,8 @@
 
 #include <limits>
 
-#include "host/workspace/workspace.hpp"
 #include "peers/decompositions.hpp"
+#include "trials/named.hpp"
 
 namespace krait::bench {
 namespace {
@@ -81,21 +81,19 @@ constexpr Setting kSettings[] = {{"goal_bias", &PeerTuning::goal_bias, 0, 1},
                                  {"cells_a_side", &PeerTuning::cells_a_side, 1, 1000},
                                  {"cell_lengths", &PeerTuning::cell_lengths, 0.01, 100}};
 
-const Setting& setting_of(const std::string& name) {
-  std::string known;
-  for (const Setting& setting : kSettings) {
-    if (name == setting.name) return setting;
-    known += (known.empty() ? "" : ", ") + std::string(setting.name);
-  }
-  throw host::InputError("no setting '" + name + "' (there is: " + known + ")");
+// The planner with the robot's own controls at random instead of targets that it steers to.
+PeerPlanner with_random_controls(PeerPlanner planner) {
+  planner.description = planner.name + " with the robot's own controls at random";
+  planner.name += "-random";
+  planner.controls = ControlKind::random;
+  if (planner.stop == Stop::at_target) planner.stop = Stop::in_goal;
+  planner.tuning = {.max_steps = 20, .heading_weight = planner.tuning.heading_weight};
+  return planner;
 }
 
-}  // namespace
-
-const std::vector<PeerPlanner>& peer_planners() {
+std::vector<PeerPlanner> all_planners() {
   constexpr ControlKind pid = ControlKind::pid;
-  constexpr ControlKind random = ControlKind::random;
-  static const std::vector<PeerPlanner> planners = {
+  std::vector<PeerPlanner> planners = {
       {"RRT", pid, Stop::at_target, {.gentle_share = 0.2}, make_rrt, "every step a vertex, goal bias 5 %"},
       {"KPIECE1",
        pid,
@@ -139,59 +137,28 @@ const std::vector<PeerPlanner>& peer_planners() {
        Stop::in_goal,
        {.gentle_share = 0.2},
        make_syclop_on_grid<oc::SyclopEST>,
-       "on 32 x 32 cells"},
-      {"RRT-random", random, Stop::in_goal, {.max_steps = 20}, make_rrt, "RRT with the robot's own controls at random"},
-      {"KPIECE1-random",
-       random,
-       Stop::in_goal,
-       {.max_steps = 20},
-       make_kpiece,
-       "KPIECE1 with the robot's own controls at random"},
-      {"EST-random", random, Stop::in_goal, {.max_steps = 20}, make_est, "EST with the robot's own controls at random"},
-      {"PDST-random",
-       random,
-       Stop::in_goal,
-       {.max_steps = 20},
-       make_pdst,
-       "PDST with the robot's own controls at random"},
-      {"SST-random",
-       random,
-       Stop::never,
-       {.max_steps = 20, .heading_weight = 1},
-       make_sst,
-       "SST with the robot's own controls at random"},
-      {"SyclopRRT-random",
-       random,
-       Stop::in_goal,
-       {.max_steps = 20},
-       make_syclop_on_triangles<oc::SyclopRRT>,
-       "SyclopRRT with the robot's own controls at random"},
-      {"SyclopEST-random",
-       random,
-       Stop::in_goal,
-       {.max_steps = 20},
-       make_syclop_on_triangles<oc::SyclopEST>,
-       "SyclopEST with the robot's own controls at random"}};
+       "on 32 x 32 cells"}};
+  const std::size_t steered = planners.size();
+  for (std::size_t i = 0; i < steered; ++i) {
+    if (!planners[i].name.ends_with("-grid")) planners.push_back(with_random_controls(planners[i]));
+  }
   return planners;
 }
 
-const PeerPlanner& peer_planner(const std::string& name) {
-  std::string known;
-  for (const PeerPlanner& planner : peer_planners()) {
-    if (name == planner.name) return planner;
-    known += (known.empty() ? "" : ", ") + std::string(planner.name);
-  }
-  throw host::InputError("no peer '" + name + "' (there is: " + known + ")");
+}  // namespace
+
+const std::vector<PeerPlanner>& peer_planners() {
+  static const std::vector<PeerPlanner> planners = all_planners();
+  return planners;
 }
+
+const PeerPlanner& peer_planner(const std::string& name) { return named(peer_planners(), "peer", name); }
 
 PeerTuning tuned(const PeerPlanner& planner, const std::map<std::string, double>& settings) {
   PeerTuning tuning = planner.tuning;
   for (const auto& [name, value] : settings) {
-    const Setting& setting = setting_of(name);
-    if (!(value >= setting.least && value <= setting.most)) {
-      throw host::InputError("set " + name + ": must be from " + std::to_string(setting.least) + " to " +
-                             std::to_string(setting.most));
-    }
+    const Setting& setting = named(kSettings, "setting", name);
+    refuse_outside(name, value, setting.least, setting.most);
     tuning.*setting.member = value;
   }
   return tuning;

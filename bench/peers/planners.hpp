@@ -15,13 +15,13 @@
 namespace krait::bench {
 
 struct PeerPlanner {
-  const char* name;
+  std::string name;
   ControlKind controls;
   Stop stop;  // PeerMotion's
   PeerTuning tuning;
   std::function<ompl::base::PlannerPtr(const ompl::control::SpaceInformationPtr& space, const PeerProblem& problem)>
       make;
-  const char* description;  // a line for the page of results
+  std::string description;  // a line for the page of results
 };
 
 const std::vector<PeerPlanner>& peer_planners();

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <variant>
 
-#include "host/workspace/workspace.hpp"
 #include "krait/status.hpp"
+#include "trials/named.hpp"
 
 namespace krait::bench {
 namespace {
@@ -27,12 +27,12 @@ Parameters unpruned(Parameters parameters) {
 
 // A parameter that a trial may set.
 struct Setting {
-  const char* name;
+  std::string name;
   std::variant<float SearchTuning::*, std::uint32_t SearchTuning::*, bool SearchTuning::*> member;
   Argument argument = Argument::none;  // whose range it has; none of a switch, which is 0 or 1
 
   void set(double value, Parameters& parameters) const {
-    refuse_outside(value);
+    refuse(value);
     if (const auto* real = std::get_if<float SearchTuning::*>(&member)) {
       parameters.tuning.*(*real) = static_cast<float>(value);
     } else if (const auto* count = std::get_if<std::uint32_t SearchTuning::*>(&member)) {
@@ -43,39 +43,33 @@ struct Setting {
   }
 
  private:
-  void refuse_outside(double value) const {
+  void refuse(double value) const {
     const ParameterRange range = argument == Argument::none ? ParameterRange{0, 1} : Parameters::range(argument);
-    const bool whole = std::holds_alternative<float SearchTuning::*>(member) || value == std::floor(value);
-    if (whole && value >= static_cast<double>(range.least) && value <= static_cast<double>(range.most)) return;
-    throw InputError(std::string("set ") + name + ": must be from " + std::to_string(range.least) + " to " +
-                     std::to_string(range.most) + (whole ? "" : ", without a fraction"));
+    refuse_outside(name, value, static_cast<double>(range.least), static_cast<double>(range.most));
+    const bool may_have_fraction = std::holds_alternative<float SearchTuning::*>(member);
+    if (!may_have_fraction && value != std::floor(value))
+      throw InputError("set " + name + ": must be without a fraction");
   }
 };
 
-const Setting kSettings[] = {{"alpha", &SearchTuning::alpha, Argument::alpha},
-                             {"beta", &SearchTuning::beta, Argument::beta},
-                             {"gamma", &SearchTuning::gamma, Argument::gamma},
-                             {"kappa", &SearchTuning::kappa, Argument::kappa},
-                             {"cost_length", &SearchTuning::cost_length, Argument::cost_length},
-                             {"group_sample", &SearchTuning::group_sample, Argument::group_sample},
-                             {"open_steps", &SearchTuning::open_steps, Argument::open_steps},
-                             {"stray_share", &SearchTuning::stray_share, Argument::stray_share},
-                             {"gentle_share", &SearchTuning::gentle_share, Argument::gentle_share},
-                             {"sight_tries", &SearchTuning::sight_tries, Argument::sight_tries},
-                             {"candidates", &SearchTuning::candidates, Argument::candidates},
-                             {"doomed_steps", &SearchTuning::doomed_steps, Argument::doomed_steps},
-                             {"restart_unit", &SearchTuning::restart_unit, Argument::restart_unit},
-                             {"slowest", &SearchTuning::slowest, Argument::slowest},
-                             {"raise_goal", &SearchTuning::raise_goal},
-                             {"prune_portals", &SearchTuning::prune_portals}};
-
-const Setting& setting_of(const std::string& name) {
-  std::string known;
-  for (const Setting& setting : kSettings) {
-    if (name == setting.name) return setting;
-    known += (known.empty() ? "" : ", ") + std::string(setting.name);
-  }
-  throw InputError("no setting '" + name + "' (there is: " + known + ")");
+const std::vector<Setting>& settings_of_searches() {
+  static const std::vector<Setting> settings = {{"alpha", &SearchTuning::alpha, Argument::alpha},
+                                                {"beta", &SearchTuning::beta, Argument::beta},
+                                                {"gamma", &SearchTuning::gamma, Argument::gamma},
+                                                {"kappa", &SearchTuning::kappa, Argument::kappa},
+                                                {"cost_length", &SearchTuning::cost_length, Argument::cost_length},
+                                                {"group_sample", &SearchTuning::group_sample, Argument::group_sample},
+                                                {"open_steps", &SearchTuning::open_steps, Argument::open_steps},
+                                                {"stray_share", &SearchTuning::stray_share, Argument::stray_share},
+                                                {"gentle_share", &SearchTuning::gentle_share, Argument::gentle_share},
+                                                {"sight_tries", &SearchTuning::sight_tries, Argument::sight_tries},
+                                                {"candidates", &SearchTuning::candidates, Argument::candidates},
+                                                {"doomed_steps", &SearchTuning::doomed_steps, Argument::doomed_steps},
+                                                {"restart_unit", &SearchTuning::restart_unit, Argument::restart_unit},
+                                                {"slowest", &SearchTuning::slowest, Argument::slowest},
+                                                {"raise_goal", &SearchTuning::raise_goal},
+                                                {"prune_portals", &SearchTuning::prune_portals}};
+  return settings;
 }
 
 }  // namespace
@@ -100,17 +94,10 @@ const std::vector<CorePlanner>& core_planners() {
   return planners;
 }
 
-const CorePlanner& core_planner(const std::string& name) {
-  std::string known;
-  for (const CorePlanner& planner : core_planners()) {
-    if (name == planner.name) return planner;
-    known += (known.empty() ? "" : ", ") + std::string(planner.name);
-  }
-  throw InputError("no planner '" + name + "' (there is: " + known + ")");
-}
+const CorePlanner& core_planner(const std::string& name) { return named(core_planners(), "planner", name); }
 
 void set_parameters(const std::map<std::string, double>& settings, Parameters& parameters) {
-  for (const auto& [name, value] : settings) setting_of(name).set(value, parameters);
+  for (const auto& [name, value] : settings) named(settings_of_searches(), "setting", name).set(value, parameters);
 }
 
 }  // namespace krait::bench
