@@ -27,22 +27,22 @@ PUBLISHED = ROOT / "bench/results/runs.jsonl.xz"
 QUICK = Protocol(seeds=3, goal_seeds=3, queries=3, pilot_seeds=1, limit=1.0, give_up=1)
 
 HELP = {
-    **{
-        "goals": "what the goals are held against, with most seeds",
-        "foreign": "dynobench and MovingAI",
-        "far": "goals at the far end of maps of 512 cells",
-        "scenes": "the five scenes, every planner of krait",
-        "ablations": "each addition to the paper off in turn",
-        "links": "figure 4",
-        "scale": "table 1",
-        "parameters": "table 2",
-        "peers": "OMPL",
-    },
+    "goals": "what the goals are held against, with most seeds",
+    "foreign": "dynobench and MovingAI",
+    "far": "goals at the far end of maps of 512 cells",
+    "scenes": "the five scenes, every planner of krait",
+    "ablations": "each addition to the paper off in turn",
+    "links": "figure 4",
+    "scale": "table 1",
+    "parameters": "table 2",
+    "peers": "OMPL",
     "tuning": "the peers' settings, each alone, on seeds from 1 on, in no page",
     "all": "all of these but tuning, the parts of a search, and its instructions",
     "own": "a map and a robot of yours: own MAP --robot ROBOT",
-    "results": "write bench/RESULTS.md, bench/results and README's table of what was measured; with files: of these, the journals of shards",
+    "results": "write bench/RESULTS.md, bench/results and README's table of what was measured; with files: of these, "
+    "the journals of shards",
 }
+PRINTED = {"own": own_section, "tuning": tuning_section}  # and in no page
 
 
 def shard_of(text):
@@ -56,19 +56,26 @@ def shard_of(text):
 def parse(arguments):
     parser = argparse.ArgumentParser(
         prog="bench/run",
-        description="Measures what the tables claim, round by round. What has been measured is not measured again: break off at any time, and the same command goes on.",
+        description="Measures what the tables claim, round by round. What has been measured is not measured again: "
+        "break off at any time, and the same command goes on.",
         epilog="WHAT is one of: " + "; ".join(f"{name}: {text}" for name, text in HELP.items()) + ".",
     )
     parser.add_argument("what", choices=list(HELP), metavar="WHAT", help="see below")
     parser.add_argument("files", nargs="*", type=Path, metavar="FILE", help="own: the map; results: journals")
-    parser.add_argument("--seeds", type=int, help=f"rounds (default {Protocol.seeds}, {Protocol.goal_seeds} of the cells of goals)")
-    parser.add_argument("--limit", type=float, help=f"seconds a run (default: {Protocol.least:g}, or {Protocol.factor:g} times the adaptive planner's median if that is more)")
-    parser.add_argument("--planner", action="append", metavar="NAME", help="measure this planner only (ompl:NAME: a peer); may be given again")
+    parser.add_argument("--seeds", type=int,
+                        help=f"rounds (default {Protocol.seeds}, {Protocol.goal_seeds} of the cells of goals)")
+    parser.add_argument("--limit", type=float,
+                        help=f"seconds a run (default: {Protocol.least:g}, or {Protocol.factor:g} times the adaptive "
+                        "planner's median if that is more)")
+    parser.add_argument("--planner", action="append", metavar="NAME",
+                        help="measure this planner only (ompl:NAME: a peer); may be given again")
     parser.add_argument("--robot", default=experiments.ROBOT, help="of own (default %(default)s)")
-    parser.add_argument("--shard", type=shard_of, default=Shard(), metavar="I/N", help="measure the I-th of N shares of the seeds; bench/README.md has how to spread them")
+    parser.add_argument("--shard", type=shard_of, default=Shard(), metavar="I/N",
+                        help="measure the I-th of N shares of the seeds; bench/README.md has how to spread them")
     parser.add_argument("--journal", type=Path, help="file of what was measured (default: in build/bench)")
     parser.add_argument("--quick", action="store_true",
-                        help=f"{QUICK.seeds} rounds, {QUICK.limit:g} s a run, given up at once: shows that all of it works, measures nothing; with files of its own")
+                        help=f"{QUICK.seeds} rounds, {QUICK.limit:g} s a run, given up at once: shows that all of it "
+                        "works, measures nothing; with files of its own")
     options = parser.parse_args(arguments)
     if (options.seeds is not None and options.seeds < 1) or (options.limit is not None and not options.limit > 0):
         parser.error("--seeds must be at least 1 and --limit above 0")
@@ -98,7 +105,9 @@ def folder_of(options):
     if options.what == "own":
         robot = re.sub(r"\W+", "-", options.robot)
         return DATA / f"own-{options.files[0].stem}-{robot}{'-quick' if options.quick else ''}"
-    return DATA / ("quick" if options.quick else options.what if options.what == "tuning" else "full")
+    if options.quick:
+        return DATA / "quick"
+    return DATA / ("tuning" if options.what == "tuning" else "full")
 
 
 def cells_of(options):
@@ -122,8 +131,8 @@ def measure(options):
                 measure_instructions(session, progress)
                 measure_parts(session, progress)
         results = Results(journal.records)
-    if options.what in ("own", "tuning"):
-        print((own_section if options.what == "own" else tuning_section)(results, cells), end="")
+    if options.what in PRINTED:
+        print(PRINTED[options.what](results, cells), end="")
         return
     write_page(results, folder)
     print(f"what was found: {os.path.relpath(folder / 'RESULTS.md')}; bench/run results publishes it")

@@ -4,7 +4,7 @@
 from dataclasses import dataclass
 
 from harness import paper
-from harness.cells import FRESH, PEER, Cell
+from harness.cells import FRESH, Cell
 from harness.experiments import (
     FAR_ONES,
     FOREIGN,
@@ -17,7 +17,7 @@ from harness.experiments import (
     SCENES,
     scaled,
 )
-from harness.results import time_a_step, vertices
+from harness.results import time, time_a_step, vertices
 from harness.statistics import Figure, geometric_mean, in_order, interval, quantile, ratio, succeeded
 
 RIVAL = 0.91  # never slower than 1.1 times the fastest of our own rivals
@@ -77,7 +77,8 @@ def _within_a_second(results, cell):
     if not runs:
         return []
     within = sum(succeeded(run, SECOND, cell) for run in runs)
-    return [Claim(f"{cell.problem}, {cell.robot}: every run within 1 s", f"{within} of {len(runs)}", within == len(runs))]
+    text = f"{cell.problem}, {cell.robot}: every run within 1 s"
+    return [Claim(text, f"{within} of {len(runs)}", within == len(runs))]
 
 
 def _over_the_scenes(results):
@@ -92,7 +93,8 @@ def _over_the_scenes(results):
         found += _at_least(text, results.ratio(list(zip(peers, ours))), 60)
         found += _at_least(f"{text} in a new process", results.ratio(list(zip(peers, fresh))), 60)
     large = [(adaptive(scene, SCALES[-1]), adaptive(scene)) for scene in SCENES]
-    found += _at_most("all scenes: time a plan's step at scale 4 over that at 1", results.ratio(large, value=time_a_step), 1.5)
+    growth = results.ratio(large, value=time_a_step)
+    found += _at_most("all scenes: time a plan's step at scale 4 over that at 1", growth, 1.5)
     found += _spread(results, ours)
     if all(scene in results.parts for scene in SCENES):
         mean = geometric_mean([Figure(results.parts[scene].all_over_floor) for scene in SCENES])
@@ -102,15 +104,14 @@ def _over_the_scenes(results):
 
 def _spread(results, cells):
     """90th percentile over median."""
-    samples = [[Figure(run["time_s"], not succeeded(run, run["limit_s"], cell)) for run in results.runs(cell)] for cell in cells]
-    if not all(samples):
-        return []
 
     def spread(drawn):
         ordered = [in_order(figures) for figures in drawn]
         return geometric_mean([ratio(quantile(figures, 0.9), quantile(figures, 0.5)) for figures in ordered])
 
-    return _at_most("all scenes: 90th percentile of time over its median", interval(samples, spread), 2.5)
+    samples = results.samples(cells, time)
+    found = interval(samples, spread) if samples else None
+    return _at_most("all scenes: 90th percentile of time over its median", found, 2.5)
 
 
 def _solved(results):
@@ -145,6 +146,3 @@ def claims(results):
     """Those whose cells were measured, by group."""
     return {name: found for name, group in GROUPS.items() if (found := group(results))}
 
-
-def peer_name(cell):
-    return cell.planner.removeprefix(PEER)

@@ -85,17 +85,25 @@ def peers():
 
 
 # Each alone, for the peers that steer; the default stands in bench/peers/planners.cpp.
-SYCLOP = {"max_steps": ("5", "10", "20", "40"), "slowest": ("1",), "gentle_share": ("0.2",)}
+STEERING = {"slowest": ("1",), "gentle_share": ("0.2",)}
+HELD = {"max_steps": ("20", "80"), **STEERING}
+SYCLOP = {"max_steps": ("5", "10", "20", "40"), **STEERING}
+GRID = {"cells_a_side": ("16", "64")}
 TUNINGS = {
-    "RRT": {"max_steps": ("20", "80"), "goal_bias": ("0.01", "0.2"), "slowest": ("1",), "gentle_share": ("0.2",)},
-    "KPIECE1": {"max_steps": ("20", "80"), "cell_lengths": ("0.5", "2", "4"), "slowest": ("1",), "gentle_share": ("0.2",)},
-    "EST": {"max_steps": ("20", "80"), "range": ("10", "40"), "cell_lengths": ("0.5", "2"), "slowest": ("1",), "gentle_share": ("0.2",)},
-    "PDST": {"max_steps": ("20", "80"), "slowest": ("1",), "gentle_share": ("0.2",)},
-    "SST": {"max_steps": ("20", "80"), "selection_radius": ("0.5", "2"), "pruning_radius": ("0.15", "0.6"), "heading_weight": ("0", "3"), "slowest": ("1",), "gentle_share": ("0.2",)},
+    "RRT": {"goal_bias": ("0.01", "0.2"), **HELD},
+    "KPIECE1": {"cell_lengths": ("0.5", "2", "4"), **HELD},
+    "EST": {"range": ("10", "40"), "cell_lengths": ("0.5", "2"), **HELD},
+    "PDST": HELD,
+    "SST": {
+        "selection_radius": ("0.5", "2"),
+        "pruning_radius": ("0.15", "0.6"),
+        "heading_weight": ("0", "3"),
+        **HELD,
+    },
     "SyclopRRT": SYCLOP,
     "SyclopEST": SYCLOP,
-    "SyclopRRT-grid": {"cells_a_side": ("16", "64")},
-    "SyclopEST-grid": {"cells_a_side": ("16", "64")},
+    "SyclopRRT-grid": GRID,
+    "SyclopEST-grid": GRID,
 }
 
 
@@ -124,7 +132,7 @@ def far():
 
 
 def goals():
-    """What goals are held against, with more seeds than the tables have: the adaptive planner's cells and its rival's."""
+    """What goals are held against, with more seeds than the tables have: the adaptive planner and its rival."""
     cells = [Cell(scene, ROBOT, planner) for scene in SCENES for planner in ("adaptive", "prior")]
     cells += [Cell(scaled(scene, SCALES[-1]), ROBOT, "adaptive") for scene in SCENES]
     cells += [Cell(scene, LONG_CHAIN, "adaptive") for scene in SCENES]

@@ -21,7 +21,7 @@ def cells():
 
 
 def _count(trials):
-    """Of all trials together; each must have solved its problem."""
+    """Of all trials together, however they end; their seeds are among those that the tables have verified."""
     command = ["valgrind", "--tool=callgrind", f"--toggle-collect={COUNTED}", "--callgrind-out-file=/dev/null"]
     command += [BIN / "krait-bench-search", "trials", "--memory", "64", "--unverified"]
     lines = "".join(json.dumps(trial) + "\n" for trial in trials)

@@ -11,11 +11,14 @@ from harness.results import to_csv, to_json, vertices, write
 from harness.tables import HOLDS, markdown, tables
 
 INTRODUCTION = """# What was measured
-Written by `bash bench/run results` from [every run](results/runs.jsonl.xz); [every table](results/TABLES.md), with the protocol and what differs from the paper. How to measure: [README](README.md).
+Written by `bash bench/run results` from [every run](results/runs.jsonl.xz); [every table](results/TABLES.md), with the
+protocol and what differs from the paper. How to measure: [README](README.md).
 
 ![](results/ratios.svg)
 
-How many times as long as krait's planner the others take, in the median over the same seeds or queries, with 95 % intervals: on problems of others, which nothing was tuned on, and on our five scenes. An arrow is a bound: the other did not solve half of them within its limit.
+How many times as long as krait's planner the others take, in the median over the same seeds or queries, with 95 %
+intervals: on problems of others, which nothing was tuned on, and on our five scenes. An arrow is a bound: the other did
+not solve half of them within its limit.
 
 ![](results/success.svg)
 
@@ -23,9 +26,13 @@ How many times as long as krait's planner the others take, in the median over th
 
 REASONS = """
 **Where a goal may be missed, why.**
-- **`prior`** has our pruning, steering and proofs, and may end at full speed, where `adaptive` brakes. On `parallelpark_0` a search takes a tenth of a millisecond and some hundred vertices, of which sight and sketches save none.
-- **The best peers** are SyclopEST, which has our triangles without the portals that are too narrow, and KPIECE1; both have our steering, gentle turns and proofs, and may end at full speed.
-- **The floor** leaves out steps that are tried and refused, sketches, the paths' repairs, the plan's second drive before it is returned, and the check of the scene's bytes (the parts of a search, in the tables).
+- **`prior`** has our pruning, steering and proofs, and may end at full speed, where `adaptive` brakes. On
+  `parallelpark_0` a search takes a tenth of a millisecond and some hundred vertices, of which sight and sketches save
+  none.
+- **The best peers** are SyclopEST, which has our triangles without the portals that are too narrow, and KPIECE1; both
+  have our steering, gentle turns and proofs, and may end at full speed.
+- **The floor** leaves out steps that are tried and refused, sketches, the paths' repairs, the plan's second drive
+  before it is returned, and the check of the scene's bytes (the parts of a search, in the tables).
 """
 
 
@@ -40,7 +47,8 @@ def goals_section(results):
         return ""
     text = "## Goals\n" + markdown(["goals", "hold"], rows)
     if missed:
-        text += "\nThose that do not hold, or whose interval has the goal between its ends:\n\n" + markdown(["goal", "measured", "holds"], missed)
+        text += "\nThose that do not hold, or whose interval has the goal between its ends:\n\n"
+        text += markdown(["goal", "measured", "holds"], missed)
     return text + REASONS
 
 
@@ -53,8 +61,9 @@ def worth_section(results):
         return ""
     return (
         "## What the adaptation is worth\n"
-        f"Where edge costs never rise (γ 0, all else equal) a search of {ROBOT} takes {found[0].shown()} times as many vertices in the median and {found[1].shown()} times at the 90th percentile, "
-        "over the five scenes; each of our additions, off in turn: [tables](results/TABLES.md).\n"
+        f"Where edge costs never rise (γ 0, all else equal) a search of {ROBOT} takes {found[0].shown()} times as many "
+        f"vertices in the median and {found[1].shown()} times at the 90th percentile, over the five scenes; each of "
+        "our additions, off in turn: [tables](results/TABLES.md).\n"
     )
 
 
@@ -63,11 +72,14 @@ def machine_section(results):
     machines = len({session["machine"] for session in results.sessions})
     loads = sorted(record["load"] for record in results.rounds)
     stolen = sum(record["stolen_s"] for record in results.rounds)
+    if not loads:
+        return ""
     return (
-        f"**Where.** {last['processor']}, {last['cores']} cores, core {last['pinned_to_core']} for the timed program{'' if machines == 1 else f', one of {machines} machines'}; "
-        f"{last['system']}; {last['compiler']}, `{last['flags'].strip()}`; {last['date']}, commit {last['commit']}. "
-        f"Load of the machine {loads[0]:g} to {loads[-1]:g} over the rounds, {stolen:.1f} s taken by its hypervisor.\n"
-    ) if loads else ""
+        f"**Where.** {last['processor']}, {last['cores']} cores, core {last['pinned_to_core']} for the timed program"
+        f"{'' if machines == 1 else f', one of {machines} machines'}; {last['system']}; {last['compiler']}, "
+        f"`{last['flags'].strip()}`; {last['date']}, commit {last['commit']}. Load of the machine {loads[0]:g} to "
+        f"{loads[-1]:g} over the rounds, {stolen:.1f} s taken by its hypervisor.\n"
+    )
 
 
 def page(results):

@@ -41,9 +41,13 @@ class Parts:
         return sum(self.times[name] for name in ("open", "set_up", "search")) / self.times["floor"]
 
 
+def _medians(report):
+    return [entry for entry in report["benchmarks"] if entry.get("aggregate_name") == "median"]
+
+
 def parts_of(report):
     """From Google Benchmark's report: the medians."""
-    medians = [entry for entry in report["benchmarks"] if entry.get("aggregate_name") == "median"]
+    medians = _medians(report)
     times = {entry["run_name"]: 1e-9 * NANOSECONDS[entry["time_unit"]] * entry["cpu_time"] for entry in medians}
     times["search"] = times["plan"] - times["set_up"]
     counted = next(entry for entry in medians if "seeds" in entry)
@@ -70,10 +74,4 @@ def measure_parts(session, progress):
             continue
         progress.say(f"parts of a search on {scene}")
         report = _report(session.problem(scene), session.protocol, session.core)
-        journal.append({"kind": "parts", "scene": scene, "report": _kept(report)})
-
-
-def _kept(report):
-    """The medians, which is all that is looked at."""
-    medians = [entry for entry in report["benchmarks"] if entry.get("aggregate_name") == "median"]
-    return {"benchmarks": medians}
+        journal.append({"kind": "parts", "scene": scene, "report": {"benchmarks": _medians(report)}})

@@ -84,7 +84,8 @@ def links_growth(results, path):
 def scale_growth(results, path):
     """krait's own, and under the paper's conditions."""
     figure, axes = _panels(2)
-    for axis, colors, title in zip(axes, ({"adaptive": COLORS["adaptive"], "prior": COLORS["prior"]}, PAPERS), ("", "the paper's conditions")):
+    ours = {planner: COLORS[planner] for planner in ("adaptive", "prior")}
+    for axis, colors, title in zip(axes, (ours, PAPERS), ("", "the paper's conditions")):
         for planner, color in colors.items():
             found = _measured(results, {float(s): Cell(scaled(SCALED_SCENE, s), ROBOT, planner) for s in SCALES})
             if found:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How far a measurement is and how long it will still take: a line that is rewritten on a terminal, else one a round."""
+"""How far a measurement is and how long it will still take: a line that a terminal rewrites, else one a round."""
 
 import sys
 import time

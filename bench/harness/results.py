@@ -100,12 +100,19 @@ class Results:
             lambda drawn: geometric_mean([_ratio_of_quantiles(pairs, share) for pairs in drawn]),
         )
 
+    def samples(self, cells, value):
+        """Figures of every run, a list a cell; none where a cell has no runs."""
+        found = [[value(run, cell) for run in self.runs(cell)] for cell in cells]
+        return found if all(found) else []
+
     def mean_quantile(self, cells, share, value):
         """The geometric mean over the cells of a quantile, with its interval. None without runs."""
-        samples = [[value(run, cell) for run in self.runs(cell)] for cell in cells]
-        if not samples or not all(samples):
-            return None
-        return interval(samples, lambda drawn: geometric_mean([quantile(in_order(figures), share) for figures in drawn]))
+
+        def estimate(drawn):
+            return geometric_mean([quantile(in_order(figures), share) for figures in drawn])
+
+        samples = self.samples(cells, value)
+        return interval(samples, estimate) if samples else None
 
     def rows(self, cells):
         """A flat dict a cell, of those that were measured."""

@@ -54,12 +54,12 @@ class Session:
         for earlier in self.journal.sessions:
             if any(earlier[name] != described[name] for name in ("commit", "programs", "machine")):
                 raise JournalError(
-                    f"{self.journal.path}: was measured of commit {earlier['commit']} or on another machine, and figures "
-                    "of two builds are not held against each other; move it away to measure anew"
+                    f"{self.journal.path}: was measured of commit {earlier['commit']} or on another machine, and "
+                    "figures of two builds are not held against each other; move it away to measure anew"
                 )
 
     def measure_all(self, cells, rounds_of=None):
-        """`rounds_of` has those of cells that do not have the protocol's. What the journal has is not measured again."""
+        """`rounds_of` has those of cells that do not have the protocol's. What the journal has is not made again."""
         there = [cell for cell in cells if self.is_there(cell)]
         for cell in there:
             self.problem(cell.problem)

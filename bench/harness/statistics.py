@@ -92,7 +92,7 @@ def geometric_mean(figures):
 
 
 def ratio(slow, fast):
-    """How many times slower: a bound where the slow one is; where the fast one is, nothing is known but that it is above 0."""
+    """How many times slower: a bound where the slow one is; where the fast one is, nothing but that it is above 0."""
     return Figure(sys.float_info.min, True) if fast.at_least else Figure(slow.value / fast.value, slow.at_least)
 
 

@@ -7,7 +7,17 @@ import subprocess
 from harness import experiments, paper
 from harness.cells import FRESH, PEER, Cell
 from harness.claims import claims
-from harness.experiments import LINKS, PARAMETERS, PARAMETERS_SCENE, ROBOT, SCALED_SCENE, SCALES, SCENES, scaled, with_setting
+from harness.experiments import (
+    LINKS,
+    PARAMETERS,
+    PARAMETERS_SCENE,
+    ROBOT,
+    SCALED_SCENE,
+    SCALES,
+    SCENES,
+    scaled,
+    with_setting,
+)
 from harness.problems import BIN
 from harness.results import vertices
 from harness.statistics import quantile, rounded
@@ -15,38 +25,54 @@ from harness.statistics import quantile, rounded
 HOLDS = {True: "yes", False: "**no**", None: "open"}
 
 DIFFERENCES = """## What differs from the paper
-- **Scenes.** The paper's are not published. Ours are drawn after its figures 1 and 3: same idea, other proportions. A passage of 1.4 m here may be easier or harder than theirs, so absolute times
-  say nothing about the paper; ratios between planners on one scene do.
-- **Machines** are ten years apart, and the paper's times count reading the input and decomposing it; ours do not (the compile time stands beside).
-- **Robot.** Eqn 1's sine is corrected ([lib/DESIGN.md](../../lib/DESIGN.md)); lengths and limits of the paper's robot are not given, ours are `krait plan --help`'s.
-- **Criterion.** `paper`, `paper-prior` and `paper-rrt` check states, as the paper does, and their runs count when they say that they are solved; how many of these plans the verifier accepts stands beside. Every other
-  planner proves whole steps free, and its runs count only if the verifier accepts the plan.
-- **What `paper` has that is ours:** an edge never costs less than 5 % of its length; targets are points of a grid of 16 bits over a region; 1 mm of clearance; limits of speed, steering and hitches hold between the states too;
-  set-points of the speed are uniform from 0.75 to 1 of the top.
-- **Not in `paper`, but in `adaptive`:** sight, sketches, restarts, strays, gentle turns, a sample of 12 states a group, no states just before a collision, κ 10, γ 20, Eqn 9 with a length, a goal shrunk by 3 cm, an end at rest,
-  no raise just before the goal, no portals that are too narrow.
-- **An end at rest.** `adaptive` and its variants brake at the end of the plan; all rivals and peers may end at full speed.
-- **Prior and RRT** are this project's implementations of the published methods, not the authors' programs. They share our speeds, gentle turns, goal margin and collision proof, `prior` the paper's β.
-- **Figure 4** gives its numbers as bars only, so that ours stand alone there.
-- **Time limit.** The paper's is 100 s for all. A limit that follows the adaptive planner's median censors more of the rivals' runs: a "≥" is a bound, and success within 100 s may be higher.
-- **Peers** get our dynamics, collision proof, steering and triangles through OMPL's interfaces. Their settings were chosen by `bash bench/run tuning` on these scenes and other seeds; someone who knows them better may do better. They end at any speed.
+- **Scenes.** The paper's are not published. Ours are drawn after its figures 1 and 3: same idea, other proportions. A
+  passage of 1.4 m here may be easier or harder than theirs, so absolute times say nothing about the paper; ratios
+  between planners on one scene do.
+- **Machines** are ten years apart, and the paper's times count reading the input and decomposing it; ours do not (the
+  compile time stands beside).
+- **Robot.** Eqn 1's sine is corrected ([lib/DESIGN.md](../../lib/DESIGN.md)); lengths and limits of the paper's robot
+  are not given, ours are `krait plan --help`'s.
+- **Criterion.** `paper`, `paper-prior` and `paper-rrt` check states, as the paper does, and their runs count when they
+  say that they are solved; how many of these plans the verifier accepts stands beside. Every other planner proves whole
+  steps free, and its runs count only if the verifier accepts the plan.
+- **What `paper` has that is ours:** an edge never costs less than 5 % of its length; targets are points of a grid of 16
+  bits over a region; 1 mm of clearance; limits of speed, steering and hitches hold between the states too; set-points
+  of the speed are uniform from 0.75 to 1 of the top.
+- **Not in `paper`, but in `adaptive`:** sight, sketches, restarts, strays, gentle turns, a sample of 12 states a group,
+  no states just before a collision, κ 10, γ 20, Eqn 9 with a length, a goal shrunk by 3 cm, an end at rest, no raise
+  just before the goal, no portals that are too narrow.
+- **An end at rest.** `adaptive` and its variants brake at the end of the plan; all rivals and peers may end at full
+  speed.
+- **Prior and RRT** are this project's implementations of the published methods, not the authors' programs. They share
+  our speeds, gentle turns, goal margin and collision proof, `prior` the paper's β.
+- **Figure 4** shows its numbers as bars only, so that no published ones stand beside ours.
+- **Time limit.** The paper's is 100 s for all. A limit that follows the adaptive planner's median censors more of the
+  rivals' runs: a "≥" is a bound, and success within 100 s may be higher.
+- **Peers** get our dynamics, collision proof, steering and triangles through OMPL's interfaces. Their settings were
+  chosen by `bash bench/run tuning` on these scenes and other seeds; someone who knows them better may do better. They
+  end at any speed.
 """
 
 PEERS_NOTE = """
-A control of theirs is a target point (the sampled state's, or uniform over the workspace and in 5 % of the draws the goal) and a speed, to which our PID
-controller steers for at most 40 steps (SyclopRRT 5, SST 80), in a fifth of the draws gently (SST never); with `-random`, an acceleration and a steering rate held for at most 20 steps and clipped to what the
-robot's limits allow. Sampled states are straight chains; the projection is the position. Each run of theirs is a new process, as it is of `fresh:adaptive`. """
+A control of theirs is a target point (the sampled state's, or uniform over the workspace and in 5 % of the draws the
+goal) and a speed, to which our PID controller steers for at most 40 steps (SyclopRRT 5, SST 80), in a fifth of the
+draws gently (SST never); with `-random`, an acceleration and a steering rate held for at most 20 steps and clipped to
+what the robot's limits allow. Sampled states are straight chains; the projection is the position. Each run of theirs is
+a new process, as it is of `fresh:adaptive`."""
 
 PARTS_NOTE = """
-Microseconds a search, the mean over the seeds. Steering, Runge-Kutta and collision are done again from a recording of the search, for every step that it tried; the rest
-is what remains: the tree, the groups, the shortest paths, finding triangles, and driving the plan at the end. The floor of the method is one Runge-Kutta step and one
-proof that it is free for every vertex. The last columns: vertices of the tree a step of the plan; median vertices of the quarter of the runs with the shortest plans, and with the longest.
+Microseconds a search, the mean over the seeds. Steering, Runge-Kutta and collision are done again from a recording of
+the search, for every step that it tried; the rest is what remains: the tree, the groups, the shortest paths, finding
+triangles, and driving the plan at the end. The floor of the method is one Runge-Kutta step and one proof that it is
+free for every vertex. The last columns: vertices of the tree a step of the plan; median vertices of the quarter of the
+runs with the shortest plans, and with the longest.
 """
 
 FOREIGN_NOTE = """
-dynobench's problems run over seeds, MovingAI's over the queries of their `.scen` files up to a shortest way of 100 m (cells are 1 m wide): from the middle of a cell, facing where
-most room is, into a disc of 0.5 m. A start is blocked where the robot's body overlaps a wall there. Some of the car's queries cannot be solved: its front is 1 m ahead of its axle, and
-a goal may lie in a notch one cell deep (den312d's query 70).
+dynobench's problems run over seeds, MovingAI's over the queries of their `.scen` files up to a shortest way of 100 m
+(cells are 1 m wide): from the middle of a cell, facing where most room is, into a disc of 0.5 m. A start is blocked
+where the robot's body overlaps a wall there. Some of the car's queries cannot be solved: its front is 1 m ahead of its
+axle, and a goal may lie in a notch one cell deep (den312d's query 70).
 """
 
 
@@ -124,10 +150,6 @@ def _problem(cell):
     return cell.problem
 
 
-def _robot(cell):
-    return cell.robot
-
-
 def _planner(cell):
     return cell.planner.removeprefix(PEER)
 
@@ -157,10 +179,14 @@ def ablations_section(results):
             continue
         pairs = list(zip(cells, default))
         factors = [results.ratio(pairs, share, vertices).shown() for share in (0.5, 0.9)] if settings else ["1", "1"]
-        each = [f"{_median(s, 'vertices')} [{rounded(s.vertices_p90)}]" for cell in cells if (s := results.summary(cell)).solved]
-        solved = sum(results.summary(cell).solved for cell in cells)
-        rows.append([name, " ".join(settings), f"{solved} of {sum(len(results.runs(cell)) for cell in cells)}", *factors, *each])
-    note = "\nTimes as many vertices as the default takes on the same seeds, with the interval; for each scene the median and the 90th percentile. γ 0 takes the paper's adaptation away and leaves all else.\n"
+        found = [results.summary(cell) for cell in cells]
+        each = [f"{_median(s, 'vertices')} [{rounded(s.vertices_p90)}]" for s in found if s.solved]
+        solved = f"{sum(summary.solved for summary in found)} of {sum(summary.runs for summary in found)}"
+        rows.append([name, " ".join(settings), solved, *factors, *each])
+    note = (
+        "\nTimes as many vertices as the default takes on the same seeds, with the interval; for each scene the median "
+        "and the 90th percentile. γ 0 takes the paper's adaptation away and leaves all else.\n"
+    )
     header = ["without", "set", "solved", "× median", "× 90th", *SCENES]
     return section(f"What the adaptation and each addition is worth, {ROBOT}, vertices", header, rows, note)
 
@@ -205,7 +231,8 @@ def scale_section(results):
     header = ["scale"]
     for planner in ("adaptive", "prior", *papers):
         header += [planner, "median", "solved", *(["published"] if planner in papers else [])]
-    return section(f"Scale (table 1): {SCALED_SCENE}, {ROBOT}", [*header, "compiling s"], rows, "\n![](scale-growth.svg)\n")
+    title = f"Scale (table 1): {SCALED_SCENE}, {ROBOT}"
+    return section(title, [*header, "compiling s"], rows, "\n![](scale-growth.svg)\n")
 
 
 def parameters_section(results):
@@ -216,7 +243,8 @@ def parameters_section(results):
             if summary := results.summary(cell):
                 bold = "**" if experiments.PAPER_DEFAULTS[name] == value else ""
                 shown = figures(summary, cell)[:6]
-                rows.append([name, f"{bold}{value}{bold}", *shown, _paper_figures(paper.PARAMETERS[name].get(value), "")])
+                published = _paper_figures(paper.PARAMETERS[name].get(value), "")
+                rows.append([name, f"{bold}{value}{bold}", *shown, published])
     title = f"Parameters (table 2): {PARAMETERS_SCENE}, {ROBOT}, the paper's conditions"
     return section(title, ["parameter", "value", *FIGURES[:6], "published"], rows)
 
@@ -227,7 +255,8 @@ def peers_section(results):
         return ""
     names = descriptions()
     header = ["scene", "planner", *FIGURES[:5], *FIGURES[6:]]
-    note = PEERS_NOTE + "; ".join(f"`{peer.removeprefix(PEER)}`: {names[peer]}" for peer in experiments.PEERS) + ".\n"
+    said = "; ".join(f"`{peer.removeprefix(PEER)}`: {names[peer]}" for peer in experiments.PEERS)
+    note = f"{PEERS_NOTE} {said}.\n"
     return section(f"Peers ({ompl_version()}), {ROBOT}", header, rows, note)
 
 
@@ -273,19 +302,25 @@ def parts_section(results):
         rest = 1 - parts.share("steer", "propagate", "check")
         runs = results.runs(Cell(scene, ROBOT, "adaptive"))
         row = [scene, *(rounded(parts.each(name)) for name in ("open", "set_up", "search"))]
-        row += [_percent(share) for share in (parts.share("steer"), parts.share("propagate"), parts.share("check"), rest)]
+        shares = [parts.share(name) for name in ("steer", "propagate", "check")]
+        row += [_percent(share) for share in (*shares, rest)]
         row += [rounded(parts.each("floor")), rounded(parts.over_floor), rounded(parts.all_over_floor)]
         row += [rounded(parts.each("shortest_paths")), rounded(1e3 * parts.each("select_group"))]
-        row += [rounded(parts.counts["vertices"] / parts.counts["plan_steps"]), *(_by_length(runs) if runs else ["", ""])]
+        row += [rounded(parts.counts["vertices"] / parts.counts["plan_steps"])]
+        row += _by_length(runs) if runs else ["", ""]
         rows.append(row)
-    header = ["scene", "open", "set up", "search", "steer", "Runge-Kutta", "collision", "rest", "floor", "search / floor"]
-    header += ["all / floor", "Dijkstra", "group ns", "vertices a plan's step", "shortest plans", "longest"]
+    header = ["scene", "open", "set up", "search", "steer", "Runge-Kutta", "collision", "rest", "floor"]
+    header += ["search / floor", "all / floor", "Dijkstra", "group ns", "vertices a plan's step", "shortest plans"]
+    header.append("longest")
     return section(f"The parts of a search, {ROBOT}", header, rows, PARTS_NOTE)
 
 
 def instructions_section(results):
     rows = [[*key.split(" "), rounded(each / 1e6)] for key, each in results.instructions.items()]
-    note = "\nMillions a search, the mean over the first 11 seeds or queries, from opening the scene to the plan, counted by Valgrind.\n"
+    note = (
+        "\nMillions a search, the mean over the first 11 seeds or queries, from opening the scene to the plan, counted "
+        "by Valgrind.\n"
+    )
     return section("Instructions", ["problem", "robot", "planner", "10⁶ instructions"], rows, note)
 
 
@@ -294,21 +329,32 @@ def protocol_section(results):
     limit = (
         f"{protocol['limit']:g} s"
         if protocol["limit"]
-        else f"{protocol['reference_limit']:g} s for the adaptive planner, as in the paper, and for all others the larger of {protocol['least']:g} s "
-        f"and {protocol['factor']:g} times its median in a pilot on seeds 1 to {protocol['pilot_seeds']}"
+        else f"{protocol['reference_limit']:g} s for the adaptive planner, as in the paper, and for all others the "
+        f"larger of {protocol['least']:g} s and {protocol['factor']:g} times its median in a pilot on seeds "
+        f"1 to {protocol['pilot_seeds']}"
     )
     again, disturbed_ = results.repeated()
+    before = protocol["first_seed"] - 1
     return f"""# Every table
-Written by `bash bench/run results` from [every run](runs.jsonl.xz); the same as [JSON](cells.json) and [CSV](cells.csv). What they say: [RESULTS](../RESULTS.md).
+Written by `bash bench/run results` from [every run](runs.jsonl.xz); the same as [JSON](cells.json) and
+[CSV](cells.csv). What they say: [RESULTS](../RESULTS.md).
 
-**Protocol.** Round k is the k-th run of every cell (scene, robot, planner, settings), with seed {protocol['first_seed'] - 1} + k, one timed program at a time: what is held against each other was measured within a minute.
-There are {protocol['seeds']} rounds, {protocol['goal_seeds']} of the cells that goals are held against, and {protocol['few_seeds']} of peers that are slow by far. Mean and standard deviation (in brackets) leave out a twelfth of the runs at each end, the paper's five best and five worst of 60; median, 90th and 99th
-percentile (nearest rank) and success are over all runs. A run counts as solved only if the independent verifier accepts its plan; every other run counts with the time limit, and a figure that this touches is printed with "≥". The limit is {limit}.
-After {protocol['give_up']} failures in a row a cell is given up. Ratios are of the same seeds or queries, with 95 % of a bootstrap in brackets; where the goal lies between the ends, it is open.
+**Protocol.** Round k is the k-th run of every cell (scene, robot, planner, settings), with seed {before} + k, one timed
+program at a time: what is held against each other was measured within a minute. There are {protocol['seeds']} rounds,
+{protocol['goal_seeds']} of the cells that goals are held against, and {protocol['few_seeds']} of peers that are slow by
+far. Mean and standard deviation (in brackets) leave out a twelfth of the runs at each end, the paper's five best and
+five worst of 60; median, 90th and 99th percentile (nearest rank) and success are over all runs. A run counts as solved
+only if the independent verifier accepts its plan; every other run counts with the time limit, and a figure that this
+touches is printed with "≥". The limit is {limit}. After {protocol['give_up']} failures in a row a cell is given up.
+Ratios are of the same seeds or queries, with 95 % of a bootstrap in brackets; where the goal lies between the ends, it
+is open.
 
-**Time** is seconds from opening the compiled scene to the plan: open, validate, set up, search; compiling a map stands beside it. Timed programs are pinned to a core of their own. krait's planners share a process and a block of 1 GB whose pages are in
-memory; OMPL's have a new process for each run and allocate as they go, which their times include; `fresh:adaptive` has a new process too. A run that waited for its core for more than 5 % of its time, because something else ran there, is made again, up to {protocol['repeats']} times, and the
-one that waited least counts: {again} of {len(results.all_runs())} were, {disturbed_} of these waited to the last.
+**Time** is seconds from opening the compiled scene to the plan: open, validate, set up, search; compiling a map stands
+beside it. Timed programs are pinned to a core of their own. krait's planners share a process and a block of 1 GB whose
+pages are in memory; OMPL's have a new process for each run and allocate as they go, which their times include;
+`fresh:adaptive` has a new process too. A run that waited for its core for more than 5 % of its time, because something
+else ran there, is made again, up to {protocol['repeats']} times, and the one that waited least counts: {again} of
+{len(results.all_runs())} were, {disturbed_} of these waited to the last.
 """
 
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "last_metres/last_metres.hpp"
 
-#include <iterator>
-
 #include "last_metres/arc.hpp"
 #include "last_metres/parking.hpp"
 
