@@ -91,7 +91,7 @@ def scale_growth(results, path):
             if found:
                 _curve(axis, list(found), list(found.values()), planner, color)
         axis.set(yscale="log", xlabel=f"scale of {SCALED_SCENE}", title=title)
-        _legend(axis)
+        _legend(axis, fontsize=7, loc="center left")
     axes[0].set_ylabel("seconds")
     save(figure, path)
 
