@@ -27,6 +27,7 @@ MEASURES = {
     "straight": ("straight", ["truck:1", "truck:2"], 100),
     "improve": ("improve", FIVE, 50),
     "improve to poses": ("improve_pose", FIVE, 50),
+    "improve by turns": ("improve_pose", ["diff_drive", "unicycle"], 100),
 }
 
 # By measure and file: the constants and, where half and twice are not the sensible neighbours, the factors.
@@ -76,6 +77,8 @@ CONSTANTS = {
             "kInsert": (0.9, 1.2), "kWithNext": (), "kBeside": (), "kLittle": (), "kMuch": (), "kTogether": (),
             "kVaryMoved": ()}},
     "improve to poses": {"lib/improve/improver.hpp": {"kBraking": ()}},
+    "improve by turns": {
+        "lib/improve/improver.hpp": {"kWorthBackwards": (), "kBackwards": (), "kNoShots": (), "kVaryShots": ()}},
 }
 
 # Those that follow from an argument, which stands beside them; all others of these folders and of SearchTuning are

@@ -4,6 +4,15 @@
 #include <algorithm>
 
 namespace krait::detail {
+namespace {
+
+// The cosine of the angle between a heading and the way from a to b.
+float cosine(SinCos heading, Vec2 a, Vec2 b) {
+  const Vec2 way = b - a;
+  return (heading.cos * way.x + heading.sin * way.y) / length(way);
+}
+
+}  // namespace
 
 Improver::Improver() = default;
 
@@ -178,6 +187,32 @@ void Improver::dress() {
     }
   }
   route().measure();
+  if (saves_turns_backwards() && random_.unit() < kBackwards) route().drive_in(-1.0F);
+  if (chooses_shots()) change_shots(route());
+}
+
+bool Improver::chooses_shots() const {
+  return tools_.last_metres != nullptr && tools_.robot.turning_radius(robot_length_) == 0.0F;
+}
+
+float Improver::change_shots(Route& route) {
+  const float before = route.shots();
+  const float share = random_.unit() * (1.0F + kNoShots) - kNoShots;
+  route.shoot_within(share > 0.0F ? share * tools_.last_metres->capture() : 0.0F);
+  return route.length() - std::max(before, route.shots());
+}
+
+bool Improver::saves_turns_backwards() const {
+  if (!tools_.robot.reversible() || tools_.robot.body_count() > 1) return false;
+  Pose pose;
+  tools_.robot.place(tools_.start, &pose);
+  const std::uint32_t last = line_.count() - 1;
+  const Goal& goal = regions_->goal();
+  float ahead = cosine(pose.heading, line_[0], line_[1]);
+  if (goal.is_pose() && !goal.facing().either_way) {
+    ahead += cosine(math::sin_cos(goal.facing().heading), line_[last - 1], line_[last]);
+  }
+  return ahead < -kWorthBackwards;
 }
 
 void Improver::begin_search() {
@@ -251,7 +286,11 @@ void Improver::go_on() {
   if (hopeless || vain_ >= (reaches_ ? kPolish : kPatience)) return begin_round();
   changed().copy(route());
   const std::uint32_t i = spread_around(reaches_ ? 1 + random_.below(route().count() - 1) : via_near_failure());
-  const std::uint32_t leg = first_that_sees(changed()[i - 1].arc);
+  float from = changed()[i - 1].arc;
+  if (chooses_shots() && (i + 1 == changed().count() || random_.unit() < kVaryShots)) {
+    from = std::min(from, change_shots(changed()));
+  }
+  const std::uint32_t leg = first_that_sees(from);
   change(changed(), i, turns_, random_);
   const bool ends_in_goal = regions_->goal().contains(*tools_.scene, changed().last().at, 0.0F);
   if (!ends_in_goal) changed()[changed().count() - 1].at = route().last().at;

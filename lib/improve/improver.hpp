@@ -54,6 +54,10 @@ class Improver {
   static constexpr float kAsNear = 0.025F;        // units: one that ends no further than this is as near,
   static constexpr float kTakenAsNear = 0.3F;     // and how often it is taken
   static constexpr float kRounded = 0.6F;         // how often the corners of a new route are rounded
+  static constexpr float kWorthBackwards = 0.3F;  // sum of cosines: how far away from its ends a robot must face, and
+  static constexpr float kBackwards = 0.5F;       // how often it then drives a route backwards
+  static constexpr float kNoShots = 0.3F;         // routes without shots before their end, for each that has some
+  static constexpr float kVaryShots = 0.1F;       // of changes, that draw anew where shots begin
   static constexpr float kWorthProof = 0.97F;     // of the plan's steps: a way so short is proven at once
   static constexpr std::uint32_t kRunUp = 15;     // steps straight on before a turn is measured,
   static constexpr std::uint32_t kTurning = 30;   // steps of the turn,
@@ -100,6 +104,16 @@ class Improver {
 
   // Makes the line a route.
   void dress();
+
+  // Whether a robot of one body turns less at the line's ends if it drives the line backwards.
+  bool saves_turns_backwards() const;
+
+  // Whether routes differ in where shots at the pose begin: for a robot that turns on the spot almost every shot ends
+  // in the pose, and an early one keeps it from turning on its way.
+  bool chooses_shots() const;
+
+  // Draws anew where a measured route's shots begin. Returns from where on along the route that matters.
+  float change_shots(Route& route);
 
   void begin_search();
 

@@ -27,6 +27,8 @@ std::uint32_t Route::divide(float arc) {
 void Route::copy(const Route& from) {
   KRAIT_ASSERT(from.count_ <= capacity_);
   count_ = from.count_;
+  gear_ = from.gear_;
+  shots_ = from.shots_;
   for (std::uint32_t i = 0; i < count_; ++i) vias_[i] = from.vias_[i];
 }
 

@@ -24,7 +24,12 @@ class Route {
     capacity_ = vias;
   }
 
-  void clear() { count_ = 0; }
+  // It is driven forwards and shoots from its begin on.
+  void clear() {
+    count_ = 0;
+    gear_ = 1.0F;
+    shots_ = kInfinity;
+  }
   std::uint32_t count() const { return count_; }
   std::uint32_t capacity() const { return capacity_; }
   bool full() const { return count_ == capacity_; }
@@ -54,6 +59,13 @@ class Route {
   // Finds every via's arc, of one via at least. O(vias).
   void measure();
 
+  // 1, or -1 where the line is driven backwards.
+  float gear() const { return gear_; }
+  void drive_in(float gear) { gear_ = gear; }
+  // From so many metres before the line's end on the robot shoots at a pose.
+  float shots() const { return shots_; }
+  void shoot_within(float metres) { shots_ = metres; }
+
   // Metres along a measured route of at least two vias.
   float length() const { return last().arc; }
   // The via whose stretch contains the place `arc` metres along the line; the last one from there on. O(log vias).
@@ -68,6 +80,8 @@ class Route {
   Via* vias_ = nullptr;
   std::uint32_t capacity_ = 0;
   std::uint32_t count_ = 0;
+  float gear_;   // of a route that was cleared or copied
+  float shots_;  // likewise
 };
 
 }  // namespace krait::detail

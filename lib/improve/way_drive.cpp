@@ -110,7 +110,8 @@ bool WayDrive::brake() {
 void WayDrive::begin_shots() {
   LastMetres* const last_metres = tools_->last_metres;
   const float* const state = tools_->drive->state();
-  if (last_metres == nullptr || !last_metres->near({state[0], state[1]})) return;
+  if (last_metres == nullptr || route_->length() - arc_ > route_->shots()) return;
+  if (!last_metres->near({state[0], state[1]})) return;
   last_metres->choose(tools_->check->poses()[0]);
   shot_ = way_->count();
   shooting_ = begin_shot();
@@ -172,7 +173,7 @@ WayDrive::Outcome WayDrive::begin_leg() {
   Target target;
   target.point = route_->point(arc_ + via.look);
   target.turn = via.turn;
-  target.speed = slow_share(state);
+  target.speed = route_->gear() * slow_share(state);
   const PackedTarget packed = tools_->grid.pack(target);
   way_->add(packed, arc_, state);
   tools_->drive->aim(tools_->grid.unpack(packed));

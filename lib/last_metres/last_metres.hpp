@@ -33,6 +33,9 @@ class LastMetres {
   // Whether a position is so near to the goal that it pays to shoot.
   bool near(Vec2 position) const { return length(position - goal_.center()) <= capture_; }
 
+  // Metres within which it does.
+  float capture() const { return capture_; }
+
   // Chooses the shots from a pose of body 0: of all words, radii, straight ends and ways that the goal allows the
   // shortest few on which a disc in the robot seems to be free. At most 128 looks at a place (Sight::slack) a line.
   void choose(const Pose& from);

@@ -29,12 +29,12 @@ inline Car small_car() {
 }
 
 template <class R>
-std::vector<float> start_of(const R& robot) {
+std::vector<float> start_of(const R& robot, float heading = 0.0F) {
   std::vector<float> state(static_cast<std::size_t>(robot.state_size()));
   if constexpr (std::is_base_of_v<Chain, R>) {
-    robot.rest({2, 2}, 0.0F, nullptr, state.data());
+    robot.rest({2, 2}, heading, nullptr, state.data());
   } else {
-    robot.rest({2, 2}, 0.0F, state.data());
+    robot.rest({2, 2}, heading, state.data());
   }
   return state;
 }
@@ -42,11 +42,12 @@ std::vector<float> start_of(const R& robot) {
 // A planner with a first plan in the winding room.
 template <class R>
 struct Solved : Bench<R> {
-  explicit Solved(const R& r, std::uint64_t seed = 1, std::uint32_t legs = kLegs, const Goal& goal = Goal::named(0))
+  explicit Solved(const R& r, std::uint64_t seed = 1, std::uint32_t legs = kLegs, const Goal& goal = Goal::named(0),
+                  float heading = 0.0F)
       : Bench<R>(winding(), r) {
     this->limits.way_legs = legs;
     EXPECT_TRUE(this->init().ok());
-    start = start_of(r);
+    start = start_of(r, heading);
     EXPECT_EQ(this->solve({start.data(), goal, seed}), Status::solved);
   }
   std::vector<float> start;
@@ -62,10 +63,10 @@ void expect_independent_of_cuts(const R& robot, const Goal& goal = Goal::named(0
   Solved<R> whole(robot, 1, kLegs, goal);
   Solved<R> single(robot, 1, kLegs, goal);
   Solved<R> mixed(robot, 1, kLegs, goal);
-  EXPECT_EQ(whole.planner.improve(600), Status::solved);
-  for (int i = 0; i < 600; ++i) EXPECT_EQ(single.planner.improve(1), Status::solved);
-  for (int i = 0; i < 600;) {
-    const int cut = i % 7 + 1 < 600 - i ? i % 7 + 1 : 600 - i;
+  EXPECT_EQ(whole.planner.improve(1000), Status::solved);
+  for (int i = 0; i < 1000; ++i) EXPECT_EQ(single.planner.improve(1), Status::solved);
+  for (int i = 0; i < 1000;) {
+    const int cut = i % 7 + 1 < 1000 - i ? i % 7 + 1 : 1000 - i;
     EXPECT_EQ(mixed.planner.improve(static_cast<std::uint64_t>(cut)), Status::solved);
     i += cut;
   }

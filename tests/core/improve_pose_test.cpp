@@ -11,6 +11,7 @@ namespace {
 
 constexpr Vec2 kPoint{14.5F, 1.5F};
 constexpr float kNear = 0.1F;  // metres and radians
+constexpr std::uint32_t kManyLegs = 256;
 constexpr std::uint64_t kSeed = 10'001;
 
 Goal pose(int quarter, float hitches = kInfinity) {
@@ -30,14 +31,14 @@ void expect_in_pose(const std::vector<Frame>& bodies, const Goal& goal) {
 
 // The steps of better plans, of those of the first ones: of two seeds in each of four headings.
 template <class R>
-double share_of_steps(const R& robot, float hitches = kInfinity) {
+double share_of_steps(const R& robot, float hitches = kInfinity, float heading = 0.0F, std::uint32_t legs = kLegs) {
   double first = 0;
   double better = 0;
   for (int quarter = 0; quarter < 4; ++quarter) {
     const Goal goal = pose(quarter, hitches);
     for (std::uint64_t seed = kSeed; seed < kSeed + 2; ++seed) {
       SCOPED_TRACE(testing::Message() << "quarter " << quarter << ", seed " << seed);
-      Solved<R> bench(robot, seed, kLegs, goal);
+      Solved<R> bench(robot, seed, legs, goal, heading);
       const std::uint32_t steps = bench.planner.plan().steps();
       EXPECT_EQ(bench.planner.improve(1500), Status::solved);
       EXPECT_LE(bench.planner.plan().steps(), steps);
@@ -58,6 +59,38 @@ TEST(ImprovePose, PlansOfEveryModelGetBetter) {
   EXPECT_LE(share_of_steps(Truck(small_chain(2))), 0.85);
   EXPECT_LE(share_of_steps(Snake(small_chain(3))), 0.8);
   EXPECT_LE(share_of_steps(Truck(small_chain(1)), 0.2F), 0.8);
+}
+
+// Its top speed takes it a metre while it turns by a radian, so that a turn on the spot costs it much.
+Unicycle slow_to_turn() {
+  UnicycleParameters p = small_unicycle().parameters();
+  p.max_turn_rate = 1.0F;
+  return Unicycle(p);
+}
+
+// By collision checks, of which shots that begin early would take most.
+TEST(ImprovePose, ARobotThatIsSlowToTurnShootsWhereThatHelps) {
+  double first = 0;
+  double better = 0;
+  for (std::uint64_t seed = kSeed; seed < kSeed + 16; ++seed) {
+    Solved<Unicycle> bench(slow_to_turn(), seed, kManyLegs, pose(static_cast<int>(seed % 4)));
+    first += bench.planner.plan().steps();
+    const std::uint64_t most = 10 * bench.planner.statistics().collision_checks;
+    while (bench.planner.statistics().collision_checks < most) EXPECT_EQ(bench.planner.improve(10), Status::solved);
+    better += bench.planner.plan().steps();
+  }
+  EXPECT_LE(better / first, 0.855);
+}
+
+// Facing away from the way, and from the goal where that asks for the same heading.
+TEST(ImprovePose, ARobotThatFacesAwayDrivesBackwards) {
+  EXPECT_LE(share_of_steps(slow_to_turn(), kInfinity, kPi, kManyLegs), 0.83);
+  Solved<Unicycle> bench(slow_to_turn(), kSeed, kManyLegs, pose(2), kPi);
+  EXPECT_EQ(bench.planner.improve(1500), Status::solved);
+  const Path path(bench.planner.plan());
+  const auto backwards = std::count_if(path.controls.begin(), path.controls.end(),
+                                       [](const std::vector<float>& control) { return control[0] < 0.0F; });
+  EXPECT_GE(static_cast<double>(backwards), 0.9 * static_cast<double>(path.controls.size()));
 }
 
 TEST(ImprovePose, ThePlanDoesNotDependOnHowCallsAreCut) {
