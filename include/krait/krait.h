@@ -158,7 +158,7 @@ typedef struct krait_unicycle_parameters {
   float body_length,   /**< metres, > 0; default 0.5 */
       body_width;      /**< metres, > 0; default 0.4 */
   float max_speed,     /**< m/s, > 0; default 1 */
-      min_speed;       /**< m/s, <= 0; below 0 it may reverse; default -1 */
+      min_speed;       /**< m/s, <= max_speed; below 0 it may reverse, above 0 it never stands still; default -1 */
   float max_turn_rate; /**< rad/s, > 0, either way; default 2 */
 } krait_unicycle_parameters;
 

@@ -21,19 +21,20 @@ constexpr PidGains kHeadingGains{4.0F, 0.05F, 0.05F};  // rad/s per radian of he
 bool Unicycle::sound() const {
   const UnicycleParameters& p = parameters_;
   return positive(p.body_length) && positive(p.body_width) && positive(p.max_speed) && positive(p.max_turn_rate) &&
-         finite(p.min_speed) && p.min_speed <= 0.0F;
+         finite(p.min_speed) && p.min_speed <= p.max_speed;
 }
 
-// Turns on the spot until the target lies ahead, then drives, slower the further it lies to the side.
 void Unicycle::steer(StateView s, const Target& target, Steering& steering, ControlRef u) const {
   const UnicycleParameters& p = parameters_;
   if (target.speed == 0.0F) {
-    u.setZero();
+    u[0] = p.min_speed > 0.0F ? p.min_speed : 0.0F;
+    u[1] = 0.0F;
     return;
   }
   const float error = heading_error(s, target);
   const float along = math::sin_cos(error).cos;
-  u[0] = target.speed * (target.speed < 0.0F ? -p.min_speed : p.max_speed) * (along > 0.0F ? along : 0.0F);
+  const float speed = target.speed * (target.speed < 0.0F ? -p.min_speed : p.max_speed) * (along > 0.0F ? along : 0.0F);
+  u[0] = speed > p.min_speed ? speed : p.min_speed;
   u[1] = math::clamp(steering.heading(kHeadingGains, error, target.dt), -p.max_turn_rate, p.max_turn_rate);
 }
 

@@ -124,7 +124,11 @@ void draw_unicycle(Draw& draw, const Measures& m, Robot& robot) {
   p.body_length = dimension(m.length);
   p.body_width = dimension(m.width);
   p.max_speed = limit(m.speed());
-  p.min_speed = draw.chance(0.5) ? 0 : as_float(-m.speed() * draw.log_uniform(0.05, 1), -1e4, 0);
+  const double kind = draw.uniform(0, 1);
+  const double least = m.speed() * draw.log_uniform(0.05, 1);
+  p.min_speed = kind < 0.4    ? 0.0F
+                : kind < 0.85 ? as_float(-least, -1e4, 0)
+                              : as_float(least, 0, static_cast<double>(p.max_speed));
   p.max_turn_rate = limit(draw.log_uniform(0.02, 3) / m.dt);
 }
 

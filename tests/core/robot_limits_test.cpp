@@ -224,7 +224,7 @@ TEST(RobotSound, UnicycleRejectsEachBadParameter) {
       EXPECT_NE(first_bad(Unicycle(p)), Argument::none) << bad;
     }
   }
-  for (const float bad : {0.5F, kNan, -kInfinity}) {
+  for (const float bad : {1.001F, kNan, -kInfinity}) {
     UnicycleParameters p;
     p.min_speed = bad;
     EXPECT_NE(first_bad(Unicycle(p)), Argument::none) << bad;

@@ -198,6 +198,7 @@ R random_robot(std::mt19937& random) {
   } else if constexpr (std::is_same_v<R, Unicycle>) {
     UnicycleParameters p;
     p.max_speed = log_uniform(random, 0.05, 20);
+    p.min_speed = uniform_float(random, -1, 1) * p.max_speed;
     p.max_turn_rate = log_uniform(random, 0.05, 50);
     return R(p);
   } else {

@@ -115,5 +115,26 @@ TEST(RobotSteering, AUnicycleThatShallStopStandsStill) {
   EXPECT_EQ(control[1], 0.0F);
 }
 
+TEST(RobotSteering, AUnicycleWithALeastSpeedKeepsItAndTurnsOnACircle) {
+  UnicycleParameters p;
+  p.min_speed = 0.25F;
+  const Unicycle robot(p);
+  EXPECT_FALSE(robot.reversible());
+  EXPECT_FLOAT_EQ(robot.turning_radius(), p.min_speed / p.max_turn_rate);
+  const float state[] = {0, 0, 0};
+  for (const float speed : {0.0F, 0.1F, 0.5F, 1.0F}) {
+    for (const Vec2 point : {Vec2{5, 0}, Vec2{0, 5}, Vec2{-5, 0.1F}}) {
+      Target target;
+      target.point = point;
+      target.speed = speed;
+      Steering steering;
+      float control[2] = {};
+      robot.steer(StateView(state, 3), target, steering, ControlRef(control, 2));
+      const bool ahead = point.x > 0.0F && speed > p.min_speed;
+      EXPECT_FLOAT_EQ(control[0], ahead ? speed * p.max_speed : p.min_speed) << speed << " to " << point.x;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace krait::test

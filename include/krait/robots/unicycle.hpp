@@ -13,7 +13,7 @@ struct UnicycleParameters {
   float body_length = 0.5F;    ///< metres, > 0
   float body_width = 0.4F;     ///< metres, > 0
   float max_speed = 1.0F;      ///< m/s, > 0
-  float min_speed = -1.0F;     ///< m/s, <= 0; below 0 it may reverse
+  float min_speed = -1.0F;     ///< m/s, <= max_speed; below 0 it may reverse, above 0 it never stands still
   float max_turn_rate = 2.0F;  ///< rad/s, > 0, either way
 
   /// Calls see(field) for all of them, in their order.
@@ -23,7 +23,7 @@ struct UnicycleParameters {
     see(length_field("body_length", &P::body_length));
     see(length_field("body_width", &P::body_width));
     see(limit_field("max_speed", &P::max_speed, "metres a second"));
-    see(reverse_field("min_speed", &P::min_speed));
+    see(ParameterField<P, float>{"min_speed", &P::min_speed, "metres a second", -1e4F, 1e4F});
     see(limit_field("max_turn_rate", &P::max_turn_rate, "radians a second"));
   }
 };
@@ -61,11 +61,15 @@ class Unicycle : public PlanarBody {
     ds[1] = u[0] * heading.sin;
     ds[2] = u[1];
   }
-  /// Turns on the spot until the target lies ahead, then drives, slower the further it lies to the side.
+  /// Turns on the spot, or as it can at its least speed, until the target lies ahead, then drives, slower the further
+  /// it lies to the side.
   void steer(StateView s, const Target& target, Steering& steering, ControlRef u) const;
   /// Brings it back to its reference's line within some body lengths.
   void track(StateView s, StateView reference, float dt, ControlRef u) const;
-  float turning_radius() const { return 0.0F; }              ///< metres: it turns on the spot
+  /// Metres: it turns on the spot, unless it must move.
+  float turning_radius() const {
+    return parameters_.min_speed > 0.0F ? parameters_.min_speed / parameters_.max_turn_rate : 0.0F;
+  }
   float top_speed() const { return parameters_.max_speed; }  ///< m/s
   /// Whether position and heading are finite and the heading is at most kMaxAngle either way. It is at rest where its
   /// controls end: its state has no speed.

@@ -161,8 +161,12 @@ double shortest_way_of(const SearchResult& result, const SearchRequest& request,
 void print_quality(const SearchResult& result, const SearchRequest& request, const SceneBytes& bytes,
                    const Verdict& verdict) {
   const bool far = verdict.clearance >= kLargestClearance;
-  std::printf("as driven: least clearance %s%.4g m, speed at the end %.3g m/s", far ? "at least " : "",
-              verdict.clearance, verdict.end_speed);
+  std::printf("as driven: least clearance %s%.4g m, ", far ? "at least " : "", verdict.clearance);
+  if (least_speed(request.robot) > 0) {
+    std::printf("never at rest");
+  } else {
+    std::printf("speed at the end %.3g m/s", verdict.end_speed);
+  }
   if (!std::isnan(verdict.heading_error)) std::printf(", %.3g rad off the heading", verdict.heading_error);
   const double shortest = shortest_way_of(result, request, bytes);
   const double length = result.plan.statistics.at("plan_length_m").get<double>();

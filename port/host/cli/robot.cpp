@@ -65,8 +65,9 @@ void print_bodies(const RobotSpec& robot) {
 
 std::string turning_line(const RobotSpec& robot, const RobotFacts& facts) {
   if (facts.lock_radius <= 0) return printed("turns on the spot, within %.4g m of the axle's middle", facts.lock_outer);
-  std::string line = printed("radius %.4g m at full lock; the farthest point of body 0 goes round at %.4g m",
-                             facts.lock_radius, facts.lock_outer);
+  std::string line = printed("radius %.4g m at ", facts.lock_radius) +
+                     (facts.least_speed > 0 ? "its least speed" : "full lock") +
+                     printed("; the farthest point of body 0 goes round at %.4g m", facts.lock_outer);
   if (facts.folds_at_lock) line += robot.links > 1 ? ", but the trailers fold there" : ", but the trailer folds there";
   return line;
 }
@@ -82,6 +83,7 @@ std::string swept_line(const RobotSpec& robot, const RobotFacts& facts) {
 }
 
 std::string stopping_line(const RobotFacts& facts) {
+  if (facts.least_speed > 0) return printed("never: it is no slower than %.4g m/s", facts.least_speed);
   if (facts.stops_at_once) return printed("from %.4g m/s at once: its speed is its control", facts.top_speed);
   return printed("from %.4g m/s within %.4g m and %.4g s", facts.top_speed, facts.stopping_distance,
                  facts.stopping_time);

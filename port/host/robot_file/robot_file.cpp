@@ -161,6 +161,10 @@ void read_parameters(const Field& field, const Model& model, std::map<std::strin
     }
     values[known->name] = read_parameter(field.at(known->name), *known);
   }
+  const auto least = values.find("min_speed");
+  if (least != values.end() && least->second > values.at("max_speed")) {
+    field.fail("min_speed must be at most max_speed, which is " + shown(values.at("max_speed")));
+  }
 }
 
 int parse_links(const std::string& text, const Model& model, const std::string& whole) {

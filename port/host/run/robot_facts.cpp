@@ -88,13 +88,18 @@ std::vector<double> steady_hitch_angles(double sine, int links) {
   return angles;
 }
 
+// Of one body on an axle, which turns on the spot unless it must move.
+void planar_turn_facts(const RobotSpec& robot, RobotFacts& facts) {
+  SteadyTurn& turn = facts.tightest;
+  if (facts.least_speed > 0) turn.radius = facts.least_speed / parameter(robot, "max_turn_rate");
+  measure_sweep(turn, robot, 1);
+  turn.swept_width = turn.radius > 0 ? turn.outer - turn.inner : 2 * turn.outer;
+  facts.lock_radius = turn.radius;
+  facts.lock_outer = turn.outer;
+}
+
 void turn_facts(const RobotSpec& robot, RobotFacts& facts) {
-  if (!has_steering(robot)) {
-    measure_sweep(facts.tightest, robot, 1);
-    facts.tightest.swept_width = 2 * facts.tightest.outer;
-    facts.lock_outer = facts.tightest.outer;
-    return;
-  }
+  if (!has_steering(robot)) return planar_turn_facts(robot, facts);
   double steering = parameter(robot, "max_steering");
   facts.lock_radius = parameter(robot, "wheelbase") / std::tan(steering);
   SteadyTurn& turn = facts.tightest;
@@ -112,9 +117,10 @@ void turn_facts(const RobotSpec& robot, RobotFacts& facts) {
   turn.swept_width = turn.outer - turn.inner;
 }
 
-void stop_facts(const CoreRobot& core, RobotFacts& facts) {
+void speed_facts(const RobotSpec& robot, const CoreRobot& core, RobotFacts& facts) {
+  facts.least_speed = least_speed(robot);
   const double braking = decimal(core.extremes().braking);
-  facts.top_speed = decimal(core.visit([](const auto& robot) { return robot.top_speed(); }));
+  facts.top_speed = decimal(core.visit([](const auto& model) { return model.top_speed(); }));
   facts.stops_at_once = braking == 0;
   if (facts.stops_at_once) return;
   facts.stopping_time = facts.top_speed / braking;
@@ -168,6 +174,11 @@ std::string axle_warning(const RobotSpec& robot) {
               : ": a " + robot.model + "'s box is centred on its rear axle; bodies in a ROBOT.json place it");
 }
 
+double least_speed(const RobotSpec& robot) {
+  const auto least = robot.parameters.find("min_speed");
+  return least == robot.parameters.end() ? 0 : std::max(0.0, least->second);
+}
+
 std::vector<Ring> bodies_in(const SteadyTurn& turn, const RobotSpec& robot) {
   std::vector<Ring> bodies;
   Point origin;
@@ -203,8 +214,8 @@ RobotFacts facts_of(const std::string& name, const RobotSpec& robot, const Param
   if (!(facts.longest_time_step < decimal(parameters.dt))) {
     facts.step_error = error_of_steps(robot, core, decimal(parameters.dt), facts.plan_parts);
   }
+  speed_facts(robot, core, facts);
   turn_facts(robot, facts);
-  stop_facts(core, facts);
   return facts;
 }
 

@@ -20,12 +20,13 @@ struct SteadyTurn {
 };
 
 struct RobotFacts {
-  double lock_radius = 0;  // metres, of the middle of body 0's axle at full lock; 0 for a robot that turns on the spot
+  double lock_radius = 0;  // metres, of the middle of body 0's axle at full lock or least speed; 0 on the spot
   double lock_outer = 0;   // metres, how far the farthest point of body 0 is from the centre of that turn
   bool folds_at_lock =
-      false;             // at full lock the trailers do not follow: no turn is steady, or a hitch passes its limit
-  SteadyTurn tightest;   // of all steady turns; where the trailers fold at full lock, 10 % wider than the limit
-  double top_speed = 0;  // metres a second, forward
+      false;               // at full lock the trailers do not follow: no turn is steady, or a hitch passes its limit
+  SteadyTurn tightest;     // of all steady turns; where the trailers fold at full lock, 10 % wider than the limit
+  double top_speed = 0;    // metres a second, forward
+  double least_speed = 0;  // metres a second, of a robot that never stands still; 0 of any other
   bool stops_at_once = false;    // its speed is its control
   double stopping_time = 0;      // seconds, from top speed
   double stopping_distance = 0;  // metres
@@ -39,6 +40,9 @@ struct RobotFacts {
 // That the steered axle lies outside of body 0, by how much, and what may be wrong: one line; empty where it lies
 // inside.
 std::string axle_warning(const RobotSpec& robot);
+
+// Metres a second, of a robot that never stands still; 0 of any other.
+double least_speed(const RobotSpec& robot);
 
 // The bodies in the turn, to the left around (0, radius), body 0 at the origin with heading 0.
 std::vector<Ring> bodies_in(const SteadyTurn& turn, const RobotSpec& robot);

@@ -6,6 +6,7 @@
 #include "decomposition/locate.hpp"
 #include "host/run/hindrance.hpp"
 #include "host/run/query.hpp"
+#include "host/run/robot_facts.hpp"
 #include "host/workspace/printed.hpp"
 
 namespace krait::host {
@@ -89,7 +90,7 @@ std::string what_stops_it(const Hindrances& found, const krait::Scene& scene, co
 
 bool cannot_reverse(const RobotSpec& robot) {
   const auto speed = robot.parameters.find("min_speed");
-  return speed != robot.parameters.end() && speed->second == 0;
+  return speed != robot.parameters.end() && speed->second >= 0;
 }
 
 bool pushes_trailers(const RobotSpec& robot) { return robot.links > 0 && !cannot_reverse(robot); }
@@ -97,6 +98,7 @@ bool pushes_trailers(const RobotSpec& robot) { return robot.links > 0 && !cannot
 // Metres, of the tightest circle of the axle's middle; 0 for a robot that turns on the spot.
 double turning_radius(const RobotSpec& robot) {
   const auto steering = robot.parameters.find("max_steering");
+  if (const double least = least_speed(robot); least > 0) return least / robot.parameters.at("max_turn_rate");
   return steering == robot.parameters.end() ? 0 : robot.parameters.at("wheelbase") / std::tan(steering->second);
 }
 

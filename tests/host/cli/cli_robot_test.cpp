@@ -66,6 +66,16 @@ TEST_F(CliRobot, ASteeredAxleAheadOfItsBodyIsWarnedOf) {
   EXPECT_THAT(report("reverse.json"), HasSubstr("warning   in reverse no turn is steady"));
 }
 
+TEST_F(CliRobot, OneThatNeverStandsStillIsReportedAndPlannedFor) {
+  write("plane.json", R"({"model": "unicycle", "parameters": {"min_speed": 0.25}})");
+  const std::string text = report("plane.json");
+  EXPECT_THAT(text, HasSubstr("turning   radius 0.125 m at its least speed"));
+  EXPECT_THAT(text, HasSubstr("stops     never: it is no slower than 0.25 m/s\n"));
+  const Outcome outcome = krait({"plan", "room.krait", "--robot", "plane.json"});
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, HasSubstr(", never at rest"));
+}
+
 TEST_F(CliRobot, APlanForASteeredAxleAheadOfItsBodyIsWarnedOf) {
   const auto warnings = [&](const std::string& robot) {
     const Outcome outcome = krait({"plan", "room.krait", "--robot", robot});

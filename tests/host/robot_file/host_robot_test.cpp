@@ -153,6 +153,15 @@ TEST(Robot, ParametersOutOfRangeAreNamed) {
   EXPECT_EQ(error(R"("min_speed": -1)"), "");
 }
 
+TEST(Robot, AUnicyclesLeastSpeedIsAtMostItsTopSpeed) {
+  const auto error = [](const std::string& speeds) {
+    return read_error(R"({"model": "unicycle", "parameters": {)" + speeds + "}}");
+  };
+  EXPECT_EQ(error(R"("min_speed": 0.5, "max_speed": 0.5)"), "");
+  EXPECT_THAT(error(R"("min_speed": 0.6, "max_speed": 0.5)"),
+              HasSubstr("parameters: min_speed must be at most max_speed, which is 0.5"));
+}
+
 // As in the library.
 TEST(Robot, HitchesFoldUpToPi) {
   const auto text = [](const char* angle) {

@@ -52,6 +52,15 @@ TEST(RobotFacts, ACentreInsideOfABodyLeavesNoHole) {
   EXPECT_EQ(car.tightest.inner, 0);
 }
 
+TEST(RobotFacts, WhatNeverStandsStillTurnsOnACircle) {
+  const RobotFacts robot = facts(with(parse_robot("unicycle"), {{"min_speed", 0.5}, {"max_turn_rate", 0.25}}));
+  EXPECT_EQ(robot.least_speed, 0.5);
+  EXPECT_NEAR(robot.lock_radius, 2, 1e-12);
+  EXPECT_NEAR(robot.tightest.outer, std::hypot(0.25, 2.2), 1e-12);
+  EXPECT_NEAR(robot.tightest.swept_width, std::hypot(0.25, 2.2) - 1.8, 1e-12);
+  EXPECT_EQ(facts(parse_robot("unicycle")).least_speed, 0);
+}
+
 TEST(RobotFacts, WhatTurnsOnTheSpotSweepsADisc) {
   for (const char* name : {"unicycle", "diff_drive"}) {
     const RobotFacts robot = facts(parse_robot(name));
@@ -65,10 +74,11 @@ TEST(RobotFacts, WhatTurnsOnTheSpotSweepsADisc) {
 TEST(RobotFacts, TheCoreTakesEveryParameterOfItsRange) {
   const auto sound = [](const RobotSpec& robot) { return CoreRobot(robot).view().sound(); };
   for (const std::string& text : every_robot(1)) {
-    const RobotSpec robot = parse_robot(text);
-    const std::string& model = robot.model;
+    const std::string model = parse_robot(text).model;
     for (const auto& [name, normal] : default_parameters(model)) {
       const auto [least, most] = range_of(model, name);
+      RobotSpec robot = parse_robot(text);
+      if (name == "min_speed" && most > 0) robot.parameters.at("max_speed") = most;
       EXPECT_TRUE(sound(with(robot, {{name.c_str(), least}}))) << model << " " << name;
       EXPECT_TRUE(sound(with(robot, {{name.c_str(), most}}))) << model << " " << name;
       if (name == "max_steering" || name == "max_hitch_angle") {
