@@ -73,9 +73,15 @@ TEST(RobotSteering, ASecondOrderUnicycleTurnsToItsTargetWithoutPassingIt) {
 
 // It turns by half a radian more until its turn rate is 0, which brings it nearer to what lies behind it.
 TEST(RobotSteering, ASecondOrderUnicycleTurnsOnWhereItCannotTurnBack) {
-  EXPECT_NEAR(turned_to(-2.9F, sluggish(), {0, 0, 0, 0, 0.5F}, 1.0F).back(), 2.0F * kPi, 2e-3F);
-  EXPECT_NEAR(turned_to(2.9F, sluggish(), {0, 0, 0, 0, -0.5F}, 1.0F).back(), -2.0F * kPi, 2e-3F);
-  EXPECT_NEAR(turned_to(-2.0F, sluggish(), {0, 0, 0, 0, 0.5F}, 1.0F).back(), 0.0F, 2e-3F);
+  for (const float side : {1.0F, -1.0F}) {
+    const std::vector<float> turning = {0, 0, 0, 0, 0.5F * side};
+    const std::vector<float> on = turned_to(-2.9F * side, sluggish(), turning, 1.0F);
+    EXPECT_NEAR(on[9] - on[0], 0.45F * side, 1e-3F);  // it does not brake
+    EXPECT_NEAR(on.back(), 2.0F * kPi * side, 2e-3F);
+    const std::vector<float> back = turned_to(-2.0F * side, sluggish(), turning, 1.0F);
+    EXPECT_LT((back[9] - back[0]) * side, 0.4F);
+    EXPECT_NEAR(back.back(), 0.0F, 2e-3F);
+  }
 }
 
 TEST(RobotSteering, ASecondOrderUnicycleDrivesSlowerTowardWhatLiesAside) {
