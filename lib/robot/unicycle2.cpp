@@ -15,6 +15,7 @@ using detail::positive;
 namespace {
 
 constexpr float kInside = 1.0F - 1e-5F;  // keeps rounding from carrying a state across its limit
+constexpr float kSteered = 0.98F;        // of the largest accelerations: what steering takes, and tracking has the rest
 constexpr float kTurnBrake = 0.7F;       // of the largest turn acceleration: what turning is to be stopped with
 
 }  // namespace
@@ -34,36 +35,44 @@ bool Unicycle2::sound() const {
 void Unicycle2::steer(StateView s, const Target& target, Steering&, ControlRef u) const {
   const Unicycle2Parameters& p = parameters_;
   if (target.speed == 0.0F) {
-    approach(s, 0.0F, 0.0F, target.dt, u);
+    approach(s, 0.0F, 0.0F, kSteered, target.dt, u);
     return;
   }
   const float error = heading_error(s, target);
   const float along = math::sin_cos(error).cos;
-  const float stopped = error - 0.5F * s[4] * math::absolute(s[4]) / p.max_turn_acceleration;
+  const float stopped = error - 0.5F * s[4] * math::absolute(s[4]) / (kSteered * p.max_turn_acceleration);
   const float around = stopped > kPi ? error - 2.0F * kPi : stopped < -kPi ? error + 2.0F * kPi : error;
   const float left = around - 0.5F * s[4] * target.dt;
   const float brake = kTurnBrake * p.max_turn_acceleration;
   const float step = brake * target.dt;
   const float rate = std::sqrt(step * step + 2.0F * brake * math::absolute(left)) - step;
   const float top = target.speed * (target.speed < 0.0F ? -p.min_speed : p.max_speed);
-  approach(s, along > 0.0F ? top * along * along : 0.0F, left < 0.0F ? -rate : rate, target.dt, u);
+  approach(s, along > 0.0F ? top * along * along : 0.0F, left < 0.0F ? -rate : rate, kSteered, target.dt, u);
 }
 
-// The control that brings speed and turn rate as near to the wanted ones as the limits allow in a time step.
-void Unicycle2::approach(StateView s, float speed, float turn_rate, float dt, ControlRef u) const {
+// The control that brings speed and turn rate as near to the wanted ones as their limits and `share` of the
+// accelerations allow in a time step. A slow machine is steered with as much of them as there is for seconds on end.
+// Were that all, its plan could be turned to the tree's way in one direction only, and would sway away from it.
+void Unicycle2::approach(StateView s, float speed, float turn_rate, float share, float dt, ControlRef u) const {
   const Unicycle2Parameters& p = parameters_;
   const float most = p.max_turn_rate * kInside;
   const float inset = (1.0F - kInside) * (p.max_speed - p.min_speed);
   const float next = math::clamp(speed, p.min_speed + inset, p.max_speed - inset);
-  u[0] = math::clamp((next - s[3]) / dt, -p.max_acceleration, p.max_acceleration);
-  u[1] =
-      math::clamp((math::clamp(turn_rate, -most, most) - s[4]) / dt, -p.max_turn_acceleration, p.max_turn_acceleration);
+  const float push = share * p.max_acceleration;
+  const float twist = share * p.max_turn_acceleration;
+  u[0] = math::clamp((next - s[3]) / dt, -push, push);
+  u[1] = math::clamp((math::clamp(turn_rate, -most, most) - s[4]) / dt, -twist, twist);
 }
 
 void Unicycle2::track(StateView s, StateView reference, float dt, ControlRef u) const {
   const float speed = reference[3];
   const Correction change = correction(deviation(s, reference), speed, parameters_.body_length, dt);
-  approach(s, speed + u[0] * dt + change.speed, reference[4] + u[1] * dt + kHeadingShare * change.heading / dt, dt, u);
+  approach(s, speed + u[0] * dt + change.speed, reference[4] + u[1] * dt + kHeadingShare * change.heading / dt, 1.0F,
+           dt, u);
+}
+
+float Unicycle2::stopping_way(StateView s) const {
+  return 0.5F * s[3] * math::absolute(s[3]) / (kSteered * parameters_.max_acceleration);
 }
 
 bool Unicycle2::within_limits(StateView s) const {

@@ -84,7 +84,7 @@ class Unicycle2 : public PlanarBody {
     return forward > turning ? forward : turning;
   }
   /// Metres, negative backwards: what it rolls until its speed is 0, as if straight ahead.
-  float stopping_way(StateView s) const { return 0.5F * s[3] * math::absolute(s[3]) / parameters_.max_acceleration; }
+  float stopping_way(StateView s) const;
   float turning_radius() const { return 0.0F; }              ///< metres: it turns on the spot
   float top_speed() const { return parameters_.max_speed; }  ///< m/s
   /// Whether speed and turn rate keep their limits, and position and heading are finite and the heading is at most
@@ -109,7 +109,7 @@ class Unicycle2 : public PlanarBody {
   }
 
  private:
-  void approach(StateView s, float speed, float turn_rate, float dt, ControlRef u) const;
+  void approach(StateView s, float speed, float turn_rate, float share, float dt, ControlRef u) const;
 
   Unicycle2Parameters parameters_;
 };
