@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /** \file
-    krait in C: the adaptive planner, its five robots and your own behind plain structs. Nothing allocates; all memory
+    krait in C: the adaptive planner, its robots and your own behind plain structs. Nothing allocates; all memory
     is the caller's. The program needs no C++ run-time library, and no special compiler flags but for a robot of your
     own: link krait::c (-lkrait_c -lkrait).
 
