@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /** \file
-    krait in C: the adaptive planner, its five robots and your own behind plain structs. Nothing allocates; all memory
+    krait in C: the adaptive planner, its robots and your own behind plain structs. Nothing allocates; all memory
     is the caller's. The program needs no C++ run-time library, and no special compiler flags but for a robot of your
     own: link krait::c (-lkrait_c -lkrait).
 
@@ -162,6 +162,18 @@ typedef struct krait_unicycle_parameters {
   float max_turn_rate; /**< rad/s, > 0, either way; default 2 */
 } krait_unicycle_parameters;
 
+/** A unicycle whose speed and turn rate change at bounded rates; its body's frame is the axle. All numbers are
+    finite. */
+typedef struct krait_unicycle2_parameters {
+  float body_length,         /**< metres, > 0; default 0.5 */
+      body_width;            /**< metres, > 0; default 0.4 */
+  float max_speed,           /**< m/s, > 0; default 1 */
+      min_speed;             /**< m/s, <= 0; below 0 it may reverse; default -1 */
+  float max_turn_rate;       /**< rad/s, > 0, either way; default 2 */
+  float max_acceleration,    /**< m/s^2, > 0, either way; default 2 */
+      max_turn_acceleration; /**< rad/s^2, > 0, either way; default 4 */
+} krait_unicycle2_parameters;
+
 /** A differential drive: two driven wheels on an axle, which is its body's frame. All numbers are finite. */
 typedef struct krait_diff_drive_parameters {
   float body_length,          /**< metres, > 0; default 0.5 */
@@ -314,6 +326,7 @@ typedef struct krait_robot {
   union {
     krait_chain_parameters chain;           /**< of krait_snake, krait_truck and krait_car */
     krait_unicycle_parameters unicycle;     /**< of krait_unicycle */
+    krait_unicycle2_parameters unicycle2;   /**< of krait_unicycle2 */
     krait_diff_drive_parameters diff_drive; /**< of krait_diff_drive */
     krait_own own;                          /**< of krait_own_robot */
   } parameters;
@@ -332,6 +345,9 @@ krait_robot krait_truck(int trailers);
 krait_robot krait_car(void);
 /** `unicycle`, with the defaults. State x y theta: metres, radians; control speed, m/s, and turn rate, rad/s. O(1). */
 krait_robot krait_unicycle(void);
+/** `unicycle2`, with the defaults. State x y theta v omega: metres, radians, m/s, rad/s; control acceleration, m/s^2,
+    and turn acceleration, rad/s^2. O(1). */
+krait_robot krait_unicycle2(void);
 /** `diff_drive`, with the defaults. State x y theta left right: metres, radians, rad/s of the wheels; control rad/s^2
     of the left and the right wheel. O(1). */
 krait_robot krait_diff_drive(void);

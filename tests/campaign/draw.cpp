@@ -132,6 +132,17 @@ void draw_unicycle(Draw& draw, const Measures& m, Robot& robot) {
   p.max_turn_rate = limit(draw.log_uniform(0.02, 3) / m.dt);
 }
 
+void draw_unicycle2(Draw& draw, const Measures& m, Robot& robot) {
+  Unicycle2Parameters& p = robot.unicycle2;
+  p.body_length = dimension(m.length);
+  p.body_width = dimension(m.width);
+  p.max_speed = limit(m.speed());
+  p.min_speed = draw.chance(0.5) ? 0 : as_float(-m.speed() * draw.log_uniform(0.05, 1), -1e4, 0);
+  p.max_turn_rate = limit(draw.log_uniform(0.02, 3) / m.dt);
+  p.max_acceleration = limit(m.speed() / m.dt * draw.log_uniform(m.agile, 5));
+  p.max_turn_acceleration = limit(static_cast<double>(p.max_turn_rate) / m.dt * draw.log_uniform(m.agile, 5));
+}
+
 void draw_differential_drive(Draw& draw, const Measures& m, Robot& robot) {
   DifferentialDriveParameters& p = robot.drive;
   p.body_length = dimension(m.length);
@@ -144,11 +155,13 @@ void draw_differential_drive(Draw& draw, const Measures& m, Robot& robot) {
 
 Robot draw_robot(Draw& draw, const Measures& m, double side) {
   Robot robot;
-  static constexpr Model kDrawn[] = {Model::snake, Model::snake,    Model::truck,     Model::truck,
-                                     Model::car,   Model::unicycle, Model::diff_drive};
+  static constexpr Model kDrawn[] = {Model::snake, Model::snake,    Model::truck,      Model::truck,
+                                     Model::car,   Model::unicycle, Model::diff_drive, Model::unicycle2};
   robot.model = kDrawn[draw.whole(0, std::size(kDrawn) - 1)];
   if (robot.model == Model::unicycle) {
     draw_unicycle(draw, m, robot);
+  } else if (robot.model == Model::unicycle2) {
+    draw_unicycle2(draw, m, robot);
   } else if (robot.model == Model::diff_drive) {
     draw_differential_drive(draw, m, robot);
   } else {
@@ -175,6 +188,11 @@ void draw_motion(Draw& draw, const Robot& robot, std::vector<float>& state) {
     for (std::size_t i = 3; i < 5; ++i) {
       state[i] = static_cast<float>(draw.uniform(-1, 1) * static_cast<double>(robot.drive.max_wheel_speed));
     }
+  }
+  if (robot.model == Model::unicycle2) {
+    const Unicycle2Parameters& p = robot.unicycle2;
+    state[3] = static_cast<float>(draw.uniform(static_cast<double>(p.min_speed), static_cast<double>(p.max_speed)));
+    state[4] = static_cast<float>(draw.uniform(-1, 1) * static_cast<double>(p.max_turn_rate));
   }
   if (!robot.is_chain()) return;
   const ChainParameters& p = robot.chain;
@@ -317,6 +335,11 @@ std::string describe(const Query& query) {
     const UnicycleParameters& p = r.unicycle;
     add(" body %.4g x %.4g v %.4g..%.4g turn %.4g", number(p.body_length), number(p.body_width), number(p.min_speed),
         number(p.max_speed), number(p.max_turn_rate));
+  } else if (r.model == Model::unicycle2) {
+    const Unicycle2Parameters& p = r.unicycle2;
+    add(" body %.4g x %.4g v %.4g..%.4g turn %.4g accel %.4g turn accel %.4g", number(p.body_length),
+        number(p.body_width), number(p.min_speed), number(p.max_speed), number(p.max_turn_rate),
+        number(p.max_acceleration), number(p.max_turn_acceleration));
   } else if (r.model == Model::diff_drive) {
     const DifferentialDriveParameters& p = r.drive;
     add(" body %.4g x %.4g radius %.4g track %.4g wheels %.4g accel %.4g", number(p.body_length), number(p.body_width),

@@ -19,6 +19,13 @@ Equations::Equations(const Robot& robot) : model_(robot.model), state_size_(3), 
     max_speed_ = number(robot.unicycle.max_speed);
     min_speed_ = number(robot.unicycle.min_speed);
     max_second_ = number(robot.unicycle.max_turn_rate);
+  } else if (model_ == Model::unicycle2) {
+    state_size_ = 5;
+    max_speed_ = number(robot.unicycle2.max_speed);
+    min_speed_ = number(robot.unicycle2.min_speed);
+    max_turn_rate_ = number(robot.unicycle2.max_turn_rate);
+    max_first_ = number(robot.unicycle2.max_acceleration);
+    max_second_ = number(robot.unicycle2.max_turn_acceleration);
   } else if (model_ == Model::diff_drive) {
     state_size_ = 5;
     radius_ = number(robot.drive.wheel_radius);
@@ -44,6 +51,12 @@ void Equations::rates(const State& s, const double* u, State& ds) const {
     ds[0] = u[0] * std::cos(s[2]);
     ds[1] = u[0] * std::sin(s[2]);
     ds[2] = u[1];
+  } else if (model_ == Model::unicycle2) {
+    ds[0] = s[3] * std::cos(s[2]);
+    ds[1] = s[3] * std::sin(s[2]);
+    ds[2] = s[4];
+    ds[3] = u[0];
+    ds[4] = u[1];
   } else if (model_ == Model::diff_drive) {
     const double speed = radius_ * (s[3] + s[4]) / 2;
     ds[0] = speed * std::cos(s[2]);
@@ -89,6 +102,8 @@ void Equations::reach(const State& a, const Frames& at_a, const State& b, const 
                       double time, Reaches& reaches) const {
   if (model_ == Model::unicycle) {
     reaches[0] = {time * std::abs(u[0]), time * std::abs(u[1])};
+  } else if (model_ == Model::unicycle2) {
+    reaches[0] = {time * largest(a[3], b[3]), time * largest(a[4], b[4])};
   } else if (model_ == Model::diff_drive) {
     reaches[0] = {time * radius_ * largest(a[3] + a[4], b[3] + b[4]) / 2,
                   time * radius_ * largest(a[4] - a[3], b[4] - b[3]) / track_};
@@ -131,6 +146,10 @@ double Equations::excess(const State& s, const double* u) const {
   }
   const double controls =
       std::max(beyond(u[0], -max_first_, max_first_, max_first_), beyond(u[1], -max_second_, max_second_, max_second_));
+  if (model_ == Model::unicycle2) {
+    return std::max({controls, beyond(s[3], min_speed_, max_speed_, max_speed_),
+                     beyond(s[4], -max_turn_rate_, max_turn_rate_, max_turn_rate_)});
+  }
   if (model_ == Model::diff_drive) {
     return std::max({controls, beyond(s[3], -max_speed_, max_speed_, max_speed_),
                      beyond(s[4], -max_speed_, max_speed_, max_speed_)});

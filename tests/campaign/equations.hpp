@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The equations of motion of the five models in double precision, and what they say of the motion between two states.
+// The equations of motion of the models in double precision, and what they say of the motion between two states.
 #pragma once
 
 #include <array>
@@ -66,8 +66,9 @@ class Equations {
   double max_hitch_ = 0;
   double wheelbase_ = 1, hitch_length_ = 1;  // chains
   double radius_ = 1, track_ = 1;            // diff_drive
-  double max_speed_ = 0, min_speed_ = 0;     // of the chains' v, of a unicycle, of a wheel
+  double max_speed_ = 0, min_speed_ = 0;     // of v, of a unicycle, of a wheel
   double max_steering_ = 0;                  // chains
+  double max_turn_rate_ = 0;                 // unicycle2
   double max_first_ = 0, max_second_ = 0;    // of the controls, both ways; a unicycle's first is its speed
 };
 

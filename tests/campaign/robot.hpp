@@ -27,6 +27,7 @@ struct Robot {
   Model model = Model::car;
   ChainParameters chain;  // of snake, truck and car
   UnicycleParameters unicycle;
+  Unicycle2Parameters unicycle2;
   DifferentialDriveParameters drive;
 
   // Those of one of these types.
@@ -34,6 +35,7 @@ struct Robot {
   const P& parameters() const {
     if constexpr (std::is_same_v<P, ChainParameters>) return chain;
     if constexpr (std::is_same_v<P, UnicycleParameters>) return unicycle;
+    if constexpr (std::is_same_v<P, Unicycle2Parameters>) return unicycle2;
     if constexpr (std::is_same_v<P, DifferentialDriveParameters>) return drive;
   }
 
@@ -63,6 +65,9 @@ inline Convex box_of(const Robot& robot, int body) {
   if (robot.model == Model::unicycle) {
     length = static_cast<double>(robot.unicycle.body_length);
     width = static_cast<double>(robot.unicycle.body_width);
+  } else if (robot.model == Model::unicycle2) {
+    length = static_cast<double>(robot.unicycle2.body_length);
+    width = static_cast<double>(robot.unicycle2.body_width);
   } else if (robot.model == Model::diff_drive) {
     length = static_cast<double>(robot.drive.body_length);
     width = static_cast<double>(robot.drive.body_width);

@@ -86,6 +86,10 @@ TEST(CInterface, UnicyclePlansAsInCpp) {
   expect_same_plan(krait_unicycle(), plan_in_cpp(Unicycle(UnicycleParameters())));
 }
 
+TEST(CInterface, Unicycle2PlansAsInCpp) {
+  expect_same_plan(krait_unicycle2(), plan_in_cpp(Unicycle2(Unicycle2Parameters())));
+}
+
 TEST(CInterface, DifferentialDrivePlansAsInCpp) {
   expect_same_plan(krait_diff_drive(), plan_in_cpp(DifferentialDrive(DifferentialDriveParameters())));
 }
@@ -526,6 +530,13 @@ TEST(CInterface, EveryParameterOfARobotIsInItsPlace) {
   EXPECT_SAME_PLACE(krait_unicycle_parameters, UnicycleParameters, max_speed);
   EXPECT_SAME_PLACE(krait_unicycle_parameters, UnicycleParameters, min_speed);
   EXPECT_SAME_PLACE(krait_unicycle_parameters, UnicycleParameters, max_turn_rate);
+  EXPECT_SAME_PLACE(krait_unicycle2_parameters, Unicycle2Parameters, body_length);
+  EXPECT_SAME_PLACE(krait_unicycle2_parameters, Unicycle2Parameters, body_width);
+  EXPECT_SAME_PLACE(krait_unicycle2_parameters, Unicycle2Parameters, max_speed);
+  EXPECT_SAME_PLACE(krait_unicycle2_parameters, Unicycle2Parameters, min_speed);
+  EXPECT_SAME_PLACE(krait_unicycle2_parameters, Unicycle2Parameters, max_turn_rate);
+  EXPECT_SAME_PLACE(krait_unicycle2_parameters, Unicycle2Parameters, max_acceleration);
+  EXPECT_SAME_PLACE(krait_unicycle2_parameters, Unicycle2Parameters, max_turn_acceleration);
   EXPECT_SAME_PLACE(krait_diff_drive_parameters, DifferentialDriveParameters, body_length);
   EXPECT_SAME_PLACE(krait_diff_drive_parameters, DifferentialDriveParameters, body_width);
   EXPECT_SAME_PLACE(krait_diff_drive_parameters, DifferentialDriveParameters, wheel_radius);

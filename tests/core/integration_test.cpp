@@ -85,6 +85,7 @@ TEST(IntegrationSteps, AreOneForTheDefaultRobots) {
   EXPECT_EQ(parts(Truck(p)), 1);
   EXPECT_EQ(parts(Car(Car::defaults())), 1);
   EXPECT_EQ(parts(Unicycle({})), 1);
+  EXPECT_EQ(parts(Unicycle2({})), 1);
   EXPECT_EQ(parts(DifferentialDrive({})), 1);
   p.hitch_length = 0.15F;
   EXPECT_EQ(parts(Truck(p)), 6);

@@ -64,6 +64,7 @@ TEST(PlannerRest, EveryModelEndsAtRestByDefault) {
   expect_rest(Snake(chain(3)));
   expect_rest(Truck(chain(2)));
   expect_rest(DifferentialDrive(DifferentialDriveParameters{}));
+  expect_rest(Unicycle2(Unicycle2Parameters{}));
 }
 
 TEST(PlannerRest, AnEndSpeedIsKeptAndMadeUseOf) {

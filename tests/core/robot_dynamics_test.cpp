@@ -153,7 +153,7 @@ Numbers lateral_speeds(const R& robot, const std::vector<float>& s, const std::v
 
 template <class R>
 class RobotWithoutSlip : public RobotDynamics<R> {};
-using Rolling = ::testing::Types<Truck, Car, Unicycle, DifferentialDrive>;
+using Rolling = ::testing::Types<Truck, Car, Unicycle, Unicycle2, DifferentialDrive>;
 TYPED_TEST_SUITE(RobotWithoutSlip, Rolling, ModelNames);
 
 TYPED_TEST(RobotWithoutSlip, NoAxleMovesAcrossItself) {
@@ -203,6 +203,27 @@ TEST(RobotDynamicsOfAUser, AreIntegratedInFourthOrder) {
     const double error = std::hypot(1 + wide(change[0]) - std::cos(wide(dt)), wide(change[1]) + std::sin(wide(dt)));
     EXPECT_LE(error, std::pow(wide(dt), 5) / 100 + 1e-6) << dt;
   }
+}
+
+TEST(RobotDynamicsUnicycle2, TurnsOnACircleAtConstantRates) {
+  const Unicycle2 robot(Unicycle2Parameters{});
+  std::vector<float> s = {0, 0, 0, 0.8F, 1.6F};  // centre at (0, 0.5)
+  for (int i = 0; i < 200; ++i) {
+    s = step(robot, s, {0, 0}, 0.05F);
+    ASSERT_NEAR(std::hypot(wide(s[0]), wide(s[1]) - 0.5), 0.5, 1e-4);
+  }
+  EXPECT_NEAR(wide(s[2]), 16, 1e-4);
+}
+
+TEST(RobotDynamicsUnicycle2, ChangesSpeedAndTurnRateAsTheControlSays) {
+  const Unicycle2 robot(Unicycle2Parameters{});
+  const std::vector<float> ahead = step(robot, {0, 0, 0, 0.5F, 0}, {-2, 0}, 0.5F);
+  EXPECT_NEAR(wide(ahead[0]), 0, 1e-6);
+  EXPECT_NEAR(wide(ahead[3]), -0.5, 1e-6);
+  const std::vector<float> around = step(robot, {0, 0, 0, 0, 1}, {0, -4}, 0.1F);
+  EXPECT_NEAR(wide(around[2]), 0.08, 1e-6);
+  EXPECT_NEAR(wide(around[4]), 0.6, 1e-6);
+  EXPECT_EQ(around[0], 0.0F);
 }
 
 TEST(RobotDynamicsCar, TurnsOnACircleOfItsWheelbaseOverTheTangent) {

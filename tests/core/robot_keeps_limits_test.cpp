@@ -131,6 +131,9 @@ TEST(RobotKeepsLimits, ARobotWhoseLimitsAreConvexKeepsThem) {
   const std::vector<float> s = {0, 0, 0}, u = {1, 1};
   const Unicycle unicycle({});
   EXPECT_TRUE(bounds_of(unicycle, s, u, kDt, step(unicycle, s, u, kDt)).limits_kept);
+  const std::vector<float> turning = {0, 0, 0, 0.5F, -1};
+  const Unicycle2 second_order({});
+  EXPECT_TRUE(bounds_of(second_order, turning, u, kDt, step(second_order, turning, u, kDt)).limits_kept);
   const std::vector<float> wheels = {0, 0, 0, 3, -5};
   const DifferentialDrive drive({});
   EXPECT_TRUE(bounds_of(drive, wheels, u, kDt, step(drive, wheels, u, kDt)).limits_kept);

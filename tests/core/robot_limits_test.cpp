@@ -27,6 +27,10 @@ bool speeds_inside(const Chain& r, const std::vector<float>& s) {
   return s[3] >= p.min_speed && s[3] <= p.max_speed && std::abs(s[4]) <= p.max_steering;
 }
 bool speeds_inside(const Unicycle&, const std::vector<float>&) { return true; }
+bool speeds_inside(const Unicycle2& r, const std::vector<float>& s) {
+  const Unicycle2Parameters& p = r.parameters();
+  return s[3] >= p.min_speed && s[3] <= p.max_speed && std::abs(s[4]) <= p.max_turn_rate;
+}
 bool speeds_inside(const DifferentialDrive& r, const std::vector<float>& s) {
   return std::abs(s[3]) <= r.parameters().max_wheel_speed && std::abs(s[4]) <= r.parameters().max_wheel_speed;
 }
@@ -228,6 +232,23 @@ TEST(RobotSound, UnicycleRejectsEachBadParameter) {
     UnicycleParameters p;
     p.min_speed = bad;
     EXPECT_NE(first_bad(Unicycle(p)), Argument::none) << bad;
+  }
+}
+
+TEST(RobotSound, Unicycle2RejectsEachBadParameter) {
+  for (const auto member : {&Unicycle2Parameters::body_length, &Unicycle2Parameters::body_width,
+                            &Unicycle2Parameters::max_speed, &Unicycle2Parameters::max_turn_rate,
+                            &Unicycle2Parameters::max_acceleration, &Unicycle2Parameters::max_turn_acceleration}) {
+    for (const float bad : {0.0F, -1.0F, kNan, kInfinity}) {
+      Unicycle2Parameters p;
+      p.*member = bad;
+      EXPECT_NE(first_bad(Unicycle2(p)), Argument::none) << bad;
+    }
+  }
+  for (const float bad : {0.5F, kNan, -kInfinity}) {
+    Unicycle2Parameters p;
+    p.min_speed = bad;
+    EXPECT_NE(first_bad(Unicycle2(p)), Argument::none) << bad;
   }
 }
 

@@ -48,6 +48,9 @@ inline Numbers rate(const Truck& r, const Numbers& s, const Numbers& u) {
 inline Numbers rate(const Unicycle&, const Numbers& s, const Numbers& u) {
   return {u[0] * std::cos(s[2]), u[0] * std::sin(s[2]), u[1]};
 }
+inline Numbers rate(const Unicycle2&, const Numbers& s, const Numbers& u) {
+  return {s[3] * std::cos(s[2]), s[3] * std::sin(s[2]), s[4], u[0], u[1]};
+}
 inline Numbers rate(const DifferentialDrive& r, const Numbers& s, const Numbers& u) {
   const double radius = wide(r.parameters().wheel_radius), track = wide(r.parameters().track_width);
   const double left = radius * s[3], right = radius * s[4];  // rim speeds
@@ -131,6 +134,16 @@ inline std::vector<Unicycle> instances<Unicycle>() {
   return {Unicycle({}), Unicycle(slow)};
 }
 template <>
+inline std::vector<Unicycle2> instances<Unicycle2>() {
+  Unicycle2Parameters slow;
+  slow.max_speed = 0.5F;
+  slow.min_speed = 0.0F;
+  slow.max_turn_rate = 0.5F;
+  slow.max_acceleration = 0.25F;
+  slow.max_turn_acceleration = 0.25F;
+  return {Unicycle2({}), Unicycle2(slow)};
+}
+template <>
 inline std::vector<DifferentialDrive> instances<DifferentialDrive>() {
   DifferentialDriveParameters wide_track;
   wide_track.track_width = 1.2F;
@@ -173,6 +186,10 @@ inline Unicycle small_robot<Unicycle>() {
   return Unicycle({});
 }
 template <>
+inline Unicycle2 small_robot<Unicycle2>() {
+  return Unicycle2({});
+}
+template <>
 inline DifferentialDrive small_robot<DifferentialDrive>() {
   return DifferentialDrive({});
 }
@@ -201,6 +218,14 @@ R random_robot(std::mt19937& random) {
     p.min_speed = uniform_float(random, -1, 1) * p.max_speed;
     p.max_turn_rate = log_uniform(random, 0.05, 50);
     return R(p);
+  } else if constexpr (std::is_same_v<R, Unicycle2>) {
+    Unicycle2Parameters p;
+    p.max_speed = log_uniform(random, 0.05, 20);
+    p.min_speed = below(random, 2) == 0 ? 0.0F : -p.max_speed;
+    p.max_turn_rate = log_uniform(random, 0.05, 50);
+    p.max_acceleration = log_uniform(random, 0.05, 50);
+    p.max_turn_acceleration = log_uniform(random, 0.05, 500);
+    return R(p);
   } else {
     static_assert(std::is_same_v<R, DifferentialDrive>);
     DifferentialDriveParameters p;
@@ -215,6 +240,7 @@ R random_robot(std::mt19937& random) {
 // Metres a second, of the position.
 inline double largest_speed(const Chain& robot) { return wide(robot.parameters().max_speed); }
 inline double largest_speed(const Unicycle& robot) { return wide(robot.parameters().max_speed); }
+inline double largest_speed(const Unicycle2& robot) { return wide(robot.parameters().max_speed); }
 inline double largest_speed(const DifferentialDrive& robot) {
   return wide(robot.parameters().wheel_radius) * wide(robot.parameters().max_wheel_speed);
 }
@@ -255,6 +281,10 @@ struct Range {
 
 // Of what a state has behind position and heading.
 inline std::vector<Range> motion_limits(const Unicycle&) { return {}; }
+inline std::vector<Range> motion_limits(const Unicycle2& r) {
+  const Unicycle2Parameters& p = r.parameters();
+  return {{p.min_speed, p.max_speed}, {-p.max_turn_rate, p.max_turn_rate}};
+}
 inline std::vector<Range> motion_limits(const DifferentialDrive& r) {
   const float most = r.parameters().max_wheel_speed;
   return {{-most, most}, {-most, most}};
@@ -277,6 +307,10 @@ inline std::vector<Range> control_limits(const Unicycle& r) {
   const UnicycleParameters& p = r.parameters();
   return {{p.min_speed, p.max_speed}, {-p.max_turn_rate, p.max_turn_rate}};
 }
+inline std::vector<Range> control_limits(const Unicycle2& r) {
+  const Unicycle2Parameters& p = r.parameters();
+  return {{-p.max_acceleration, p.max_acceleration}, {-p.max_turn_acceleration, p.max_turn_acceleration}};
+}
 inline std::vector<Range> control_limits(const DifferentialDrive& r) {
   const float most = r.parameters().max_wheel_acceleration;
   return {{-most, most}, {-most, most}};
@@ -291,6 +325,11 @@ std::vector<float> random_control(const R& robot, const std::vector<float>& stat
     const ChainParameters& p = robot.parameters();
     u[0] = math::clamp(u[0], (p.min_speed - state[3]) / dt, (p.max_speed - state[3]) / dt);
     u[1] = math::clamp(u[1], (-p.max_steering - state[4]) / dt, (p.max_steering - state[4]) / dt);
+  }
+  if constexpr (std::is_same_v<R, Unicycle2>) {
+    const std::vector<Range> limits = motion_limits(robot);
+    for (std::size_t i = 0; i < 2; ++i)
+      u[i] = math::clamp(u[i], (limits[i].low - state[3 + i]) / dt, (limits[i].high - state[3 + i]) / dt);
   }
   if constexpr (std::is_same_v<R, DifferentialDrive>) {
     const float most = robot.parameters().max_wheel_speed;

@@ -25,6 +25,87 @@ TEST(RobotSteering, AUnicycleBacksNoFasterThanItCan) {
   EXPECT_NEAR(control[1], 0.0F, 1e-5F);
 }
 
+// Steered toward a point far ahead in that direction; returns the headings' errors after each step.
+std::vector<float> turned_to(float heading, const Unicycle2Parameters& p, std::vector<float> state, float speed) {
+  const Unicycle2 robot(p);
+  const SinCos direction = math::sin_cos(heading);
+  detail::Drive drive;
+  drive.assign(robot, 0.1F);
+  drive.begin(state.data());
+  Target target;
+  target.point = {1e4F * direction.cos, 1e4F * direction.sin};
+  target.speed = speed;
+  drive.aim(target);
+  std::vector<float> errors;
+  for (int i = 0; i < 200; ++i) {
+    Pose poses[1];
+    robot.place(StateView(drive.state(), 5), poses);
+    drive.lead(poses);
+    drive.follow(poses);
+    drive.go();
+    EXPECT_TRUE(robot.within_limits(StateView(drive.state(), 5)));
+    errors.push_back(drive.state()[2] - heading);
+  }
+  EXPECT_NEAR(drive.state()[4], 0.0F, 1e-2F);
+  return errors;
+}
+
+// dynobench's machine, which takes two seconds to its top speed and to its largest turn rate.
+Unicycle2Parameters sluggish() {
+  Unicycle2Parameters p;
+  p.max_speed = 0.5F;
+  p.min_speed = -0.5F;
+  p.max_turn_rate = 0.5F;
+  p.max_acceleration = 0.25F;
+  p.max_turn_acceleration = 0.25F;
+  return p;
+}
+
+TEST(RobotSteering, ASecondOrderUnicycleTurnsToItsTargetWithoutPassingIt) {
+  for (const float speed : {1.0F, 1e-3F}) {
+    for (const float heading : {0.05F, 0.4F, 1.5F, 3.1F}) {
+      for (const float error : turned_to(heading, sluggish(), {0, 0, 0, 0, 0}, speed)) EXPECT_LT(error, 2e-3F);
+      EXPECT_NEAR(turned_to(heading, sluggish(), {0, 0, 0, 0, 0}, speed).back(), 0.0F, 2e-3F);
+      EXPECT_NEAR(turned_to(heading, Unicycle2Parameters(), {0, 0, 0, 0, 0}, speed).back(), 0.0F, 2e-3F);
+    }
+  }
+}
+
+// It turns by half a radian more until its turn rate is 0, which brings it nearer to what lies behind it.
+TEST(RobotSteering, ASecondOrderUnicycleTurnsOnWhereItCannotTurnBack) {
+  for (const float side : {1.0F, -1.0F}) {
+    const std::vector<float> turning = {0, 0, 0, 0, 0.5F * side};
+    const std::vector<float> on = turned_to(-2.9F * side, sluggish(), turning, 1.0F);
+    EXPECT_NEAR(on[9] - on[0], 0.45F * side, 1e-3F);  // it does not brake
+    EXPECT_NEAR(on.back(), 2.0F * kPi * side, 2e-3F);
+    const std::vector<float> back = turned_to(-2.0F * side, sluggish(), turning, 1.0F);
+    EXPECT_LT((back[9] - back[0]) * side, 0.4F);
+    EXPECT_NEAR(back.back(), 0.0F, 2e-3F);
+  }
+}
+
+TEST(RobotSteering, ASecondOrderUnicycleDrivesSlowerTowardWhatLiesAside) {
+  Unicycle2Parameters p;
+  p.min_speed = -0.5F;
+  p.max_acceleration = 1e3F;
+  const Unicycle2 robot(p);
+  const float state[] = {0, 0, 0, 0, 0};
+  const auto speed = [&](Vec2 point, float share) {
+    Target target;
+    target.point = point;
+    target.speed = share;
+    Steering steering;
+    float control[2];
+    robot.steer(StateView(state, 5), target, steering, ControlRef(control, 2));
+    return control[0] * target.dt;
+  };
+  EXPECT_NEAR(speed({5, 0}, 1.0F), 1.0F, 1e-3F);
+  EXPECT_NEAR(speed({5, 0}, 0.5F), 0.5F, 1e-3F);
+  EXPECT_NEAR(speed({5, 5}, 1.0F), 0.5F, 1e-3F);
+  EXPECT_NEAR(speed({-1, 5}, 1.0F), 0.0F, 1e-3F);
+  EXPECT_NEAR(speed({-5, 0}, -1.0F), -0.5F, 1e-3F);
+}
+
 // Half left at full speed would need a wheel faster than it can be: the drive goes slower, and turns as it should.
 TEST(RobotSteering, ADifferentialDriveSlowsDownToTurn) {
   DifferentialDriveParameters p;
@@ -100,6 +181,20 @@ TEST(RobotSteering, ADifferentialDriveStopsWithoutTurningToItsTarget) {
   EXPECT_FLOAT_EQ(robot.speed(StateView(std::vector<float>{0, 0, 0, -12, 3}.data(), 5)), 0.96F);
   const std::vector<float> end = stopped(robot, {1, 2, 0, 6, 6}, {1, 20});
   EXPECT_NEAR(end[2], 0.0F, 1e-5F);
+}
+
+TEST(RobotSteering, ASecondOrderUnicycleStopsMovingAndTurning) {
+  const Unicycle2 robot(Unicycle2Parameters{});
+  for (const float speed : {1.0F, 0.3F, -0.3F, -1.0F}) {
+    expect_stopping_way(robot, {1, 2, 0, speed, 0}, {1, 20}, 0.01F);
+  }
+  const std::vector<float> end = stopped(robot, {1, 2, 0, 0.1F, 2}, {1, -20});
+  EXPECT_NEAR(end[2], 0.51F, 5e-3F);
+  EXPECT_FLOAT_EQ(robot.speed(StateView(std::vector<float>{0, 0, 0, -0.2F, 2}.data(), 5)), 0.5F);
+  EXPECT_FLOAT_EQ(robot.speed(StateView(std::vector<float>{0, 0, 0, -0.2F, 0.4F}.data(), 5)), 0.2F);
+  Unicycle2Parameters forwards;
+  forwards.min_speed = 0.0F;
+  stopped(Unicycle2(forwards), {1, 2, 0, 1, -2}, {1, 20});
 }
 
 TEST(RobotSteering, AUnicycleThatShallStopStandsStill) {

@@ -9,6 +9,7 @@
 #include "krait/robots/snake.hpp"
 #include "krait/robots/truck.hpp"
 #include "krait/robots/unicycle.hpp"
+#include "krait/robots/unicycle2.hpp"
 
 /// MODEL(name, class, file, trailers) for every model: what users call it; its class; the name of its header and
 /// source; and as many trailers as one of it has where nobody says, as in tests, or - where it never has any. CMake and
@@ -19,6 +20,7 @@
   MODEL(truck, Truck, truck, 2)                              \
   MODEL(car, Car, car, -)                                    \
   MODEL(unicycle, Unicycle, unicycle, -)                     \
+  MODEL(unicycle2, Unicycle2, unicycle2, -)                  \
   MODEL(diff_drive, DifferentialDrive, differential_drive, -)
 // clang-format on
 

@@ -109,6 +109,27 @@ Equations unicycle(const RobotSpec& robot) {
   return e;
 }
 
+Equations unicycle2(const RobotSpec& robot) {
+  Equations e;
+  e.state_names = {"x", "y", "theta", "v", "omega"};
+  const double max_speed = number(robot, "max_speed");
+  e.state_limits = {{"speed", minimum_speed(robot, -max_speed), max_speed},
+                    within("turn rate", number(robot, "max_turn_rate"))};
+  e.control_limits = {within("acceleration", number(robot, "max_acceleration")),
+                      within("turn acceleration", number(robot, "max_turn_acceleration"))};
+  e.motion = [](const State& state, const Control& control, State& rate) {
+    rate[2] = state[4];
+    rate[3] = control[0];
+    rate[4] = control[1];
+    return state[3];
+  };
+  e.speed = [reach = positive(robot, "body_length") / 2](const State& state) {
+    return std::max(std::abs(state[3]), reach * std::abs(state[4]));
+  };
+  e.values = [](const State& state) { return std::vector<double>{state[3], state[4]}; };
+  return e;
+}
+
 Equations diff_drive(const RobotSpec& robot) {
   Equations e;
   e.state_names = {"x", "y", "theta", "left wheel speed", "right wheel speed"};
@@ -140,11 +161,10 @@ struct Model {
   int most_trailers;
   Equations (*equations)(const RobotSpec& robot);
 };
-constexpr Model kModels[] = {{"snake", kMostTrailers, snake},
-                             {"truck", kMostTrailers, truck},
-                             {"car", 0, truck},
-                             {"unicycle", 0, unicycle},
-                             {"diff_drive", 0, diff_drive}};
+constexpr Model kModels[] = {
+    {"snake", kMostTrailers, snake}, {"truck", kMostTrailers, truck}, {"car", 0, truck},
+    {"unicycle", 0, unicycle},       {"unicycle2", 0, unicycle2},     {"diff_drive", 0, diff_drive},
+};
 
 const Model& model_of(const std::string& name) {
   std::string names;

@@ -89,7 +89,8 @@ RobotSpec of_own_size(RobotSpec robot, Draw& draw) {
   for (const char* length : {"body_length", "body_width", "wheelbase", "hitch_length", "wheel_radius", "track_width"}) {
     scale(robot, length, size);
   }
-  for (const char* rate : {"max_speed", "max_acceleration", "max_turn_rate", "max_wheel_speed"})
+  for (const char* rate :
+       {"max_speed", "max_acceleration", "max_turn_rate", "max_turn_acceleration", "max_wheel_speed"})
     scale(robot, rate, speed);
   for (Ring& body : robot.bodies) {
     for (Point& p : body) p = {p.x * size, p.y * size};
@@ -98,8 +99,8 @@ RobotSpec of_own_size(RobotSpec robot, Draw& draw) {
 }
 
 RobotSpec any_robot(Draw& draw) {
-  static const char* const kRobots[] = {"car",      "unicycle", "diff_drive", "snake:1", "snake:5",
-                                        "snake:15", "snake:25", "truck:0",    "truck:1", "truck:3"};
+  static const char* const kRobots[] = {"car",      "unicycle", "diff_drive", "snake:1", "snake:5",  "snake:15",
+                                        "snake:25", "truck:0",  "truck:1",    "truck:3", "unicycle2"};
   const RobotSpec robot = parse_robot(kRobots[draw.whole(0, std::size(kRobots) - 1)]);
   return draw.chance(0.5) ? of_own_size(robot, draw) : robot;
 }

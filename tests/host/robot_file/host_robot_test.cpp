@@ -104,6 +104,10 @@ TEST(Robot, UnicycleAndDiffDriveHaveTheDocumentedDefaults) {
   EXPECT_THAT(parse_robot("unicycle").parameters,
               UnorderedElementsAre(Pair("body_length", 0.5), Pair("body_width", 0.4), Pair("max_speed", 1),
                                    Pair("min_speed", -1), Pair("max_turn_rate", 2)));
+  EXPECT_THAT(parse_robot("unicycle2").parameters,
+              UnorderedElementsAre(Pair("body_length", 0.5), Pair("body_width", 0.4), Pair("max_speed", 1),
+                                   Pair("min_speed", -1), Pair("max_turn_rate", 2), Pair("max_acceleration", 2),
+                                   Pair("max_turn_acceleration", 4)));
   EXPECT_THAT(
       parse_robot("diff_drive").parameters,
       UnorderedElementsAre(Pair("body_length", 0.5), Pair("body_width", 0.4), Pair("wheel_radius", 0.08),
@@ -125,7 +129,8 @@ TEST(Robot, TheNumberOfTrailersIsFrom0To25) {
 TEST(Robot, AnUnknownRobotIsToldTheKnownOnes) {
   EXPECT_THAT(parse_error("tank"), HasSubstr("known are snake:N and truck:N"));
   EXPECT_THAT(parse_error("none.json"), HasSubstr("none.json: cannot be read"));
-  EXPECT_THAT(read_error(R"({"model": "tank"})"), HasSubstr("known are snake, truck, car, unicycle, diff_drive"));
+  EXPECT_THAT(read_error(R"({"model": "tank"})"),
+              HasSubstr("known are snake, truck, car, unicycle, unicycle2, diff_drive"));
   EXPECT_NE(error_of([] { default_parameters("tank"); }), "");
 }
 

@@ -28,6 +28,9 @@ inline RobotSpec robot(const std::string& model, int links = 0) {
   spec.links = links;
   if (model == "unicycle") {
     spec.parameters = {{"body_length", 0.7}, {"body_width", 0.5}, {"max_speed", 2.5}, {"max_turn_rate", 2.0}};
+  } else if (model == "unicycle2") {
+    spec.parameters = {{"body_length", 0.7},   {"body_width", 0.5},       {"max_speed", 2.5},
+                       {"max_turn_rate", 2.0}, {"max_acceleration", 5.0}, {"max_turn_acceleration", 5.0}};
   } else if (model == "diff_drive") {
     spec.parameters = {{"body_length", 0.7}, {"body_width", 0.5},       {"wheel_radius", 0.1},
                        {"track_width", 0.4}, {"max_wheel_speed", 20.0}, {"max_wheel_acceleration", 10.0}};
@@ -57,6 +60,7 @@ inline std::vector<RobotSpec> every_robot(int trailers) {
 inline Row rates(const RobotSpec& spec, const Row& s, const Row& u) {
   const auto parameter = [&](const char* name) { return spec.parameters.at(name); };
   if (spec.model == "unicycle") return {u[0] * std::cos(s[2]), u[0] * std::sin(s[2]), u[1]};
+  if (spec.model == "unicycle2") return {s[3] * std::cos(s[2]), s[3] * std::sin(s[2]), s[4], u[0], u[1]};
   if (spec.model == "diff_drive") {
     const double left = s[3] * parameter("wheel_radius");
     const double right = s[4] * parameter("wheel_radius");
@@ -136,6 +140,7 @@ inline Case drive(const RobotSpec& spec, const Steer& steer, std::size_t steps, 
 inline Row arc_controls(const RobotSpec& spec, std::size_t step, const Row&) {
   const bool starting = step < 10;
   if (spec.model == "unicycle") return {2.0, starting ? 0.0 : 1.0};
+  if (spec.model == "unicycle2") return starting ? Row{2, 0} : step < 12 ? Row{0, 5} : Row{0, 0};
   if (spec.model == "diff_drive") return starting ? Row{8, 8} : step < 12 ? Row{-5, 5} : Row{0, 0};
   return starting ? Row{2, 0} : step < 12 ? Row{0, 2} : Row{0, 0};
 }

@@ -100,6 +100,19 @@ TEST(Dynamics, AUnicycleDrivesACircle) {
   EXPECT_NEAR(end[2], 0.35, 1e-12);
 }
 
+TEST(Dynamics, ASecondOrderUnicycleChangesSpeedAndTurnRateEvenly) {
+  const Dynamics dynamics(robot("unicycle2"));
+  const State ahead = dynamics.integrate({0, 0, 0, 1, 0}, {-2, 0}, 1.0, 8).back();
+  EXPECT_NEAR(ahead[0], 0, 1e-12);
+  EXPECT_NEAR(ahead[3], -1, 1e-12);
+  const State around = dynamics.integrate({0, 0, 0, 0, 1}, {0, -1}, 1.0, 8).back();
+  EXPECT_NEAR(around[2], 0.5, 1e-12);
+  EXPECT_NEAR(around[4], 0, 1e-12);
+  const State circle = dynamics.integrate({1, 2, 0.3, 2, 0.5}, {0, 0}, 0.1, 8).back();
+  EXPECT_NEAR(circle[0], 1 + 4 * (std::sin(0.35) - std::sin(0.3)), 1e-12);
+  EXPECT_NEAR(circle[1], 2 - 4 * (std::cos(0.35) - std::cos(0.3)), 1e-12);
+}
+
 TEST(Dynamics, ADifferentialDriveTurnsOnTheSpotWithOppositeWheels) {
   const Dynamics dynamics(robot("diff_drive"));
   const State end = dynamics.integrate({0, 0, 0, -2, 2}, {0, 0}, 1.0, 8).back();

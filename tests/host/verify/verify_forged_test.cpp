@@ -57,13 +57,14 @@ class ForgedPlan : public ::testing::TestWithParam<Draw> {
 
   double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
   double any_side() { return uniform(0, 1) < 0.5 ? 1 : -1; }
-  bool is_car_like() const { return spec_.model != "unicycle" && spec_.model != "diff_drive"; }
+  bool is_car_like() const { return has_front_axle(spec_.model); }
 
   // Controls that bring the robot to speed within the first second, then keep it; `turning` rad/s.
   Row cruise(double time, double dt, double turning) const {
     const bool starts = time + dt <= 1 + 1e-9;
     if (spec_.model == "unicycle") return {1, turning};
     if (!starts) return {0, 0};
+    if (spec_.model == "unicycle2") return {1, turning};
     if (spec_.model == "diff_drive") return {10 - 2 * turning, 10 + 2 * turning};
     return {1, std::asin(0.8 * turning)};
   }
@@ -211,6 +212,8 @@ TEST_P(ForgedPlan, ByLimitsBrokenBetweenStates) {
   const double swing = uniform(16, 23);
   spec_.parameters["max_steering_rate"] = 24;
   spec_.parameters["max_steering"] = 1.5;
+  const bool turns = spec_.model == "unicycle2";
+  if (turns) spec_.parameters["max_turn_acceleration"] = 24;
   const bool folds = GetParam().links > 0;
   const auto steer = [&](std::size_t step, const Row&) -> Row {
     if (spec_.model == "unicycle") return {step == 10 ? 2.0 : 1.0, 0};
@@ -227,9 +230,11 @@ TEST_P(ForgedPlan, ByLimitsBrokenBetweenStates) {
   if (!folds) {
     // What the states cannot show at all: a control that is beyond its limit for one step.
     if (is_car_like()) lower("max_steering_rate", swing / 1.001);
+    if (turns) lower("max_turn_acceleration", swing / 1.001);
     if (spec_.model == "unicycle") lower("max_speed", 1.99);
     if (spec_.model == "diff_drive") lower("max_wheel_acceleration", 7.9);
-    expect_refused(c, AllOf(StartsWith(is_car_like() ? "step 13: " : "step 10: "), HasSubstr("is beyond its limit")));
+    expect_refused(
+        c, AllOf(StartsWith(is_car_like() || turns ? "step 13: " : "step 10: "), HasSubstr("is beyond its limit")));
     return;
   }
   const auto bend = [](const auto& state) { return static_cast<double>(state[2]) - static_cast<double>(state[5]); };
@@ -251,7 +256,7 @@ TEST_P(ForgedPlan, ByStoredSpeedsBelowALimit) {
     expect_refused(c, StartsWith("step 0: speed is beyond its limit of 0.998 by up to 0.002"));
     return;
   }
-  const bool car = is_car_like();
+  const bool car = spec_.model != "diff_drive";  // its v is limited
   const double limit = car ? 0.998 : 9.998;
   c.asked.robot.parameters[car ? "max_speed" : "max_wheel_speed"] = limit;
   c.plan.robot = c.asked.robot;
@@ -288,7 +293,7 @@ TEST_P(ForgedPlan, ByAGoalThatOnlyDriftTouches) {
 TEST_P(ForgedPlan, ByAnotherRobot) {
   const Case c = sound();
   expect_holds(c);
-  const char* size = spec_.model == "unicycle" ? nullptr : spec_.model == "diff_drive" ? "track_width" : "wheelbase";
+  const char* size = is_car_like() ? "wheelbase" : spec_.model == "diff_drive" ? "track_width" : nullptr;
   if (GetParam().links > 0 && GetParam().seed > 1) size = "hitch_length";
   if (size != nullptr) {
     Case other = c;
@@ -349,7 +354,8 @@ TEST_P(ForgedPlan, ByAStartThatIsNotAtRest) {
   if (spec_.model == "unicycle") {
     expect_holds(c);  // it is at rest wherever it is
   } else {
-    expect_refused(c, StartsWith(is_car_like() ? "start: v of state 0 is 1" : "start: left wheel speed of state 0"));
+    expect_refused(
+        c, StartsWith(spec_.model == "diff_drive" ? "start: left wheel speed of state 0" : "start: v of state 0 is 1"));
   }
 }
 

@@ -543,6 +543,10 @@ INSTANTIATE_TEST_SUITE_P(Limits, EveryLimit,
                                            LimitCase{"car", "max_steering_rate", 2.0, "steering rate"},
                                            LimitCase{"unicycle", "max_speed", 2.0, "speed"},
                                            LimitCase{"unicycle", "max_turn_rate", 1.0, "turn rate"},
+                                           LimitCase{"unicycle2", "max_speed", 2.0, "speed"},
+                                           LimitCase{"unicycle2", "max_turn_rate", 1.0, "turn rate"},
+                                           LimitCase{"unicycle2", "max_acceleration", 2.0, "acceleration"},
+                                           LimitCase{"unicycle2", "max_turn_acceleration", 5.0, "turn acceleration"},
                                            LimitCase{"diff_drive", "max_wheel_speed", 9.0, "right wheel speed"},
                                            LimitCase{"diff_drive", "max_wheel_acceleration", 8.0,
                                                      "left wheel acceleration"}),
@@ -992,6 +996,19 @@ TEST(EndSpeed, OfADifferentialDriveIsItsFasterWheels) {
   EXPECT_NEAR(spinning.verdict().end_speed, 0.06, 1e-5);
   spinning.asked.end_speed = 0;
   expect_complaint(spinning, "end: the driven end moves at 0.06 m/s");
+}
+
+TEST(EndSpeed, OfASecondOrderUnicycleIsThatOfItsEndsWhereItTurnsOnTheSpot) {
+  Case turning = drive(
+      robot("unicycle2"),
+      [](std::size_t step, const Row&) {
+        return step < 2 ? Row{0, -1} : Row{0, 0};
+      },
+      4);
+  expect_holds(turning.verdict());
+  EXPECT_NEAR(turning.verdict().end_speed, 0.07, 1e-5);
+  turning.asked.end_speed = 0;
+  expect_complaint(turning, "end: the driven end moves at 0.07 m/s");
 }
 
 TEST(EndSpeed, OfAUnicycleIsNone) {

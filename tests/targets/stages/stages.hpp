@@ -69,12 +69,14 @@ R with_trailers(int trailers) {
 template <class Visit>
 void for_each_robot(Visit visit) {
   static const Unicycle unicycle{UnicycleParameters{}};
+  static const Unicycle2 accelerated{Unicycle2Parameters{}};
   static const DifferentialDrive drive{DifferentialDriveParameters{}};
   static const Car car(Car::defaults());
   static const Truck towing = with_trailers<Truck>(2);
   static const Snake short_snake = with_trailers<Snake>(5);
   static const Snake long_snake = with_trailers<Snake>(15);
   visit("unicycle", unicycle);
+  visit("unicycle2", accelerated);
   visit("diff_drive", drive);
   visit("car", car);
   visit("truck:2", towing);

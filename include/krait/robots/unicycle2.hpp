@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+/// \file
+/// Second-order unicycle: state (x, y, theta, speed, turn rate), control the accelerations of the two.
+#pragma once
+
+#include "krait/robots/fields.hpp"
+#include "krait/robots/planar.hpp"
+
+namespace krait {
+
+/// Metres, radians, seconds; all numbers finite.
+struct Unicycle2Parameters {
+  float body_length = 0.5F;            ///< metres, > 0
+  float body_width = 0.4F;             ///< metres, > 0
+  float max_speed = 1.0F;              ///< m/s, > 0
+  float min_speed = -1.0F;             ///< m/s, <= 0; below 0 it may reverse
+  float max_turn_rate = 2.0F;          ///< rad/s, > 0, either way
+  float max_acceleration = 2.0F;       ///< m/s^2, > 0, either way
+  float max_turn_acceleration = 4.0F;  ///< rad/s^2, > 0, either way
+
+  /// Calls see(field) for all of them, in their order.
+  template <class See>
+  static constexpr void describe(const See& see) {
+    using P = Unicycle2Parameters;
+    see(length_field("body_length", &P::body_length));
+    see(length_field("body_width", &P::body_width));
+    see(limit_field("max_speed", &P::max_speed, "metres a second"));
+    see(reverse_field("min_speed", &P::min_speed));
+    see(limit_field("max_turn_rate", &P::max_turn_rate, "radians a second"));
+    see(limit_field("max_acceleration", &P::max_acceleration, "metres a second squared"));
+    see(limit_field("max_turn_acceleration", &P::max_turn_acceleration, "radians a second squared"));
+  }
+};
+
+/// A unicycle whose speed and turn rate change at bounded rates. It owns its parameters; its members are those that
+/// RobotModel says, and take O(1).
+class Unicycle2 : public PlanarBody {
+ public:
+  using Parameters = Unicycle2Parameters;                                          ///< what it is made from
+  static constexpr int kMaxState = 5;                                              ///< floats of a state
+  static constexpr int kMaxControl = 2;                                            ///< floats of a control
+  static constexpr const char* kStateNames[] = {"x", "y", "theta", "v", "omega"};  ///< of a state's components
+
+  /// Copies the parameters; sound() says whether they can be used.
+  explicit Unicycle2(const Unicycle2Parameters& parameters)
+      : PlanarBody(parameters.body_length, parameters.body_width), parameters_(parameters) {}
+
+  const Unicycle2Parameters& parameters() const { return parameters_; }  ///< its own copy
+  int state_size() const {
+    return 5;
+  }                                                                 ///< floats: x y theta v omega; metres, radians,
+                                                                    ///< m/s, rad/s
+  int control_size() const { return 2; }                            ///< floats: m/s^2, rad/s^2
+  bool reversible() const { return parameters_.min_speed < 0.0F; }  ///< whether it can drive backwards
+  bool sound() const;                                               ///< whether every parameter is in its range
+
+  /// Writes state_size() floats. Metres, radians.
+  void rest(Vec2 position, float heading, float* state) const {
+    state[0] = position.x;
+    state[1] = position.y;
+    state[2] = heading;
+    state[3] = 0.0F;
+    state[4] = 0.0F;
+  }
+
+  /// Rolls along its heading and turns, both faster as the control says.
+  void derivative(StateView s, ControlView u, StateRef ds) const {
+    const SinCos heading = math::sin_cos(s[2]);
+    ds[0] = s[3] * heading.cos;
+    ds[1] = s[3] * heading.sin;
+    ds[2] = s[4];
+    ds[3] = u[0];
+    ds[4] = u[1];
+  }
+  /// Turns no faster than it can stop turning when it faces the target, and drives the slower the further the target
+  /// lies to the side, on the spot where it lies behind.
+  void steer(StateView s, const Target& target, Steering& steering, ControlRef u) const;
+  /// Brings it back to its reference's line within some body lengths.
+  void track(StateView s, StateView reference, float dt, ControlRef u) const;
+  /// m/s, of its position or, if that is faster, of the ends of a body of its length that turns on the spot.
+  float speed(StateView s) const {
+    const float forward = math::absolute(s[3]);
+    const float turning = 0.5F * parameters_.body_length * math::absolute(s[4]);
+    return forward > turning ? forward : turning;
+  }
+  /// Metres, negative backwards: what it rolls until its speed is 0, as if straight ahead.
+  float stopping_way(StateView s) const;
+  float turning_radius() const { return 0.0F; }              ///< metres: it turns on the spot
+  float top_speed() const { return parameters_.max_speed; }  ///< m/s
+  /// Whether speed and turn rate keep their limits, and position and heading are finite and the heading is at most
+  /// kMaxAngle either way.
+  bool within_limits(StateView s) const;
+  /// Bounds the body's motion by speeds and turn rates at the step's ends; always true.
+  bool travel(StateView s, ControlView u, float dt, StateView next, Travel* travel) const;
+  /// 1/s: half the largest turn rate, or the root of half the largest turn acceleration, as much of it as a time step
+  /// of dt has room for; more where the speed changes faster than that.
+  float fastest_rate(float dt) const;
+  /// What it does at most.
+  Extremes extremes() const {
+    const Unicycle2Parameters& p = parameters_;
+    return {p.max_speed > -p.min_speed ? p.max_speed : -p.min_speed, p.max_turn_rate, p.max_acceleration};
+  }
+  /// Writes top speed and the sharpest turn to the left, which the control keeps.
+  void turn_fastest(float* state, float* control) const {
+    state[3] = parameters_.max_speed;
+    state[4] = parameters_.max_turn_rate;
+    control[0] = 0.0F;
+    control[1] = 0.0F;
+  }
+
+ private:
+  void approach(StateView s, float speed, float turn_rate, float share, float dt, ControlRef u) const;
+
+  Unicycle2Parameters parameters_;
+};
+
+/// Its answers need no second look.
+template <>
+inline constexpr bool kAnswersProven<Unicycle2> = true;
+/// It turns on the spot.
+template <>
+inline constexpr bool kParks<Unicycle2> = false;
+
+// Compiled in the library, with its arithmetic.
+extern template class detail::FunctionsOf<Unicycle2>;
+
+}  // namespace krait
