@@ -46,13 +46,10 @@ class Unicycle2 : public PlanarBody {
       : PlanarBody(parameters.body_length, parameters.body_width), parameters_(parameters) {}
 
   const Unicycle2Parameters& parameters() const { return parameters_; }  ///< its own copy
-  int state_size() const {
-    return 5;
-  }                                                                 ///< floats: x y theta v omega; metres, radians,
-                                                                    ///< m/s, rad/s
-  int control_size() const { return 2; }                            ///< floats: m/s^2, rad/s^2
-  bool reversible() const { return parameters_.min_speed < 0.0F; }  ///< whether it can drive backwards
-  bool sound() const;                                               ///< whether every parameter is in its range
+  int state_size() const { return 5; }                                   ///< floats: x y theta v omega; also m/s, rad/s
+  int control_size() const { return 2; }                                 ///< floats: m/s^2, rad/s^2
+  bool reversible() const { return parameters_.min_speed < 0.0F; }       ///< whether it can drive backwards
+  bool sound() const;                                                    ///< whether every parameter is in its range
 
   /// Writes state_size() floats. Metres, radians.
   void rest(Vec2 position, float heading, float* state) const {
