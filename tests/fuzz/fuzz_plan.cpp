@@ -31,9 +31,10 @@ Landmark repaired("regions repaired");
 Landmark ends[] = {Landmark("solved"), Landmark("no_route"), Landmark("budget_used")};
 Landmark refusals[] = {Landmark("arena_too_small"), Landmark("start_in_collision"), Landmark("start_outside"),
                        Landmark("goal_in_obstacle"), Landmark("bad_scene")};
-Landmark robots[] = {Landmark("solved for a unicycle"),   Landmark("solved for a car"),
-                     Landmark("solved for a diff_drive"), Landmark("solved for a snake:2"),
-                     Landmark("solved for a truck:1"),    Landmark("solved for a snake:6")};
+Landmark robots[] = {Landmark("solved for a unicycle"),         Landmark("solved for a car"),
+                     Landmark("solved for a diff_drive"),       Landmark("solved for a snake:2"),
+                     Landmark("solved for a truck:1"),          Landmark("solved for a snake:6"),
+                     Landmark("solved for a kinematic_truck:1")};
 Landmark planners[] = {Landmark("solved by adaptive"), Landmark("solved by plain"), Landmark("solved by prior"),
                        Landmark("solved by rrt")};
 static_assert(std::size(robots) == std::size(kRobots) && std::size(planners) == std::size(kPlanners));

@@ -7,7 +7,8 @@
 
 namespace krait::fuzz {
 
-inline constexpr const char* kRobots[] = {"unicycle", "car", "diff_drive", "snake:2", "truck:1", "snake:6"};
+inline constexpr const char* kRobots[] = {"unicycle", "car",     "diff_drive",       "snake:2",
+                                          "truck:1",  "snake:6", "kinematic_truck:1"};
 inline constexpr const char* kPlanners[] = {"adaptive", "plain", "prior", "rrt"};
 
 struct PlanChoice {
