@@ -153,6 +153,24 @@ typedef struct krait_chain_parameters {
                                default pi/2 */
 } krait_chain_parameters;
 
+/** A car whose speed and steering angle change at once, and its trailers, each hitched to the axle before it. Body 0's
+    frame is the rear axle, trailer i's its own axle, x forward. All numbers are finite. */
+typedef struct krait_kinematic_truck_parameters {
+  int trailers;           /**< 0 to KRAIT_MAX_TRAILERS */
+  float body_length,      /**< metres, > 0; default 0.7 */
+      body_width,         /**< metres, > 0; default 0.5 */
+      body_offset;        /**< metres: of body 0's centre ahead of the rear axle; default 0 */
+  float wheelbase,        /**< metres, > 0: rear axle to front axle; default 0.8 */
+      hitch_length;       /**< metres, > 0: axle to axle; default 0.8 */
+  float max_speed,        /**< m/s, > 0: of the rear axle; default 2.5 */
+      min_speed;          /**< m/s, <= 0: likewise; below 0 it may reverse; default 0 */
+  float max_steering;     /**< radians, above 0, up to 1.5: of the steering angle, either way; default 1 */
+  int self_collision_gap; /**< >= 1: bodies i and j are tested against each other where |i - j| is at least this;
+                               default 2 */
+  float max_hitch_angle;  /**< radians, above 0, at most pi: the most between the headings of two bodies in a row;
+                               default pi/2 */
+} krait_kinematic_truck_parameters;
+
 /** A unicycle, whose speed and turn rate change at once; its body's frame is the axle. All numbers are finite. */
 typedef struct krait_unicycle_parameters {
   float body_length,   /**< metres, > 0; default 0.5 */
@@ -324,11 +342,12 @@ typedef struct krait_robot {
   const krait_model* model; /**< set by the function that made it; not to be changed */
   /** The one that the function that made it names. */
   union {
-    krait_chain_parameters chain;           /**< of krait_snake, krait_truck and krait_car */
-    krait_unicycle_parameters unicycle;     /**< of krait_unicycle */
-    krait_unicycle2_parameters unicycle2;   /**< of krait_unicycle2 */
-    krait_diff_drive_parameters diff_drive; /**< of krait_diff_drive */
-    krait_own own;                          /**< of krait_own_robot */
+    krait_chain_parameters chain;                     /**< of krait_snake, krait_truck and krait_car */
+    krait_kinematic_truck_parameters kinematic_truck; /**< of krait_kinematic_truck */
+    krait_unicycle_parameters unicycle;               /**< of krait_unicycle */
+    krait_unicycle2_parameters unicycle2;             /**< of krait_unicycle2 */
+    krait_diff_drive_parameters diff_drive;           /**< of krait_diff_drive */
+    krait_own own;                                    /**< of krait_own_robot */
   } parameters;
   const krait_polygon* bodies; /**< one a body, that is 1 + trailers; NULL for boxes of body_length by body_width; not
                                     looked at for a robot of your own. krait_init copies them; not owned */
@@ -341,6 +360,10 @@ krait_robot krait_snake(int trailers);
 /** `chain`, with the defaults and 0 to KRAIT_MAX_TRAILERS trailers, which roll without slip. State and control as
     krait_snake's. O(1). */
 krait_robot krait_truck(int trailers);
+/** `kinematic_truck`, with the defaults and 0 to KRAIT_MAX_TRAILERS trailers, which roll without slip. State x y theta0
+    theta1 ...: metres, radians, a heading a trailer; control speed of the rear axle, m/s, and steering angle, rad.
+    O(1). */
+krait_robot krait_kinematic_truck(int trailers);
 /** `chain`, with the defaults, without trailers. State and control as krait_snake's. O(1). */
 krait_robot krait_car(void);
 /** `unicycle`, with the defaults. State x y theta: metres, radians; control speed, m/s, and turn rate, rad/s. O(1). */

@@ -2,6 +2,7 @@
 #include "krait/robots/chain.hpp"
 
 #include "base/lanes/angles.hpp"
+#include "robot/folding.hpp"
 #include "robot/shape.hpp"
 #include "robot/tracking.hpp"
 
@@ -12,6 +13,8 @@ using detail::Correction;
 using detail::deviation;
 using detail::farthest;
 using detail::positive;
+using detail::recoverable_tangent;
+using detail::steady_tangent;
 using detail::tracking_distance;
 
 namespace {
@@ -19,8 +22,6 @@ namespace {
 constexpr PidGains kHeadingGains{4.0F, 0.05F, 0.05F};  // radians of steering per radian of heading error
 constexpr PidGains kSpeedGains{10.0F, 0.1F, 0.1F};     // m/s^2 per m/s
 constexpr float kInside = 1.0F - 1e-5F;                // keeps rounding from carrying a state across its limit
-constexpr float kUnfoldRate = 2.0F;                    // truck, 1/s: how fast a hitch may close in on its bound
-constexpr float kFoldBound = 1.2F;                     // truck, radians: the hitch angle that steering keeps clear of
 
 constexpr float kHitchReserve = 2e-3F;            // radians: the tree's hitch angles stay so far below their limit
 constexpr float kHitchError = 3e-4F;              // radians: what RK4 may be off by in a step
@@ -177,13 +178,9 @@ void Chain::rest(Vec2 position, float heading, const float* angles, float* state
 float Chain::steering_limit(StateView s, float heading_error, float speed) const {
   const ChainParameters& p = parameters_;
   if (slip_ || p.trailers == 0) return p.max_steering;
-  const auto trailers = static_cast<float>(p.trailers);
-  float tangent = p.wheelbase / (kTurnReserve * p.hitch_length * std::sqrt(trailers));
+  float tangent = steady_tangent(p);
   const float side = heading_error < 0.0F ? -1.0F : 1.0F;
-  const float hitch = side * (s[2] - s[5]);
-  const float bound = p.max_hitch_angle < kFoldBound ? p.max_hitch_angle : kFoldBound;
-  const float recovery = kUnfoldRate * (bound - hitch) / (math::absolute(speed) > 0.1F ? math::absolute(speed) : 0.1F);
-  const float by_hitch = p.wheelbase * (math::sin_cos(hitch).sin / p.hitch_length + recovery);
+  const float by_hitch = recoverable_tangent(p, side * (s[2] - s[5]), speed);
   if (by_hitch < tangent) tangent = by_hitch;
   const float limit = math::atan2(tangent, 1.0F);
   return limit < p.max_steering ? limit : p.max_steering;

@@ -119,6 +119,16 @@ void draw_chain(Draw& draw, const Measures& m, double side, Robot& robot) {
   p.self_collision_gap = draw.chance(0.1) ? draw.whole(1, 4) : std::max(1, apart) + draw.whole(0, 1);
 }
 
+void draw_kinematic_truck(Draw& draw, const Measures& m, double side, Robot& robot) {
+  Robot like = robot;
+  draw_chain(draw, m, side, like);
+  const ChainParameters& c = like.chain;
+  robot.kinematic = {c.trailers,           c.body_length,    c.body_width,
+                     c.body_offset,        c.wheelbase,      c.hitch_length,
+                     c.max_speed,          c.min_speed,      std::min(c.max_steering, 1.5F),
+                     c.self_collision_gap, c.max_hitch_angle};
+}
+
 void draw_unicycle(Draw& draw, const Measures& m, Robot& robot) {
   UnicycleParameters& p = robot.unicycle;
   p.body_length = dimension(m.length);
@@ -155,13 +165,16 @@ void draw_differential_drive(Draw& draw, const Measures& m, Robot& robot) {
 
 Robot draw_robot(Draw& draw, const Measures& m, double side) {
   Robot robot;
-  static constexpr Model kDrawn[] = {Model::snake, Model::snake,    Model::truck,      Model::truck,
-                                     Model::car,   Model::unicycle, Model::diff_drive, Model::unicycle2};
+  static constexpr Model kDrawn[] = {Model::snake,      Model::snake,     Model::truck,
+                                     Model::truck,      Model::car,       Model::unicycle,
+                                     Model::diff_drive, Model::unicycle2, Model::kinematic_truck};
   robot.model = kDrawn[draw.whole(0, std::size(kDrawn) - 1)];
   if (robot.model == Model::unicycle) {
     draw_unicycle(draw, m, robot);
   } else if (robot.model == Model::unicycle2) {
     draw_unicycle2(draw, m, robot);
+  } else if (robot.model == Model::kinematic_truck) {
+    draw_kinematic_truck(draw, m, side, robot);
   } else if (robot.model == Model::diff_drive) {
     draw_differential_drive(draw, m, robot);
   } else {
@@ -182,6 +195,14 @@ Parameters draw_parameters(Draw& draw, const Measures& m, double passage) {
   return p;
 }
 
+// Headings of trailers begin with component `first`.
+void bend_trailers(Draw& draw, float max_hitch_angle, std::size_t first, std::vector<float>& state) {
+  const double bent = draw.log_uniform(0.01, 0.9) * static_cast<double>(max_hitch_angle);
+  for (std::size_t i = first; i < state.size(); ++i) {
+    state[i] = (i == first ? state[2] : state[i - 1]) + static_cast<float>(draw.uniform(-bent, bent));
+  }
+}
+
 // Standing or moving, straight or bent.
 void draw_motion(Draw& draw, const Robot& robot, std::vector<float>& state) {
   if (robot.model == Model::diff_drive) {
@@ -194,14 +215,12 @@ void draw_motion(Draw& draw, const Robot& robot, std::vector<float>& state) {
     state[3] = static_cast<float>(draw.uniform(static_cast<double>(p.min_speed), static_cast<double>(p.max_speed)));
     state[4] = static_cast<float>(draw.uniform(-1, 1) * static_cast<double>(p.max_turn_rate));
   }
+  if (robot.model == Model::kinematic_truck) return bend_trailers(draw, robot.kinematic.max_hitch_angle, 3, state);
   if (!robot.is_chain()) return;
   const ChainParameters& p = robot.chain;
   state[3] = static_cast<float>(draw.uniform(static_cast<double>(p.min_speed), static_cast<double>(p.max_speed)));
   state[4] = static_cast<float>(draw.uniform(-1, 1) * static_cast<double>(p.max_steering));
-  const double bent = draw.log_uniform(0.01, 0.9) * static_cast<double>(p.max_hitch_angle);
-  for (std::size_t i = 5; i < state.size(); ++i) {
-    state[i] = (i == 5 ? state[2] : state[i - 1]) + static_cast<float>(draw.uniform(-bent, bent));
-  }
+  bend_trailers(draw, p.max_hitch_angle, 5, state);
 }
 
 std::vector<float> start_at(const Robot& robot, host::Point at, double heading) {
@@ -209,7 +228,8 @@ std::vector<float> start_at(const Robot& robot, host::Point at, double heading) 
   state[0] = static_cast<float>(at.x);
   state[1] = static_cast<float>(at.y);
   state[2] = static_cast<float>(heading);
-  for (std::size_t i = 5; i < state.size(); ++i) state[i] = state[2];
+  const auto trailers = static_cast<std::size_t>(robot.trailers());
+  for (std::size_t i = state.size() - trailers; i < state.size(); ++i) state[i] = state[2];
   return state;
 }
 
@@ -340,6 +360,11 @@ std::string describe(const Query& query) {
     add(" body %.4g x %.4g v %.4g..%.4g turn %.4g accel %.4g turn accel %.4g", number(p.body_length),
         number(p.body_width), number(p.min_speed), number(p.max_speed), number(p.max_turn_rate),
         number(p.max_acceleration), number(p.max_turn_acceleration));
+  } else if (r.model == Model::kinematic_truck) {
+    const KinematicTruckParameters& p = r.kinematic;
+    add(" body %.4g x %.4g base %.4g hitch %.4g v %.4g..%.4g steer %.4g gap %d hitch angle %.4g", number(p.body_length),
+        number(p.body_width), number(p.wheelbase), number(p.hitch_length), number(p.min_speed), number(p.max_speed),
+        number(p.max_steering), p.self_collision_gap, number(p.max_hitch_angle));
   } else if (r.model == Model::diff_drive) {
     const DifferentialDriveParameters& p = r.drive;
     add(" body %.4g x %.4g radius %.4g track %.4g wheels %.4g accel %.4g", number(p.body_length), number(p.body_width),

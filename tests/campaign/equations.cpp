@@ -26,6 +26,16 @@ Equations::Equations(const Robot& robot) : model_(robot.model), state_size_(3), 
     max_turn_rate_ = number(robot.unicycle2.max_turn_rate);
     max_first_ = number(robot.unicycle2.max_acceleration);
     max_second_ = number(robot.unicycle2.max_turn_acceleration);
+  } else if (model_ == Model::kinematic_truck) {
+    const KinematicTruckParameters& p = robot.kinematic;
+    state_size_ = 3 + robot.trailers();
+    gap_ = p.self_collision_gap;
+    max_hitch_ = number(p.max_hitch_angle);
+    wheelbase_ = number(p.wheelbase);
+    hitch_length_ = number(p.hitch_length);
+    max_speed_ = number(p.max_speed);
+    min_speed_ = number(p.min_speed);
+    max_second_ = number(p.max_steering);
   } else if (model_ == Model::diff_drive) {
     state_size_ = 5;
     radius_ = number(robot.drive.wheel_radius);
@@ -57,6 +67,8 @@ void Equations::rates(const State& s, const double* u, State& ds) const {
     ds[2] = s[4];
     ds[3] = u[0];
     ds[4] = u[1];
+  } else if (model_ == Model::kinematic_truck) {
+    kinematic_rates(s, u, ds);
   } else if (model_ == Model::diff_drive) {
     const double speed = radius_ * (s[3] + s[4]) / 2;
     ds[0] = speed * std::cos(s[2]);
@@ -66,6 +78,19 @@ void Equations::rates(const State& s, const double* u, State& ds) const {
     ds[4] = u[1];
   } else {
     chain_rates(s, u, ds);
+  }
+}
+
+// A bicycle that rolls at u[0] with its front wheel turned by u[1]. Each axle is pulled along the one before it.
+void Equations::kinematic_rates(const State& s, const double* u, State& ds) const {
+  ds[0] = u[0] * std::cos(s[2]);
+  ds[1] = u[0] * std::sin(s[2]);
+  ds[2] = u[0] * std::tan(u[1]) / wheelbase_;
+  double speed = u[0];
+  for (std::size_t i = 3; i < static_cast<std::size_t>(state_size_); ++i) {
+    const double bend = s[i - 1] - s[i];
+    ds[i] = speed * std::sin(bend) / hitch_length_;
+    speed *= std::cos(bend);
   }
 }
 
@@ -104,6 +129,10 @@ void Equations::reach(const State& a, const Frames& at_a, const State& b, const 
     reaches[0] = {time * std::abs(u[0]), time * std::abs(u[1])};
   } else if (model_ == Model::unicycle2) {
     reaches[0] = {time * largest(a[3], b[3]), time * largest(a[4], b[4])};
+  } else if (model_ == Model::kinematic_truck) {
+    const double way = time * std::abs(u[0]);
+    reaches[0] = {way, way * std::abs(std::tan(u[1])) / wheelbase_};
+    trailer_reach(at_a, at_b, way, way, reaches);
   } else if (model_ == Model::diff_drive) {
     reaches[0] = {time * radius_ * largest(a[3] + a[4], b[3] + b[4]) / 2,
                   time * radius_ * largest(a[4] - a[3], b[4] - b[3]) / track_};
@@ -125,6 +154,11 @@ void Equations::chain_reach(const State& a, const Frames& at_a, const State& b, 
   const double steering = largest(a[4], b[4]);
   const double slip = model_ == Model::snake ? 1 - std::cos(steering) : 0;
   reaches[0] = {way, way * std::min(steering, 1.0) / wheelbase_};
+  trailer_reach(at_a, at_b, way, way * (1 + slip), reaches);
+}
+
+// Of trailers that are pulled `way` metres and go `path` metres at most.
+void Equations::trailer_reach(const Frames& at_a, const Frames& at_b, double way, double path, Reaches& reaches) const {
   const double r = way / hitch_length_;
   const auto sine = [](const Frames& f, std::size_t i) {
     return std::abs(f[i - 1].sin * f[i].cos - f[i - 1].cos * f[i].sin);
@@ -135,12 +169,12 @@ void Equations::chain_reach(const State& a, const Frames& at_a, const State& b, 
       const double ends = std::max(sine(at_a, i), sine(at_b, i));
       turn = std::min(r, r * (ends + reaches[i - 1].turn / 2) / (1 - r / 2));
     }
-    reaches[i] = {way * (1 + slip), turn};
+    reaches[i] = {path, turn};
   }
 }
 
 double Equations::excess(const State& s, const double* u) const {
-  if (model_ == Model::unicycle) {
+  if (model_ == Model::unicycle || model_ == Model::kinematic_truck) {
     return std::max(beyond(u[0], min_speed_, max_speed_, max_speed_),
                     beyond(u[1], -max_second_, max_second_, max_second_));
   }

@@ -54,10 +54,14 @@ class Equations {
   double excess(const State& s, const double* u) const;
 
  private:
-  static std::size_t heading_of(int body) { return static_cast<std::size_t>(body == 0 ? 2 : 4 + body); }
+  std::size_t heading_of(int body) const {
+    return static_cast<std::size_t>(body == 0 ? 2 : state_size_ - bodies_ + body);
+  }
+  void kinematic_rates(const State& s, const double* u, State& ds) const;
   void chain_rates(const State& s, const double* u, State& ds) const;
   void chain_reach(const State& a, const Frames& at_a, const State& b, const Frames& at_b, double time,
                    Reaches& reaches) const;
+  void trailer_reach(const Frames& at_a, const Frames& at_b, double way, double path, Reaches& reaches) const;
 
   Model model_;
   int state_size_;
@@ -69,7 +73,7 @@ class Equations {
   double max_speed_ = 0, min_speed_ = 0;     // of v, of a unicycle, of a wheel
   double max_steering_ = 0;                  // chains
   double max_turn_rate_ = 0;                 // unicycle2
-  double max_first_ = 0, max_second_ = 0;    // of the controls, both ways; a unicycle's first is its speed
+  double max_first_ = 0, max_second_ = 0;    // of the controls, both ways; where the first is a speed it is not here
 };
 
 }  // namespace krait::campaign

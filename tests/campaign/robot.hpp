@@ -26,6 +26,7 @@ inline const char* name(Model model) { return kNames[static_cast<int>(model)]; }
 struct Robot {
   Model model = Model::car;
   ChainParameters chain;  // of snake, truck and car
+  KinematicTruckParameters kinematic;
   UnicycleParameters unicycle;
   Unicycle2Parameters unicycle2;
   DifferentialDriveParameters drive;
@@ -34,6 +35,7 @@ struct Robot {
   template <class P>
   const P& parameters() const {
     if constexpr (std::is_same_v<P, ChainParameters>) return chain;
+    if constexpr (std::is_same_v<P, KinematicTruckParameters>) return kinematic;
     if constexpr (std::is_same_v<P, UnicycleParameters>) return unicycle;
     if constexpr (std::is_same_v<P, Unicycle2Parameters>) return unicycle2;
     if constexpr (std::is_same_v<P, DifferentialDriveParameters>) return drive;
@@ -42,7 +44,10 @@ struct Robot {
   std::vector<std::vector<Vec2>> own_bodies;  // one a body, in place of the boxes; or empty
 
   bool is_chain() const { return model == Model::snake || model == Model::truck || model == Model::car; }
-  int trailers() const { return model == Model::snake || model == Model::truck ? chain.trailers : 0; }
+  int trailers() const {
+    if (model == Model::kinematic_truck) return kinematic.trailers;
+    return model == Model::snake || model == Model::truck ? chain.trailers : 0;
+  }
   int bodies() const { return 1 + trailers(); }
 };
 
@@ -68,6 +73,10 @@ inline Convex box_of(const Robot& robot, int body) {
   } else if (robot.model == Model::unicycle2) {
     length = static_cast<double>(robot.unicycle2.body_length);
     width = static_cast<double>(robot.unicycle2.body_width);
+  } else if (robot.model == Model::kinematic_truck) {
+    length = static_cast<double>(robot.kinematic.body_length);
+    width = static_cast<double>(robot.kinematic.body_width);
+    if (body == 0) middle = static_cast<double>(robot.kinematic.body_offset);
   } else if (robot.model == Model::diff_drive) {
     length = static_cast<double>(robot.drive.body_length);
     width = static_cast<double>(robot.drive.body_width);

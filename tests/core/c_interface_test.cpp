@@ -27,7 +27,7 @@ Statistics plan_in_cpp(const R& robot) {
   bench.limits = {kLimits.vertices, 0, kLimits.iterations, WhenFull::recycle};
   EXPECT_TRUE(bench.init().ok());
   float start[R::kMaxState];
-  if constexpr (std::is_base_of_v<Chain, R>) {
+  if constexpr (R::kMaxBodies > 1) {
     robot.rest({kPose.x, kPose.y}, kPose.heading, nullptr, start);
   } else {
     robot.rest({kPose.x, kPose.y}, kPose.heading, start);
@@ -80,6 +80,14 @@ TEST(CInterface, TruckPlansAsInCpp) {
   expect_same_plan(robot, plan_in_cpp(Truck(chain(1))));
 }
 
+TEST(CInterface, KinematicTruckPlansAsInCpp) {
+  krait_robot robot = krait_kinematic_truck(1);
+  robot.parameters.kinematic_truck = small(robot.parameters.kinematic_truck);
+  KinematicTruckParameters parameters;
+  parameters.trailers = 1;
+  expect_same_plan(robot, plan_in_cpp(KinematicTruck(small(parameters))));
+}
+
 TEST(CInterface, CarPlansAsInCpp) { expect_same_plan(krait_car(), plan_in_cpp(Car(Car::defaults()))); }
 
 TEST(CInterface, UnicyclePlansAsInCpp) {
@@ -122,7 +130,7 @@ TEST(CInterface, TrailersThatAreNoneAreRefused) {
   const krait_point corners[] = {{-0.2F, -0.2F}, {0.2F, 0}, {-0.2F, 0.2F}};
   const std::vector<krait_polygon> bodies(KRAIT_MAX_TRAILERS + 1, {corners, 3});
   for (const int trailers : {std::numeric_limits<int>::min(), -1, 26, 1'000'000, std::numeric_limits<int>::max()}) {
-    for (krait_robot robot : {krait_snake(trailers), krait_truck(trailers)}) {
+    for (krait_robot robot : {krait_snake(trailers), krait_truck(trailers), krait_kinematic_truck(trailers)}) {
       for (const krait_polygon* shapes : {static_cast<const krait_polygon*>(nullptr), bodies.data()}) {
         robot.bodies = shapes;
         float state[KRAIT_MAX_STATE];
@@ -525,6 +533,17 @@ TEST(CInterface, EveryParameterOfARobotIsInItsPlace) {
   EXPECT_SAME_PLACE(krait_chain_parameters, ChainParameters, max_steering_rate);
   EXPECT_SAME_PLACE(krait_chain_parameters, ChainParameters, self_collision_gap);
   EXPECT_SAME_PLACE(krait_chain_parameters, ChainParameters, max_hitch_angle);
+  EXPECT_SAME_PLACE(krait_kinematic_truck_parameters, KinematicTruckParameters, trailers);
+  EXPECT_SAME_PLACE(krait_kinematic_truck_parameters, KinematicTruckParameters, body_length);
+  EXPECT_SAME_PLACE(krait_kinematic_truck_parameters, KinematicTruckParameters, body_width);
+  EXPECT_SAME_PLACE(krait_kinematic_truck_parameters, KinematicTruckParameters, body_offset);
+  EXPECT_SAME_PLACE(krait_kinematic_truck_parameters, KinematicTruckParameters, wheelbase);
+  EXPECT_SAME_PLACE(krait_kinematic_truck_parameters, KinematicTruckParameters, hitch_length);
+  EXPECT_SAME_PLACE(krait_kinematic_truck_parameters, KinematicTruckParameters, max_speed);
+  EXPECT_SAME_PLACE(krait_kinematic_truck_parameters, KinematicTruckParameters, min_speed);
+  EXPECT_SAME_PLACE(krait_kinematic_truck_parameters, KinematicTruckParameters, max_steering);
+  EXPECT_SAME_PLACE(krait_kinematic_truck_parameters, KinematicTruckParameters, self_collision_gap);
+  EXPECT_SAME_PLACE(krait_kinematic_truck_parameters, KinematicTruckParameters, max_hitch_angle);
   EXPECT_SAME_PLACE(krait_unicycle_parameters, UnicycleParameters, body_length);
   EXPECT_SAME_PLACE(krait_unicycle_parameters, UnicycleParameters, body_width);
   EXPECT_SAME_PLACE(krait_unicycle_parameters, UnicycleParameters, max_speed);

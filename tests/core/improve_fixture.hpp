@@ -31,7 +31,7 @@ inline Car small_car() {
 template <class R>
 std::vector<float> start_of(const R& robot, float heading = 0.0F) {
   std::vector<float> state(static_cast<std::size_t>(robot.state_size()));
-  if constexpr (std::is_base_of_v<Chain, R>) {
+  if constexpr (kTows<R>) {
     robot.rest({2, 2}, heading, nullptr, state.data());
   } else {
     robot.rest({2, 2}, heading, state.data());

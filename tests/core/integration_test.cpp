@@ -59,7 +59,7 @@ class IntegrationOf : public ::testing::Test {
 TYPED_TEST_SUITE(IntegrationOf, Models, ModelNames);
 
 TYPED_TEST(IntegrationOf, KeepsItsBoundsOverAllParameters) {
-  const int draws = std::is_base_of_v<Chain, TypeParam> ? 2000 : 10'000;
+  const int draws = kTows<TypeParam> ? 2000 : 10'000;
   const Errors tree = this->worst(detail::kStepRate, draws);
   EXPECT_LT(tree.angle, 2e-3);
   EXPECT_LT(tree.position, 5e-4);
@@ -84,6 +84,7 @@ TEST(IntegrationSteps, AreOneForTheDefaultRobots) {
   EXPECT_EQ(parts(Snake(p)), 1);
   EXPECT_EQ(parts(Truck(p)), 1);
   EXPECT_EQ(parts(Car(Car::defaults())), 1);
+  EXPECT_EQ(parts(KinematicTruck({})), 1);
   EXPECT_EQ(parts(Unicycle({})), 1);
   EXPECT_EQ(parts(Unicycle2({})), 1);
   EXPECT_EQ(parts(DifferentialDrive({})), 1);

@@ -37,10 +37,10 @@ std::vector<float> somewhere(const R& robot, const Scene& scene, std::mt19937& r
   auto s = random_state(robot, random);
   s[0] = uniform_float(random, wide(scene.bounds().min.x), wide(scene.bounds().max.x));
   s[1] = uniform_float(random, wide(scene.bounds().min.y), wide(scene.bounds().max.y));
-  if (std::is_base_of_v<Chain, R>) {
+  if constexpr (kTows<R>) {
     const double curl = uniform(random, -0.6, 0.6);
-    for (std::size_t i = 5; i < s.size(); ++i)
-      s[i] = (i == 5 ? s[2] : s[i - 1]) + uniform_float(random, curl - 0.3, curl + 0.3);
+    for (std::size_t i = R::kCarState; i < s.size(); ++i)
+      s[i] = (i == R::kCarState ? s[2] : s[i - 1]) + uniform_float(random, curl - 0.3, curl + 0.3);
   }
   return s;
 }
@@ -95,6 +95,12 @@ TYPED_TEST(MotionCheckSound, AcceptedStepsTouchNothingInBetween) {
   if constexpr (std::is_same_v<TypeParam, Snake> || std::is_same_v<TypeParam, Truck>) {
     ChainParameters p;
     p.trailers = 4;
+    robots = {TypeParam(p)};
+  }
+  if constexpr (std::is_same_v<TypeParam, KinematicTruck>) {
+    KinematicTruckParameters p;
+    p.trailers = 4;
+    p.min_speed = -1.0F;
     robots = {TypeParam(p)};
   }
   Tally all;

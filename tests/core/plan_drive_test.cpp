@@ -257,7 +257,7 @@ TEST(PlanDriveOfHitches, HasRoomBetweenTheTreeAndTheLimit) {
 template <class R>
 class PushedChain {
  public:
-  PushedChain(const ChainParameters& parameters, std::uint32_t seed)
+  PushedChain(const typename R::Parameters& parameters, std::uint32_t seed)
       : robot_(parameters), random_(seed), start_(static_cast<std::size_t>(robot_.state_size())), errors_(start_) {
     plan_.begin(robot_, kStep, start_.data());
     truth_ = doubles(start_);
@@ -275,20 +275,20 @@ class PushedChain {
   // Of the trailers' headings, radians: how far they are off, and by what was carried.
   double error() const {
     double most = 0;
-    for (std::size_t i = 5; i < start_.size(); ++i)
+    for (std::size_t i = R::kCarState; i < start_.size(); ++i)
       most = std::max(most, std::fabs(truth_[i] - wide(plan_.state()[i])));
     return most;
   }
   double carried() const {
     double most = 0;
-    for (std::size_t i = 5; i < start_.size(); ++i) most = std::max(most, std::fabs(wide(errors_[i])));
+    for (std::size_t i = R::kCarState; i < start_.size(); ++i) most = std::max(most, std::fabs(wide(errors_[i])));
     return most;
   }
 
  private:
   bool folded() const {
-    for (std::size_t i = 5; i < start_.size(); ++i) {
-      if (std::fabs(plan_.state()[i == 5 ? 2 : i - 1] - plan_.state()[i]) > 1.2F) return true;
+    for (std::size_t i = R::kCarState; i < start_.size(); ++i) {
+      if (std::fabs(plan_.state()[i == R::kCarState ? 2 : i - 1] - plan_.state()[i]) > 1.2F) return true;
     }
     return false;
   }
@@ -332,8 +332,9 @@ class PushedChain {
   float off_ = 0;
 };
 
-ChainParameters pushed_chain(int trailers) {
-  ChainParameters p;
+template <class R>
+typename R::Parameters pushed_chain(int trailers) {
+  typename R::Parameters p;
   p.trailers = trailers;
   p.hitch_length = 0.1F;
   p.min_speed = -p.max_speed;
@@ -346,7 +347,7 @@ template <class R>
 void expect_carried(int trailers) {
   double most = 0;
   for (std::uint32_t seed = 1; seed <= 3; ++seed) {
-    PushedChain<R> chain(pushed_chain(trailers), seed);
+    PushedChain<R> chain(pushed_chain<R>(trailers), seed);
     for (int turn = 0; turn < 8; ++turn) {
       chain.drive(60, false);
       EXPECT_LE(chain.carried(), 1e-6 * (4 + trailers));
@@ -362,6 +363,7 @@ TEST(PlanDriveOfPushedChains, IsOffByLessThanTheErrorsThatAreCarried) {
     SCOPED_TRACE(trailers);
     expect_carried<Truck>(trailers);
     expect_carried<Snake>(trailers);
+    expect_carried<KinematicTruck>(trailers);
   }
 }
 
@@ -376,7 +378,7 @@ PushedWays push_back_from(float x) {
   Room room;
   room.bounds = {0, 0, 14, 1.2};
   room.goals = {{0.8, 0.1, 1.4, 1.1}};
-  ChainParameters p = pushed_chain(1);
+  ChainParameters p = pushed_chain<Truck>(1);
   p.hitch_length = 0.4F;
   PushedWays ways;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {

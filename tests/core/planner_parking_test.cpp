@@ -36,6 +36,22 @@ Goal space() { return Goal::pose({kSpace - kAxle, 2.11F}, 0.05F, {0.0F, 0.1F, fa
 struct Parked : Car {
   Parked() : Car(reversing()) {}
 };
+// One whose speed and steering angle change at once.
+KinematicTruckParameters kinematic() {
+  KinematicTruckParameters parameters;
+  parameters.body_length = kLength;
+  parameters.body_width = 0.6F;
+  parameters.body_offset = kAxle;
+  parameters.min_speed = -1;
+  parameters.max_steering = 0.6F;
+  return parameters;
+}
+struct KinematicParked : KinematicTruck {
+  KinematicParked() : KinematicTruck(kinematic()) {}
+};
+struct KinematicUnparked : KinematicTruck {
+  KinematicUnparked() : KinematicTruck(kinematic()) {}
+};
 // The same car, which a program has without what parks.
 struct Unparked : Car {
   Unparked() : Car(reversing()) {}
@@ -46,6 +62,8 @@ struct Unparked : Car {
 
 template <>
 inline constexpr bool krait::kParks<krait::test::Unparked> = false;
+template <>
+inline constexpr bool krait::kParks<krait::test::KinematicUnparked> = false;
 
 namespace krait::test {
 namespace {
@@ -70,6 +88,14 @@ int solved(const R& robot, double lengths) {
 
 TEST(PlannerParking, ACarDrivesIntoASpaceThatIsHardlyLonger) {
   for (const double lengths : {1.25, 1.4, 1.6}) EXPECT_EQ(solved(Parked(), lengths), 10) << lengths;
+}
+
+TEST(PlannerParking, AKinematicCarDoesToo) {
+  for (const double lengths : {1.25, 1.4, 1.6}) {
+    const int with = solved(KinematicParked(), lengths), without = solved(KinematicUnparked(), lengths);
+    std::printf("%g lengths: %d, without parking %d\n", lengths, with, without);
+    EXPECT_EQ(with, 10) << lengths;
+  }
 }
 
 TEST(PlannerParking, ABetterPlanParksAsWell) {

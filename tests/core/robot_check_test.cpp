@@ -29,19 +29,25 @@ namespace {
 
 using ::testing::HasSubstr;
 
-RobotRanges ranges_of(const Chain& chain) {
-  const ChainParameters& p = chain.parameters();
+template <class R>
+requires kTows<R> RobotRanges ranges_of(const R& chain) {
+  constexpr int kCar = R::kCarState;
+  const auto& p = chain.parameters();
   const float hitch = 0.999F * p.max_hitch_angle;
   RobotRanges ranges;
-  ranges.state = {{-10, 10}, {-10, 10}, {-3, 3}, {p.min_speed, p.max_speed}, {-p.max_steering, p.max_steering}};
+  ranges.state = {{-10, 10}, {-10, 10}, {-3, 3}};
+  if constexpr (std::is_base_of_v<Chain, R>) {
+    ranges.state.push_back({p.min_speed, p.max_speed});
+    ranges.state.push_back({-p.max_steering, p.max_steering});
+  }
   ranges.headings = {2};
   for (int i = 0; i < p.trailers; ++i) {
     ranges.state.push_back({-hitch, hitch});
-    ranges.headings.push_back(5 + i);
+    ranges.headings.push_back(kCar + i);
   }
   for (const Range range : control_limits(chain)) ranges.control.push_back({range.low, range.high});
   ranges.arrange = [](std::vector<float>& s) {
-    for (std::size_t i = 5; i < s.size(); ++i) s[i] += i == 5 ? s[2] : s[i - 1];
+    for (std::size_t i = kCar; i < s.size(); ++i) s[i] += i == kCar ? s[2] : s[i - 1];
   };
   ranges.leaving = p.trailers > 0 ? 0.5F : 0.0F;  // a hitch that is bent to its limit folds, whatever is steered
   return ranges;

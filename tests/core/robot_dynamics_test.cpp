@@ -63,7 +63,7 @@ TYPED_TEST(RobotDynamics, StepIsRungeKuttas) {
 
 // Bit for bit, though long chains may be integrated in lanes and short ones body by body.
 TYPED_TEST(RobotDynamics, TheFrontOfAChainMovesByItself) {
-  if constexpr (std::is_base_of_v<Chain, TypeParam>) {
+  if constexpr (kTows<TypeParam>) {
     for (const float dt : {0.01F, 0.1F, 0.4F}) {
       this->for_random(300, dt, [dt](const auto& robot, const auto& s, const auto& u) {
         Pose poses[TypeParam::kMaxBodies];
@@ -71,13 +71,13 @@ TYPED_TEST(RobotDynamics, TheFrontOfAChainMovesByItself) {
         const auto moved = [&](int size) {
           std::vector<float> d(static_cast<std::size_t>(size));
           const StateView front(s.data(), size);
-          Chain::Lead lead;
+          typename TypeParam::Lead lead;
           robot.integrate_lead(front, poses, ControlView(u.data(), 2), dt, lead, d.data());
           robot.integrate_rest(front, poses, dt, lead, d.data());
           return d;
         };
         const std::vector<float> whole = moved(robot.state_size());
-        for (int size = Chain::kCarState; size < robot.state_size(); ++size) {
+        for (int size = TypeParam::kCarState; size < robot.state_size(); ++size) {
           const std::vector<float> front = moved(size);
           ASSERT_TRUE(std::equal(front.begin(), front.end(), whole.begin())) << size << " components, dt " << dt;
         }
@@ -106,8 +106,8 @@ TYPED_TEST(RobotDynamics, MotionTurnsAndMovesWithTheFrame) {
       result[0] = c * wide(state[0]) - sn * wide(state[1]) + dx;
       result[1] = sn * wide(state[0]) + c * wide(state[1]) + dy;
       result[2] += turn;
-      if (std::is_base_of_v<Chain, TypeParam>) {
-        for (std::size_t i = 5; i < result.size(); ++i) result[i] += turn;
+      if constexpr (kTows<TypeParam>) {
+        for (std::size_t i = TypeParam::kCarState; i < result.size(); ++i) result[i] += turn;
       }
       return result;
     };
@@ -153,7 +153,7 @@ Numbers lateral_speeds(const R& robot, const std::vector<float>& s, const std::v
 
 template <class R>
 class RobotWithoutSlip : public RobotDynamics<R> {};
-using Rolling = ::testing::Types<Truck, Car, Unicycle, Unicycle2, DifferentialDrive>;
+using Rolling = ::testing::Types<Truck, KinematicTruck, Car, Unicycle, Unicycle2, DifferentialDrive>;
 TYPED_TEST_SUITE(RobotWithoutSlip, Rolling, ModelNames);
 
 TYPED_TEST(RobotWithoutSlip, NoAxleMovesAcrossItself) {
@@ -183,6 +183,28 @@ TEST(RobotDynamicsTruck, FrontWheelsRollWhereTheyPoint) {
     const double vx = ds[0] - length * std::sin(theta) * ds[2], vy = ds[1] + length * std::cos(theta) * ds[2];
     ASSERT_NEAR(-std::sin(theta + psi) * vx + std::cos(theta + psi) * vy, 0, 1e-5);
     ASSERT_NEAR(std::cos(theta + psi) * vx + std::sin(theta + psi) * vy, wide(s[3]), 1e-5);
+  }
+}
+
+// With its steering angle held it moves as a truck does that holds its own and whose rear axle is as fast.
+TEST(RobotDynamicsKinematicTruck, MovesAsATruckThatHoldsItsSteering) {
+  std::mt19937 random(6);
+  for (const KinematicTruck& robot : instances<KinematicTruck>()) {
+    ChainParameters p;
+    p.trailers = robot.parameters().trailers;
+    p.wheelbase = robot.parameters().wheelbase;
+    p.hitch_length = robot.parameters().hitch_length;
+    const Truck truck(p);
+    for (int i = 0; i < 300; ++i) {
+      const auto s = random_state(robot, random);
+      const auto u = random_control(robot, s, 0.1F, random);
+      std::vector<float> held = {s[0], s[1], s[2], u[0] / std::cos(u[1]), u[1]};
+      held.insert(held.end(), s.begin() + 3, s.end());
+      auto expected = step(truck, held, {0, 0}, 0.1F);
+      expected.erase(expected.begin() + 3, expected.begin() + 5);
+      const auto got = step(robot, s, u, 0.1F);
+      for (std::size_t k = 0; k < got.size(); ++k) ASSERT_NEAR(got[k], expected[k], 1e-5F) << k;
+    }
   }
 }
 

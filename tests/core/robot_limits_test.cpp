@@ -26,6 +26,7 @@ bool speeds_inside(const Chain& r, const std::vector<float>& s) {
   const ChainParameters& p = r.parameters();
   return s[3] >= p.min_speed && s[3] <= p.max_speed && std::abs(s[4]) <= p.max_steering;
 }
+bool speeds_inside(const KinematicTruck&, const std::vector<float>&) { return true; }
 bool speeds_inside(const Unicycle&, const std::vector<float>&) { return true; }
 bool speeds_inside(const Unicycle2& r, const std::vector<float>& s) {
   const Unicycle2Parameters& p = r.parameters();
@@ -95,7 +96,7 @@ TYPED_TEST(RobotLimits, SteeringByTheFramesGivesTheSameControl) {
 TYPED_TEST(RobotLimits, RestIsInsideThem) {
   for (const TypeParam& robot : instances<TypeParam>()) {
     std::vector<float> s(static_cast<std::size_t>(robot.state_size()), kNan);
-    if constexpr (std::is_base_of_v<Chain, TypeParam>) {
+    if constexpr (kTows<TypeParam>) {
       robot.rest({1, 2}, 0.5F, nullptr, s.data());
     } else {
       robot.rest({1, 2}, 0.5F, s.data());
@@ -128,8 +129,8 @@ TYPED_TEST(RobotLimits, AnglesWithoutASineAreOutside) {
     for (const float heading : {8193.0F, -1e6F, 1e30F}) {
       std::vector<float> s(static_cast<std::size_t>(robot.state_size()), 0.0F);
       s[2] = heading;
-      if constexpr (std::is_base_of_v<Chain, TypeParam>) {
-        for (std::size_t i = 5; i < s.size(); ++i) s[i] = heading;
+      if constexpr (kTows<TypeParam>) {
+        for (std::size_t i = TypeParam::kCarState; i < s.size(); ++i) s[i] = heading;
       }
       EXPECT_FALSE(robot.within_limits(StateView(s.data(), robot.state_size()))) << heading;
     }
@@ -169,6 +170,18 @@ TEST(RobotLimitsChain, EachLimitIsExact) {
   EXPECT_TRUE(inside({0, 0, 0, 0, 0, p.max_hitch_angle, 0}));
   EXPECT_FALSE(inside({0, 0, 0, 0, 0, beyond(p.max_hitch_angle), 0}));
   EXPECT_FALSE(inside({0, 0, 0, 0, 0, -1.0F, -1.0F - p.max_hitch_angle - 1e-6F}));
+}
+
+TEST(RobotLimitsKinematicTruck, EachLimitIsExact) {
+  KinematicTruckParameters p;
+  p.trailers = 2;
+  const KinematicTruck robot(p);
+  const auto inside = [&](std::vector<float> s) { return robot.within_limits(StateView(s.data(), 5)); };
+  EXPECT_TRUE(inside({0, 0, 0, p.max_hitch_angle, 0}));
+  EXPECT_FALSE(inside({0, 0, 0, std::nextafter(p.max_hitch_angle, 2.0F), 0.5F}));
+  EXPECT_FALSE(inside({0, 0, 0, -1.0F, -1.0F - p.max_hitch_angle - 1e-6F}));
+  const std::vector<float> near = {0, 0, 0, p.max_hitch_angle - 1e-3F, 0};
+  EXPECT_FALSE(robot.keeps_reserve(StateView(near.data(), 5)));
 }
 
 struct Spoiled {
@@ -216,6 +229,29 @@ TEST(RobotSound, ChainRejectsEachBadParameter) {
     ChainParameters p;
     spoil(p);
     EXPECT_NE(first_bad(Truck(p)), Argument::none) << name;
+  }
+}
+
+TEST(RobotSound, KinematicTruckRejectsEachBadParameter) {
+  for (const auto member : {&KinematicTruckParameters::body_length, &KinematicTruckParameters::body_width,
+                            &KinematicTruckParameters::wheelbase, &KinematicTruckParameters::hitch_length,
+                            &KinematicTruckParameters::max_speed, &KinematicTruckParameters::max_steering,
+                            &KinematicTruckParameters::max_hitch_angle}) {
+    for (const float bad : {0.0F, -1.0F, kNan, kInfinity}) {
+      KinematicTruckParameters p;
+      p.*member = bad;
+      EXPECT_NE(first_bad(KinematicTruck(p)), Argument::none) << bad;
+    }
+  }
+  const std::vector<std::function<void(KinematicTruckParameters&)>> others = {
+      [](auto& p) { p.trailers = -1; },          [](auto& p) { p.trailers = kMaxTrailers + 1; },
+      [](auto& p) { p.min_speed = 0.1F; },       [](auto& p) { p.min_speed = kNan; },
+      [](auto& p) { p.body_offset = kNan; },     [](auto& p) { p.max_steering = 1.5000001F; },
+      [](auto& p) { p.self_collision_gap = 0; }, [](auto& p) { p.max_hitch_angle = 3.2F; }};
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    KinematicTruckParameters p;
+    others[i](p);
+    EXPECT_NE(first_bad(KinematicTruck(p)), Argument::none) << i;
   }
 }
 

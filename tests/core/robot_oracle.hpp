@@ -45,6 +45,16 @@ inline Numbers rate(const Snake& r, const Numbers& s, const Numbers& u) {
 inline Numbers rate(const Truck& r, const Numbers& s, const Numbers& u) {
   return chain_rate(r.parameters(), false, s, u);
 }
+inline Numbers rate(const KinematicTruck& r, const Numbers& s, const Numbers& u) {
+  const KinematicTruckParameters& p = r.parameters();
+  Numbers rate = {u[0] * std::cos(s[2]), u[0] * std::sin(s[2]), u[0] * std::tan(u[1]) / wide(p.wheelbase)};
+  double pull = u[0] / wide(p.hitch_length);
+  for (std::size_t i = 3; i < s.size(); ++i) {
+    rate.push_back(pull * std::sin(s[i - 1] - s[i]));
+    pull *= std::cos(s[i - 1] - s[i]);
+  }
+  return rate;
+}
 inline Numbers rate(const Unicycle&, const Numbers& s, const Numbers& u) {
   return {u[0] * std::cos(s[2]), u[0] * std::sin(s[2]), u[1]};
 }
@@ -57,10 +67,15 @@ inline Numbers rate(const DifferentialDrive& r, const Numbers& s, const Numbers&
   return {(left + right) / 2 * std::cos(s[2]), (left + right) / 2 * std::sin(s[2]), (right - left) / track, u[0], u[1]};
 }
 
+// Whether a robot of that class may have trailers, whose headings follow the kCarState floats of its car.
+template <class R>
+inline constexpr bool kTows = std::is_base_of_v<Chain, R> || std::is_same_v<R, KinematicTruck>;
+
 // Axles of a chain, each hitched `hitch_length` behind the one before.
-inline std::vector<Frame> frames(const Chain& r, const Numbers& s) {
+template <class R>
+requires kTows<R> std::vector<Frame> frames(const R& r, const Numbers& s) {
   std::vector<Frame> result = {{s[0], s[1], s[2]}};
-  for (std::size_t i = 5; i < s.size(); ++i) {
+  for (std::size_t i = R::kCarState; i < s.size(); ++i) {
     const double d = wide(r.parameters().hitch_length);
     result.push_back({result.back().x - d * std::cos(s[i]), result.back().y - d * std::sin(s[i]), s[i]});
   }
@@ -127,6 +142,24 @@ inline std::vector<Car> instances<Car>() {
   return chains<Car>({0, 3});  // a car has no trailers whatever it is given
 }
 template <>
+inline std::vector<KinematicTruck> instances<KinematicTruck>() {
+  std::vector<KinematicTruck> result;
+  for (const int n : {0, 1, 2, 5, 25}) {
+    KinematicTruckParameters p;
+    p.trailers = n;
+    result.emplace_back(p);
+    p.body_length = 1.5F;
+    p.body_width = 0.9F;
+    p.body_offset = 0.4F;
+    p.wheelbase = 1.1F;
+    p.hitch_length = 1.7F;
+    p.min_speed = -1.5F;
+    p.max_steering = 1.1F;
+    result.emplace_back(p);
+  }
+  return result;
+}
+template <>
 inline std::vector<Unicycle> instances<Unicycle>() {
   UnicycleParameters slow;
   slow.max_speed = 0.25F;
@@ -182,6 +215,17 @@ inline Car small_robot<Car>() {
   return Car(p);
 }
 template <>
+inline KinematicTruck small_robot<KinematicTruck>() {
+  KinematicTruckParameters p;
+  p.trailers = 1;
+  p.body_length = 0.4F;
+  p.body_width = 0.3F;
+  p.wheelbase = 0.4F;
+  p.hitch_length = 0.45F;
+  p.min_speed = -0.5F;
+  return KinematicTruck(p);
+}
+template <>
 inline Unicycle small_robot<Unicycle>() {
   return Unicycle({});
 }
@@ -212,6 +256,15 @@ R random_robot(std::mt19937& random) {
     p.max_steering = log_uniform(random, 0.05, 1.5);
     p.max_steering_rate = log_uniform(random, 0.05, 50);
     return R(p);
+  } else if constexpr (std::is_same_v<R, KinematicTruck>) {
+    KinematicTruckParameters p;
+    p.trailers = static_cast<int>(below(random, 26));
+    p.wheelbase = log_uniform(random, 0.05, 5);
+    p.hitch_length = log_uniform(random, 0.05, 5);
+    p.max_speed = log_uniform(random, 0.05, 20);
+    p.min_speed = below(random, 2) == 0 ? 0.0F : -p.max_speed;
+    p.max_steering = log_uniform(random, 0.05, 1.5);
+    return R(p);
   } else if constexpr (std::is_same_v<R, Unicycle>) {
     UnicycleParameters p;
     p.max_speed = log_uniform(random, 0.05, 20);
@@ -239,6 +292,7 @@ R random_robot(std::mt19937& random) {
 
 // Metres a second, of the position.
 inline double largest_speed(const Chain& robot) { return wide(robot.parameters().max_speed); }
+inline double largest_speed(const KinematicTruck& robot) { return wide(robot.parameters().max_speed); }
 inline double largest_speed(const Unicycle& robot) { return wide(robot.parameters().max_speed); }
 inline double largest_speed(const Unicycle2& robot) { return wide(robot.parameters().max_speed); }
 inline double largest_speed(const DifferentialDrive& robot) {
@@ -259,15 +313,19 @@ struct ModelNames {
 };
 
 // A state inside its limits, sometimes at their very ends; the position within `area` of the origin.
-inline std::vector<float> random_state(const Chain& r, std::mt19937& random, double area = 10) {
-  const ChainParameters& p = r.parameters();
+template <class R>
+requires kTows<R> std::vector<float> random_state(const R& r, std::mt19937& random, double area = 10) {
+  const auto& p = r.parameters();
   const auto limited = [&](float low, float high) {
     const std::uint32_t kind = below(random, 8);
     return kind == 0 ? low : kind == 1 ? high : std::clamp(uniform_float(random, wide(low), wide(high)), low, high);
   };
   std::vector<float> s = {uniform_float(random, -area, area), uniform_float(random, -area, area),
-                          uniform_float(random, -4, 4), limited(p.min_speed, p.max_speed),
-                          limited(-p.max_steering, p.max_steering)};
+                          uniform_float(random, -4, 4)};
+  if constexpr (std::is_base_of_v<Chain, R>) {
+    s.push_back(limited(p.min_speed, p.max_speed));
+    s.push_back(limited(-p.max_steering, p.max_steering));
+  }
   for (int i = 0; i < p.trailers; ++i) {
     const float ahead = i == 0 ? s[2] : s.back();
     s.push_back(ahead + 0.999F * limited(-p.max_hitch_angle, p.max_hitch_angle));
@@ -302,6 +360,10 @@ requires std::derived_from<R, PlanarBody> std::vector<float> random_state(const 
 inline std::vector<Range> control_limits(const Chain& r) {
   const ChainParameters& p = r.parameters();
   return {{-p.max_acceleration, p.max_acceleration}, {-p.max_steering_rate, p.max_steering_rate}};
+}
+inline std::vector<Range> control_limits(const KinematicTruck& r) {
+  const KinematicTruckParameters& p = r.parameters();
+  return {{p.min_speed, p.max_speed}, {-p.max_steering, p.max_steering}};
 }
 inline std::vector<Range> control_limits(const Unicycle& r) {
   const UnicycleParameters& p = r.parameters();

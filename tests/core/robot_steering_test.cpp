@@ -2,6 +2,7 @@
 // What controllers ask for, where it can be computed by hand.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 #include "krait/krait.hpp"
@@ -195,6 +196,60 @@ TEST(RobotSteering, ASecondOrderUnicycleStopsMovingAndTurning) {
   Unicycle2Parameters forwards;
   forwards.min_speed = 0.0F;
   stopped(Unicycle2(forwards), {1, 2, 0, 1, -2}, {1, 20});
+}
+
+// The control of a kinematic truck whose trailers are bent as `state` says.
+Vec2 steered(const KinematicTruckParameters& p, std::vector<float> state, const Target& target) {
+  const KinematicTruck robot(p);
+  state.resize(static_cast<std::size_t>(robot.state_size()), 0.0F);
+  Steering steering;
+  float control[2] = {9, 9};
+  robot.steer(StateView(state.data(), robot.state_size()), target, steering, ControlRef(control, 2));
+  return {control[0], control[1]};
+}
+
+Target toward(Vec2 point, float speed = 1.0F) {
+  Target target;
+  target.point = point;
+  target.speed = speed;
+  return target;
+}
+
+TEST(RobotSteering, AKinematicTruckDrivesAtTheSpeedAskedForAndStopsAtOnce) {
+  KinematicTruckParameters p;
+  p.min_speed = -0.5F;
+  EXPECT_FLOAT_EQ(steered(p, {}, toward({5, 0}, 0.5F)).x, 1.25F);
+  EXPECT_FLOAT_EQ(steered(p, {}, toward({-5, 0}, -1.0F)).x, -0.5F);
+  EXPECT_NEAR(steered(p, {}, toward({-5, 0}, -1.0F)).y, 0.0F, 1e-5F);
+  EXPECT_LT(steered(p, {}, toward({-5, -1}, -1.0F)).y, -0.1F);
+  EXPECT_EQ(length(steered(p, {}, toward({0, 5}, 0.0F))), 0.0F);
+}
+
+// After a step it faces the target and is not beyond; its sharpest turns are those of its lock, and a share of one is
+// that of its curvature.
+TEST(RobotSteering, AKinematicCarTurnsNoFurtherThanToItsTarget) {
+  KinematicTruckParameters p;
+  p.wheelbase = 0.2F;
+  EXPECT_NEAR(2.5F * 0.1F * std::tan(steered(p, {}, toward({10, 1})).y) / p.wheelbase, 0.0997F, 2e-3F);
+  p.wheelbase = 0.8F;
+  EXPECT_FLOAT_EQ(steered(p, {}, toward({0, 5})).y, p.max_steering);
+  EXPECT_FLOAT_EQ(steered(p, {}, toward({0, -5})).y, -p.max_steering);
+  Target gentle = toward({0, 5});
+  gentle.turn = 0.25F;
+  EXPECT_NEAR(std::tan(steered(p, {}, gentle).y), 0.25F * std::tan(p.max_steering), 1e-5F);
+}
+
+// A trailer is turned as sharply as the wheels go while it is straight, and no more sharply than it follows when it is
+// bent to 1.2 rad; more of them always to what they follow.
+TEST(RobotSteering, AKinematicTrucksTrailersBoundItsSteering) {
+  KinematicTruckParameters p;
+  p.trailers = 1;
+  p.max_speed = 1.0F;
+  EXPECT_FLOAT_EQ(steered(p, {}, toward({0, 5})).y, p.max_steering);
+  EXPECT_NEAR(std::tan(steered(p, {0, 0, 0, -1.2F}, toward({0, 5})).y), std::sin(1.2F), 1e-4F);
+  EXPECT_FLOAT_EQ(steered(p, {0, 0, 0, 1.2F}, toward({0, 5})).y, p.max_steering);
+  p.trailers = 4;
+  EXPECT_NEAR(std::tan(steered(p, {}, toward({0, 5})).y), 1.0F / 2.2F, 1e-5F);
 }
 
 TEST(RobotSteering, AUnicycleThatShallStopStandsStill) {

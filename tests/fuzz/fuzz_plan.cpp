@@ -34,7 +34,7 @@ Landmark refusals[] = {Landmark("arena_too_small"), Landmark("start_in_collision
 Landmark robots[] = {Landmark("solved for a unicycle"),   Landmark("solved for a car"),
                      Landmark("solved for a diff_drive"), Landmark("solved for a snake:2"),
                      Landmark("solved for a truck:1"),    Landmark("solved for a snake:6"),
-                     Landmark("solved for a unicycle2")};
+                     Landmark("solved for a unicycle2"),  Landmark("solved for a kinematic_truck:1")};
 Landmark planners[] = {Landmark("solved by adaptive"), Landmark("solved by plain"), Landmark("solved by prior"),
                        Landmark("solved by rrt")};
 static_assert(std::size(robots) == std::size(kRobots) && std::size(planners) == std::size(kPlanners));

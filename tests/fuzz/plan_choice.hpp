@@ -8,7 +8,7 @@
 namespace krait::fuzz {
 
 inline constexpr const char* kRobots[] = {"unicycle", "car",     "diff_drive", "snake:2",
-                                          "truck:1",  "snake:6", "unicycle2"};
+                                          "truck:1",  "snake:6", "unicycle2",  "kinematic_truck:1"};
 inline constexpr const char* kPlanners[] = {"adaptive", "plain", "prior", "rrt"};
 
 struct PlanChoice {

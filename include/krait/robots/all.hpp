@@ -6,6 +6,7 @@
 
 #include "krait/robots/car.hpp"
 #include "krait/robots/differential_drive.hpp"
+#include "krait/robots/kinematic_truck.hpp"
 #include "krait/robots/snake.hpp"
 #include "krait/robots/truck.hpp"
 #include "krait/robots/unicycle.hpp"
@@ -18,6 +19,7 @@
 #define KRAIT_MODELS(MODEL)                                  \
   MODEL(snake, Snake, snake, 15)                             \
   MODEL(truck, Truck, truck, 2)                              \
+  MODEL(kinematic_truck, KinematicTruck, kinematic_truck, 1) \
   MODEL(car, Car, car, -)                                    \
   MODEL(unicycle, Unicycle, unicycle, -)                     \
   MODEL(unicycle2, Unicycle2, unicycle2, -)                  \

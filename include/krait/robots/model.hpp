@@ -207,7 +207,7 @@ inline constexpr bool kAnswersProven = false;
 
 /// Whether the search drives robots of the class R into narrow places in reverse: those with one body that can drive
 /// backwards and do not turn on the spot. A program whose classes are all false does not contain the code for it, 3 KB
-/// on a Cortex-M4F. False of the library's models, but for the car.
+/// on a Cortex-M4F. False of the library's models, but for car and kinematic_truck.
 template <class R>
 inline constexpr bool kParks = requires(const R& robot) {
   { robot.reversible() } -> std::same_as<bool>;

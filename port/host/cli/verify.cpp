@@ -27,13 +27,13 @@ struct VerifyOptions {
 
 // The start of the plan's own, where none is asked for: its first state, which is held to stand still in any case.
 Start start_of(const PlanFile& plan) {
-  constexpr std::size_t kCarState = 5;  // before the trailers' headings
   Start start{"the plan's", {}, 0, {}};
   if (plan.states.empty() || plan.states[0].size() < 3) return start;
   const std::vector<float>& state = plan.states[0];
   start.position = {plan.origin.x + static_cast<double>(state[0]), plan.origin.y + static_cast<double>(state[1])};
   start.heading = static_cast<double>(state[2]);
-  if (plan.robot.links > 0 && state.size() > kCarState) start.angles.assign(state.begin() + kCarState, state.end());
+  const auto trailers = static_cast<std::size_t>(plan.robot.links);
+  if (state.size() > 3 + trailers) start.angles.assign(state.end() - plan.robot.links, state.end());
   return start;
 }
 

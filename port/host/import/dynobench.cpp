@@ -34,26 +34,44 @@ Obstacle read_obstacle(const Field& field) {
 struct Pose {
   Point position;
   double heading = 0;
+  std::vector<double> angles;  // of trailers; empty: all equal to heading
 };
 
-// The first three numbers of a state; warns where the others, which have no place in a start, are not zero.
-Pose read_pose(const Field& state, std::vector<std::string>& warnings) {
-  const std::size_t size = state.size(3);
+// The first three numbers of a state, and what follows them of a car with trailers, their headings. Others have no
+// place in a start: warns where they are not zero.
+Pose read_pose(const Field& state, bool tows, std::vector<std::string>& warnings) {
+  const std::size_t size = state.size(3, tows ? 3 + kMaxLinks : SIZE_MAX);
+  Pose pose{{state.item(0).number(-kMaxFarCoordinate, kMaxFarCoordinate, "metres"),
+             state.item(1).number(-kMaxFarCoordinate, kMaxFarCoordinate, "metres")},
+            state.item(2).number(-kMaxAngle, kMaxAngle, "radians"),
+            {}};
   bool more = false;
-  for (std::size_t i = 3; i < size; ++i) more = more || state.item(i).number(-1e9, 1e9) != 0;
+  bool bent = false;
+  for (std::size_t i = 3; i < size; ++i) {
+    if (tows) {
+      pose.angles.push_back(state.item(i).number(-kMaxAngle, kMaxAngle, "radians"));
+      bent = bent || pose.angles.back() != pose.heading;
+    } else {
+      more = more || state.item(i).number(-1e9, 1e9) != 0;
+    }
+  }
   if (more) warnings.push_back(state.place() + ": only x, y and theta are used, its other numbers are not");
-  return {{state.item(0).number(-kMaxFarCoordinate, kMaxFarCoordinate, "metres"),
-           state.item(1).number(-kMaxFarCoordinate, kMaxFarCoordinate, "metres")},
-          state.item(2).number(-kMaxAngle, kMaxAngle, "radians")};
+  if (!bent) pose.angles.clear();
+  return pose;
 }
 
 void read_robot(const Field& robots, Workspace& workspace) {
   if (robots.size() == 0) return;
   if (robots.size() > 1) workspace.warnings.push_back("robots: only the first one's start and goal are used");
   const Field robot = robots.item(0);
-  const Pose start = read_pose(robot.at("start"), workspace.warnings);
-  workspace.starts.push_back({"start", start.position, start.heading, {}});
-  const Pose goal = read_pose(robot.at("goal"), workspace.warnings);
+  const bool tows =
+      robot.has("type") && robot.at("type").value().is_string() && robot.at("type").text().starts_with("car");
+  const Pose start = read_pose(robot.at("start"), tows, workspace.warnings);
+  workspace.starts.push_back({"start", start.position, start.heading, start.angles});
+  const Pose goal = read_pose(robot.at("goal"), tows, workspace.warnings);
+  if (!goal.angles.empty()) {
+    workspace.warnings.push_back(robot.at("goal").place() + ": its trailers' headings are not used");
+  }
   workspace.goals.push_back(pose_goal("goal", {goal.position, kStateGoalRadius, {goal.heading}}));
 }
 

@@ -7,8 +7,6 @@ namespace krait::host {
 
 namespace {
 
-constexpr std::size_t kFirstTrailerAngle = 5;  // x y theta0 v psi theta1 ...
-
 double hitch_length(const RobotSpec& robot) {
   const auto found = robot.parameters.find("hitch_length");
   if (found == robot.parameters.end()) {
@@ -25,8 +23,10 @@ std::vector<Pose> body_poses(const RobotSpec& robot, std::span<const float> stat
   std::vector<Pose> poses = {{state[0], state[1], state[2]}};
   if (robot.links == 0) return poses;
   const double hitch = hitch_length(robot);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(robot.links); ++i) {
-    const double heading = state[kFirstTrailerAngle + i];
+  const auto trailers = static_cast<std::size_t>(robot.links);
+  const std::span<const float> headings = state.subspan(state_size(robot) - trailers);  // behind the front's
+  for (std::size_t i = 0; i < trailers; ++i) {
+    const double heading = headings[i];
     const Pose ahead = poses.back();
     poses.push_back({ahead.x - hitch * std::cos(heading), ahead.y - hitch * std::sin(heading), heading});
   }

@@ -59,7 +59,7 @@ void measure_sweep(SteadyTurn& turn, const RobotSpec& robot, std::size_t count) 
 }
 
 // The sine of the first hitch angle in a steady turn at this steering angle: hitch length times turn rate over the
-// speed s that pulls the trailers, v of a snake, v cos(psi) of a truck. It may be above 1.
+// speed s that pulls the trailers, v of a snake, that of the rear axle of others. It may be above 1.
 double first_sine(const RobotSpec& robot, double steering) {
   const double ratio = parameter(robot, "hitch_length") / parameter(robot, "wheelbase");
   return ratio * (robot.model == "snake" ? std::sin(steering) : std::tan(steering));

@@ -37,10 +37,11 @@ void check_body(const Ring& body, std::size_t index) {
   if (!finite) throw InputError("robot: body " + std::to_string(index) + " has a corner that is not finite");
 }
 
-// How fast the headings of trailers change that are pulled at `pull` radians a second.
-void follow(const State& state, double pull, State& rate) {
+// How fast the headings of trailers change, which begin with component `first`, and are pulled at `pull` radians a
+// second.
+void follow(const State& state, std::size_t first, double pull, State& rate) {
   double ahead = state[2];
-  for (std::size_t i = 5; i < state.size(); ++i) {
+  for (std::size_t i = first; i < state.size(); ++i) {
     const double bend = ahead - state[i];
     ahead = state[i];
     rate[i] = pull * std::sin(bend);
@@ -48,12 +49,12 @@ void follow(const State& state, double pull, State& rate) {
   }
 }
 
-// Speed, steering, and the hitch angles, from the front.
-std::vector<double> values_of_chain(const State& state) {
-  std::vector<double> values{state[3], state[4]};
-  for (std::size_t i = 5; i < state.size(); ++i) {
-    const double ahead = i == 5 ? state[2] : state[i - 1];
+// The hitch angles, from the front, behind `values`; trailers' headings begin with component `first`.
+std::vector<double> with_hitches(std::vector<double> values, const State& state, std::size_t first) {
+  double ahead = state[2];
+  for (std::size_t i = first; i < state.size(); ++i) {
     values.push_back(std::remainder(ahead - state[i], 2 * std::numbers::pi));
+    ahead = state[i];
   }
   return values;
 }
@@ -83,16 +84,33 @@ Equations chain(const RobotSpec& robot, bool slip) {
     rate[2] = front_speed * std::sin(state[4]) / wheelbase;
     rate[3] = control[0];
     rate[4] = control[1];
-    if (state.size() > 5) follow(state, (slip ? front_speed : speed) / hitch_length, rate);
+    if (state.size() > 5) follow(state, 5, (slip ? front_speed : speed) / hitch_length, rate);
     return speed;
   };
   e.speed = [](const State& state) { return std::abs(state[3]); };
-  e.values = values_of_chain;
+  e.values = [](const State& state) { return with_hitches({state[3], state[4]}, state, 5); };
   return e;
 }
 
 Equations snake(const RobotSpec& robot) { return chain(robot, true); }
 Equations truck(const RobotSpec& robot) { return chain(robot, false); }
+
+Equations kinematic_truck(const RobotSpec& robot) {
+  Equations e;
+  e.state_names = {"x", "y", "theta0"};
+  e.control_limits = {{"speed", minimum_speed(robot, 0), number(robot, "max_speed")},
+                      within("steering", number(robot, "max_steering"))};
+  add_trailers(robot, e);
+  e.motion = [wheelbase = positive(robot, "wheelbase"), hitch_length = e.hitch_length](
+                 const State& state, const Control& control, State& rate) {
+    rate[2] = control[0] * std::tan(control[1]) / wheelbase;
+    if (state.size() > 3) follow(state, 3, control[0] / hitch_length, rate);
+    return control[0];
+  };
+  e.speed = [](const State&) { return 0.0; };
+  e.values = [](const State& state) { return with_hitches({}, state, 3); };
+  return e;
+}
 
 Equations unicycle(const RobotSpec& robot) {
   Equations e;
@@ -161,10 +179,13 @@ struct Model {
   int most_trailers;
   Equations (*equations)(const RobotSpec& robot);
 };
-constexpr Model kModels[] = {
-    {"snake", kMostTrailers, snake}, {"truck", kMostTrailers, truck}, {"car", 0, truck},
-    {"unicycle", 0, unicycle},       {"unicycle2", 0, unicycle2},     {"diff_drive", 0, diff_drive},
-};
+constexpr Model kModels[] = {{"snake", kMostTrailers, snake},
+                             {"truck", kMostTrailers, truck},
+                             {"kinematic_truck", kMostTrailers, kinematic_truck},
+                             {"car", 0, truck},
+                             {"unicycle", 0, unicycle},
+                             {"unicycle2", 0, unicycle2},
+                             {"diff_drive", 0, diff_drive}};
 
 const Model& model_of(const std::string& name) {
   std::string names;
@@ -186,6 +207,7 @@ Dynamics::Dynamics(const RobotSpec& robot) {
   if (robot.bodies.size() != trailers_ + 1) throw InputError("robot: needs one body more than links");
   for (std::size_t i = 0; i < robot.bodies.size(); ++i) check_body(robot.bodies[i], i);
   equations_ = model.equations(robot);
+  front_size_ = equations_.state_names.size();
   for (std::size_t i = 1; i <= trailers_; ++i) equations_.state_names.push_back("theta" + std::to_string(i));
 }
 
@@ -194,7 +216,7 @@ State Dynamics::at_rest(const Point& position, double heading, const std::vector
   state[0] = position.x;
   state[1] = position.y;
   state[2] = heading;
-  for (std::size_t i = 0; i < trailers_; ++i) state[5 + i] = i < trailers.size() ? trailers[i] : heading;
+  for (std::size_t i = 0; i < trailers_; ++i) state[front_size_ + i] = i < trailers.size() ? trailers[i] : heading;
   return state;
 }
 
@@ -227,8 +249,8 @@ std::vector<State> Dynamics::integrate(const State& state, const Control& contro
 std::vector<Frame> Dynamics::frames(const State& state) const {
   std::vector<Frame> frames{{{state[0], state[1]}, std::cos(state[2]), std::sin(state[2])}};
   for (std::size_t i = 0; i < trailers_; ++i) {
-    const double cos = std::cos(state[5 + i]);
-    const double sin = std::sin(state[5 + i]);
+    const double cos = std::cos(state[front_size_ + i]);
+    const double sin = std::sin(state[front_size_ + i]);
     const Point hitch = frames.back().origin;
     frames.push_back({{hitch.x - equations_.hitch_length * cos, hitch.y - equations_.hitch_length * sin}, cos, sin});
   }

@@ -66,12 +66,13 @@ class Dynamics {
   State at_rest(const Point& position, double heading, const std::vector<double>& trailers) const;
 
   // Component `index` of a state is an angle of a body in the plane, where 2 pi makes no difference.
-  bool is_heading(std::size_t index) const { return index == 2 || index >= 5; }
+  bool is_heading(std::size_t index) const { return index == 2 || index >= front_size_; }
 
   // Component `index` is an angle: a heading, or the steering of a car.
   bool is_angle(std::size_t index) const { return is_heading(index) || (index == 4 && equations_.steered); }
 
-  // m/s, at least 0: of the front wheels, or of the faster wheel; 0 of a unicycle, whose state has no speed.
+  // m/s, at least 0: of the front wheels, or of the faster wheel; 0 of a unicycle or kinematic_truck, whose states
+  // have no speed.
   double speed(const State& state) const { return equations_.speed(state); }
 
   State derivative(const State& state, const Control& control) const;
@@ -97,6 +98,7 @@ class Dynamics {
   void set_rate(const State& state, const Control& control, State& rate) const;
 
   std::size_t trailers_ = 0;
+  std::size_t front_size_ = 0;  // components of a state that are no trailers' headings
   Equations equations_;
 };
 

@@ -35,16 +35,28 @@ struct Kind {
                         // and 0.1 rad, to four headings in turn; "straight": and the hitches within 0.2 rad
 };
 
-constexpr Kind kKinds[] = {{1, "snake:15", "adaptive"},  {1, "snake:5", "adaptive"},
-                           {1, "truck:2", "adaptive"},   {1, "car", "adaptive"},
-                           {1, "unicycle", "adaptive"},  {1, "diff_drive", "adaptive"},
-                           {2, "snake:15", "adaptive"},  {0.75, "snake:15", "adaptive"},
-                           {1, "snake:5", "paper"},      {1, "unicycle", "prior"},
-                           {1, "car", "pose"},           {1, "diff_drive", "pose"},
-                           {1, "unicycle2", "adaptive"}, {1, "unicycle2", "pose"},
-                           {1, "truck:1", "pose"},       {1, "truck:2", "pose"},
-                           {1, "snake:5", "pose"},       {1, "snake:15", "pose"},
-                           {1, "truck:1", "straight"},   {1, "truck:2", "straight"}};
+constexpr Kind kKinds[] = {{1, "snake:15", "adaptive"},
+                           {1, "snake:5", "adaptive"},
+                           {1, "truck:2", "adaptive"},
+                           {1, "car", "adaptive"},
+                           {1, "kinematic_truck:1", "adaptive"},
+                           {1, "unicycle", "adaptive"},
+                           {1, "diff_drive", "adaptive"},
+                           {2, "snake:15", "adaptive"},
+                           {0.75, "snake:15", "adaptive"},
+                           {1, "snake:5", "paper"},
+                           {1, "unicycle", "prior"},
+                           {1, "car", "pose"},
+                           {1, "diff_drive", "pose"},
+                           {1, "unicycle2", "adaptive"},
+                           {1, "unicycle2", "pose"},
+                           {1, "truck:1", "pose"},
+                           {1, "truck:2", "pose"},
+                           {1, "kinematic_truck:1", "pose"},
+                           {1, "snake:5", "pose"},
+                           {1, "snake:15", "pose"},
+                           {1, "truck:1", "straight"},
+                           {1, "truck:2", "straight"}};
 
 struct Cost {
   std::uint64_t solved = 0;

@@ -14,7 +14,7 @@
 namespace krait::host {
 namespace {
 
-constexpr std::uint64_t kSeeds = 500;  // of fewer, medians are a tenth apart by chance
+constexpr std::uint64_t kSeeds = 1000;  // of fewer, medians are a tenth apart by chance
 
 void scale(Ring& ring, double by) {
   for (Point& p : ring) p = {p.x * by, p.y * by};

@@ -80,6 +80,24 @@ TEST_F(DynobenchTest, SaysWhatItDoesNotUse) {
   EXPECT_THAT(w.warnings, testing::Contains(HasSubstr("robots[0].start: only x, y and theta")));
 }
 
+TEST_F(DynobenchTest, ACarsTrailersStandWhereTheStartSays) {
+  const auto car = [&](const std::string& start, const std::string& goal) {
+    return read(kBounds + "robots:\n - type: car1_v0\n   start: [1, 2, 0.5" + start + "]\n   goal: [4, 3, 1" + goal +
+                "]\n");
+  };
+  const Workspace bent = car(", 0.25, -0.5", ", 1, 1");
+  ASSERT_EQ(bent.starts.size(), 1U);
+  EXPECT_THAT(bent.starts[0].angles, testing::ElementsAre(0.25, -0.5));
+  EXPECT_THAT(bent.warnings, IsEmpty());
+  const Workspace straight = car(", 0.5", ", 1");  // for a robot with any number of trailers
+  EXPECT_THAT(straight.starts[0].angles, IsEmpty());
+  EXPECT_THAT(straight.warnings, IsEmpty());
+  EXPECT_THAT(car(", 0.5", ", 0.5").warnings,
+              testing::ElementsAre(HasSubstr("robots[0].goal: its trailers' headings are not used")));
+  EXPECT_THAT(error(kBounds + "robots:\n - type: car1_v0\n   start: [1, 2, 0, 1e9]\n   goal: [1, 2, 0]\n"),
+              HasSubstr("robots[0].start[3]: must be"));
+}
+
 TEST_F(DynobenchTest, WrongFieldsAreNamed) {
   EXPECT_THAT(error(kBounds + "  obstacles:\n    - {type: sphere, center: [2, 3], size: [1]}\n"),
               HasSubstr("environment.obstacles[0].type: only obstacles of type box are known, this is a sphere"));

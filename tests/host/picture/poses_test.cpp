@@ -26,6 +26,7 @@ TEST(Poses, StateSizesAreTheDesigns) {
   EXPECT_EQ(state_size(robot("car")), 5U);
   EXPECT_EQ(state_size(robot("snake", 15)), 20U);
   EXPECT_EQ(state_size(robot("truck", 2)), 7U);
+  EXPECT_EQ(state_size(robot("kinematic_truck", 2)), 5U);
 }
 
 TEST(Poses, RobotsWithoutTrailersStandWhereTheirStateSays) {
@@ -56,6 +57,17 @@ TEST(Poses, TrailersHangBehindOneAnother) {
     EXPECT_NEAR(poses[k].y, axle.imag(), 1e-12);
     EXPECT_EQ(poses[k].heading, static_cast<double>(state[4 + k]));
   }
+}
+
+TEST(Poses, TrailersOfAKinematicTruckFollowItsHeading) {
+  const std::vector<float> state = {1, 2, 0.3F, 0.1F, -0.7F};
+  const std::vector<Pose> poses = body_poses(robot("kinematic_truck", 2), state);
+  ASSERT_EQ(poses.size(), 3U);
+  const std::complex<double> axle = std::complex<double>(1, 2) - std::polar(kHitch, static_cast<double>(state[3])) -
+                                    std::polar(kHitch, static_cast<double>(state[4]));
+  EXPECT_NEAR(poses[2].x, axle.real(), 1e-12);
+  EXPECT_NEAR(poses[2].y, axle.imag(), 1e-12);
+  EXPECT_EQ(poses[2].heading, static_cast<double>(state[4]));
 }
 
 TEST(Poses, UnknownModelIsNamed) {

@@ -190,6 +190,7 @@ TEST_F(PlanTest, ATruncatedFileIsRefusedAtEveryLength) {
 
 TEST(StateNames, AreThoseOfTheModel) {
   EXPECT_THAT(state_names(parse_robot("truck:2")), ElementsAre("x", "y", "theta0", "v", "psi", "theta1", "theta2"));
+  EXPECT_THAT(state_names(parse_robot("kinematic_truck:1")), ElementsAre("x", "y", "theta0", "theta1"));
   EXPECT_THAT(state_names(parse_robot("car")), ElementsAre("x", "y", "theta0", "v", "psi"));
   EXPECT_THAT(state_names(parse_robot("unicycle")), ElementsAre("x", "y", "theta"));
   EXPECT_THAT(state_names(parse_robot("diff_drive")), ElementsAre("x", "y", "theta", "left", "right"));

@@ -99,8 +99,9 @@ RobotSpec of_own_size(RobotSpec robot, Draw& draw) {
 }
 
 RobotSpec any_robot(Draw& draw) {
-  static const char* const kRobots[] = {"car",      "unicycle", "diff_drive", "snake:1", "snake:5",  "snake:15",
-                                        "snake:25", "truck:0",  "truck:1",    "truck:3", "unicycle2"};
+  static const char* const kRobots[] = {"car",       "unicycle",          "diff_drive",       "snake:1", "snake:5",
+                                        "snake:15",  "snake:25",          "truck:0",          "truck:1", "truck:3",
+                                        "unicycle2", "kinematic_truck:0", "kinematic_truck:2"};
   const RobotSpec robot = parse_robot(kRobots[draw.whole(0, std::size(kRobots) - 1)]);
   return draw.chance(0.5) ? of_own_size(robot, draw) : robot;
 }

@@ -94,6 +94,17 @@ TEST(Robot, SnakeAndTruckHaveTheDocumentedDefaults) {
   }
 }
 
+TEST(Robot, KinematicTruckHasTheDocumentedDefaults) {
+  const RobotSpec robot = parse_robot("kinematic_truck:2");
+  EXPECT_THAT(
+      robot.parameters,
+      UnorderedElementsAre(Pair("body_length", 0.7), Pair("body_width", 0.5), Pair("wheelbase", 0.8),
+                           Pair("hitch_length", 0.8), Pair("max_speed", 2.5), Pair("min_speed", 0),
+                           Pair("max_steering", 1), Pair("self_collision_gap", 2), Pair("max_hitch_angle", 1.5707963)));
+  ASSERT_EQ(robot.bodies.size(), 3U);
+  expect_box(robot.bodies[0], -0.35, 0.35, 0.25);
+}
+
 TEST(Robot, TheCarsBodyIsCentredOnTheMiddleOfTheWheelbase) {
   const RobotSpec car = parse_robot("car");
   ASSERT_EQ(car.bodies.size(), 1U);
@@ -130,7 +141,7 @@ TEST(Robot, AnUnknownRobotIsToldTheKnownOnes) {
   EXPECT_THAT(parse_error("tank"), HasSubstr("known are snake:N and truck:N"));
   EXPECT_THAT(parse_error("none.json"), HasSubstr("none.json: cannot be read"));
   EXPECT_THAT(read_error(R"({"model": "tank"})"),
-              HasSubstr("known are snake, truck, car, unicycle, unicycle2, diff_drive"));
+              HasSubstr("known are snake, truck, kinematic_truck, car, unicycle, unicycle2, diff_drive"));
   EXPECT_NE(error_of([] { default_parameters("tank"); }), "");
 }
 

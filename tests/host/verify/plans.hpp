@@ -34,6 +34,10 @@ inline RobotSpec robot(const std::string& model, int links = 0) {
   } else if (model == "diff_drive") {
     spec.parameters = {{"body_length", 0.7}, {"body_width", 0.5},       {"wheel_radius", 0.1},
                        {"track_width", 0.4}, {"max_wheel_speed", 20.0}, {"max_wheel_acceleration", 10.0}};
+  } else if (model == "kinematic_truck") {
+    spec.parameters = {{"body_length", 0.7},  {"body_width", 0.5},         {"wheelbase", 0.8},
+                       {"hitch_length", 0.8}, {"max_speed", 2.5},          {"max_steering", 1.0},
+                       {"min_speed", 0.0},    {"self_collision_gap", 4.0}, {"max_hitch_angle", 1.5}};
   } else if (has_front_axle(model)) {
     spec.parameters = {{"body_length", 0.7},      {"body_width", 0.5},        {"wheelbase", 0.8},
                        {"hitch_length", 0.8},     {"max_speed", 2.5},         {"max_steering", 1.0},
@@ -56,6 +60,15 @@ inline std::vector<RobotSpec> every_robot(int trailers) {
   return robots;
 }
 
+// Of trailers, whose headings begin with component `first`.
+inline void add_trailer_rates(Row& rate, const Row& s, std::size_t first, double pull, double hitch_length) {
+  for (std::size_t i = first; i < s.size(); ++i) {
+    const double bend = (i == first ? s[2] : s[i - 1]) - s[i];
+    rate.push_back(pull * std::sin(bend) / hitch_length);
+    pull *= std::cos(bend);
+  }
+}
+
 // Speed of the point, direction of the heading and turn rate are passed from the axle ahead to the one behind.
 inline Row rates(const RobotSpec& spec, const Row& s, const Row& u) {
   const auto parameter = [&](const char* name) { return spec.parameters.at(name); };
@@ -67,15 +80,15 @@ inline Row rates(const RobotSpec& spec, const Row& s, const Row& u) {
     const double forward = (left + right) / 2;
     return {forward * std::cos(s[2]), forward * std::sin(s[2]), (right - left) / parameter("track_width"), u[0], u[1]};
   }
+  if (spec.model == "kinematic_truck") {
+    Row rate{u[0] * std::cos(s[2]), u[0] * std::sin(s[2]), u[0] * std::tan(u[1]) / parameter("wheelbase")};
+    add_trailer_rates(rate, s, 3, u[0], parameter("hitch_length"));
+    return rate;
+  }
   const double forward = s[3] * std::cos(s[4]);
   Row rate{forward * std::cos(s[2]), forward * std::sin(s[2]), s[3] * std::sin(s[4]) / parameter("wheelbase"), u[0],
            u[1]};
-  double pull = spec.model == "snake" ? s[3] : forward;
-  for (std::size_t i = 5; i < s.size(); ++i) {
-    const double bend = (i == 5 ? s[2] : s[i - 1]) - s[i];
-    rate.push_back(pull * std::sin(bend) / parameter("hitch_length"));
-    pull *= std::cos(bend);
-  }
+  add_trailer_rates(rate, s, 5, spec.model == "snake" ? s[3] : forward, parameter("hitch_length"));
   return rate;
 }
 
@@ -117,7 +130,7 @@ inline Case drive(const RobotSpec& spec, const Steer& steer, std::size_t steps, 
   c.plan.dt = dt;
 
   Row state{at.x, at.y, heading};
-  if (spec.model != "unicycle") state.insert(state.end(), {0, 0});
+  if (spec.model != "unicycle" && spec.model != "kinematic_truck") state.insert(state.end(), {0, 0});
   state.insert(state.end(), static_cast<std::size_t>(spec.links), heading);
   const auto stored = [](const Row& row) { return std::vector<float>(row.begin(), row.end()); };
   const auto read_back = [](const std::vector<float>& row) { return Row(row.begin(), row.end()); };
@@ -141,6 +154,7 @@ inline Row arc_controls(const RobotSpec& spec, std::size_t step, const Row&) {
   const bool starting = step < 10;
   if (spec.model == "unicycle") return {2.0, starting ? 0.0 : 1.0};
   if (spec.model == "unicycle2") return starting ? Row{2, 0} : step < 12 ? Row{0, 5} : Row{0, 0};
+  if (spec.model == "kinematic_truck") return {2.0, starting ? 0.0 : 0.4};
   if (spec.model == "diff_drive") return starting ? Row{8, 8} : step < 12 ? Row{-5, 5} : Row{0, 0};
   return starting ? Row{2, 0} : step < 12 ? Row{0, 2} : Row{0, 0};
 }
@@ -154,7 +168,7 @@ inline Case arc(const std::string& model, int links = 0) {
 // Straight ahead along the x axis from x = 15, at most 2 m/s, about 7 m of way.
 inline Case straight(const RobotSpec& spec) {
   const auto steer = [&](std::size_t step, const Row&) -> Row {
-    if (spec.model == "unicycle") return {2, 0};
+    if (spec.model == "unicycle" || spec.model == "kinematic_truck") return {2, 0};
     if (spec.model == "diff_drive") return step < 20 ? Row{10, 10} : Row{0, 0};
     return step < 10 ? Row{2, 0} : Row{0, 0};
   };

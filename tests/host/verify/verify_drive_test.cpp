@@ -65,6 +65,7 @@ std::vector<DriveCase> drive_cases() {
     }
   }
   all.push_back({"truck_backing", robot("truck", 2), -1, 0.1, 3});
+  all.push_back({"kinematic_truck_backing", robot("kinematic_truck", 2), -1, 0.1, 3});
   return all;
 }
 
@@ -75,9 +76,9 @@ class EveryDrive : public ::testing::TestWithParam<DriveCase> {
     const DriveCase& c = GetParam();
     Row state = Dynamics(c.robot).at_rest({3, 4}, 0.3, {});
     if (c.robot.model == "diff_drive") state[3] = state[4] = c.speed / 0.1;
-    if (state.size() < 5 || c.robot.model == "diff_drive") return state;
-    state[3] = c.speed;
-    for (std::size_t i = 5; i < state.size(); ++i) state[i] += 0.1 * std::sin(static_cast<double>(i));
+    if (has_front_axle(c.robot.model)) state[3] = c.speed;
+    for (std::size_t i = state.size() - static_cast<std::size_t>(c.robot.links); i < state.size(); ++i)
+      state[i] += 0.1 * std::sin(static_cast<double>(i));
     return state;
   }
 
@@ -86,6 +87,7 @@ class EveryDrive : public ::testing::TestWithParam<DriveCase> {
     const DriveCase& c = GetParam();
     const double swing = std::cos(2 * time);
     if (c.robot.model == "unicycle") return {c.speed, 2 * swing};
+    if (c.robot.model == "kinematic_truck") return {c.speed, 0.4 * swing};
     if (c.robot.model == "diff_drive") return {-8 * swing, 8 * swing};
     return {0, c.dt > 0.5 ? 0.2 * swing : swing};
   }

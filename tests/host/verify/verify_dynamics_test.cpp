@@ -36,7 +36,7 @@ TEST(Dynamics, DoNotDependOnTheDirectionOfTheAxes) {
     other[0] = position.x;
     other[1] = position.y;
     for (std::size_t i = 2; i < state.size(); ++i) {
-      const bool heading = i == 2 || (i >= 5 && spec.model != "diff_drive");
+      const bool heading = i == 2 || i + static_cast<std::size_t>(spec.links) >= state.size();
       if (heading) other[i] += angle;
     }
     const State rate = dynamics.derivative(state, control);
@@ -49,8 +49,8 @@ TEST(Dynamics, DoNotDependOnTheDirectionOfTheAxes) {
 }
 
 // The largest sideways speed of an axle, by finite differences of the frames.
-double slip(const Dynamics& dynamics, const State& state) {
-  const State rate = dynamics.derivative(state, {0, 0});
+double slip(const Dynamics& dynamics, const State& state, const Control& control = {0, 0}) {
+  const State rate = dynamics.derivative(state, control);
   const double h = 1e-6;
   const auto moved = [&](double time) {
     State s = state;
@@ -75,6 +75,12 @@ TEST(Dynamics, NoAxleOfATruckSlipsSideways) {
   for (int i = 0; i < 100; ++i) EXPECT_LT(slip(dynamics, random_state(dynamics, generator)), 1e-8);
 }
 
+TEST(Dynamics, NoAxleOfAKinematicTruckSlipsSideways) {
+  std::mt19937 generator(4);
+  const Dynamics dynamics(robot("kinematic_truck", 5));
+  for (int i = 0; i < 100; ++i) EXPECT_LT(slip(dynamics, random_state(dynamics, generator), {1.5, 0.6}), 1e-8);
+}
+
 TEST(Dynamics, ASnakesTrailersSlipAsInThePaper) {
   std::mt19937 generator(3);
   const Dynamics dynamics(robot("snake", 5));
@@ -90,6 +96,15 @@ TEST(Dynamics, AFrontWheelRollsWhereItPoints) {
   const double vy = rate[1] + wheelbase * std::cos(0.4) * rate[2];
   EXPECT_NEAR(vx, 1.5 * std::cos(1.0), 1e-12);
   EXPECT_NEAR(vy, 1.5 * std::sin(1.0), 1e-12);
+}
+
+TEST(Dynamics, AKinematicTruckTurnsOnACircleOfItsWheelbaseOverTheTangent) {
+  const Dynamics dynamics(robot("kinematic_truck"));
+  const double radius = 0.8 / std::tan(0.6);
+  const State end = dynamics.integrate({1, 2, 0.3}, {1.5, 0.6}, 0.1, 8).back();
+  EXPECT_NEAR(end[2], 0.3 + 0.15 / radius, 1e-12);
+  EXPECT_NEAR(end[0], 1 + radius * (std::sin(end[2]) - std::sin(0.3)), 1e-12);
+  EXPECT_NEAR(end[1], 2 - radius * (std::cos(end[2]) - std::cos(0.3)), 1e-12);
 }
 
 TEST(Dynamics, AUnicycleDrivesACircle) {
@@ -123,6 +138,13 @@ TEST(Dynamics, ADifferentialDriveTurnsOnTheSpotWithOppositeWheels) {
 TEST(Dynamics, TrailersHangOneHitchBehind) {
   const Dynamics dynamics(robot("truck", 2));
   const auto frames = dynamics.frames({1, 2, 0.5, 0, 0, 0.2, -0.4});
+  EXPECT_NEAR(frames[1].origin.x, 1 - 0.8 * std::cos(0.2), 1e-12);
+  EXPECT_NEAR(frames[2].origin.y, 2 - 0.8 * std::sin(0.2) + 0.8 * std::sin(0.4), 1e-12);
+}
+
+TEST(Dynamics, TrailersOfAKinematicTruckHangOneHitchBehind) {
+  const Dynamics dynamics(robot("kinematic_truck", 2));
+  const auto frames = dynamics.frames({1, 2, 0.5, 0.2, -0.4});
   EXPECT_NEAR(frames[1].origin.x, 1 - 0.8 * std::cos(0.2), 1e-12);
   EXPECT_NEAR(frames[2].origin.y, 2 - 0.8 * std::sin(0.2) + 0.8 * std::sin(0.4), 1e-12);
 }

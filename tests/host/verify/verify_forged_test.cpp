@@ -58,11 +58,14 @@ class ForgedPlan : public ::testing::TestWithParam<Draw> {
   double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
   double any_side() { return uniform(0, 1) < 0.5 ? 1 : -1; }
   bool is_car_like() const { return has_front_axle(spec_.model); }
+  // Whether its controls are speeds, of which its states have none.
+  bool is_first_order() const { return spec_.model == "unicycle" || spec_.model == "kinematic_truck"; }
 
   // Controls that bring the robot to speed within the first second, then keep it; `turning` rad/s.
   Row cruise(double time, double dt, double turning) const {
     const bool starts = time + dt <= 1 + 1e-9;
     if (spec_.model == "unicycle") return {1, turning};
+    if (spec_.model == "kinematic_truck") return {1, std::atan(0.8 * turning)};
     if (!starts) return {0, 0};
     if (spec_.model == "unicycle2") return {1, turning};
     if (spec_.model == "diff_drive") return {10 - 2 * turning, 10 + 2 * turning};
@@ -214,9 +217,9 @@ TEST_P(ForgedPlan, ByLimitsBrokenBetweenStates) {
   spec_.parameters["max_steering"] = 1.5;
   const bool turns = spec_.model == "unicycle2";
   if (turns) spec_.parameters["max_turn_acceleration"] = 24;
-  const bool folds = GetParam().links > 0;
+  const bool folds = GetParam().links > 0 && is_car_like();
   const auto steer = [&](std::size_t step, const Row&) -> Row {
-    if (spec_.model == "unicycle") return {step == 10 ? 2.0 : 1.0, 0};
+    if (is_first_order()) return {step == 10 ? 2.0 : 1.0, 0};
     if (spec_.model == "diff_drive") return step < 10 ? Row{5, 5} : step == 10 ? Row{-8, 8} : Row{0, 0};
     if (step < 10) return {2, 0};
     return step < 13 ? Row{0, 4} : step == 13 ? Row{0, -swing} : Row{0, 0};
@@ -231,7 +234,7 @@ TEST_P(ForgedPlan, ByLimitsBrokenBetweenStates) {
     // What the states cannot show at all: a control that is beyond its limit for one step.
     if (is_car_like()) lower("max_steering_rate", swing / 1.001);
     if (turns) lower("max_turn_acceleration", swing / 1.001);
-    if (spec_.model == "unicycle") lower("max_speed", 1.99);
+    if (is_first_order()) lower("max_speed", 1.99);
     if (spec_.model == "diff_drive") lower("max_wheel_acceleration", 7.9);
     expect_refused(
         c, AllOf(StartsWith(is_car_like() || turns ? "step 13: " : "step 10: "), HasSubstr("is beyond its limit")));
@@ -251,7 +254,7 @@ TEST_P(ForgedPlan, ByLimitsBrokenBetweenStates) {
 TEST_P(ForgedPlan, ByStoredSpeedsBelowALimit) {
   Case c = cruising(0, 0.1, 5);
   expect_holds(c);
-  if (spec_.model == "unicycle") {  // its states have no speed
+  if (is_first_order()) {
     c.asked.robot.parameters["max_speed"] = c.plan.robot.parameters["max_speed"] = 0.998;
     expect_refused(c, StartsWith("step 0: speed is beyond its limit of 0.998 by up to 0.002"));
     return;
@@ -351,7 +354,9 @@ TEST_P(ForgedPlan, ByAStartThatIsNotAtRest) {
   const auto& first = c.plan.states[0];
   c.asked.start.position = {static_cast<double>(first[0]), static_cast<double>(first[1])};
   c.asked.start.heading = static_cast<double>(first[2]);
-  if (spec_.model == "unicycle") {
+  if (is_first_order() && spec_.links > 0) {
+    expect_refused(c, StartsWith("start: theta1 of state 0 is "));
+  } else if (is_first_order()) {
     expect_holds(c);  // it is at rest wherever it is
   } else {
     expect_refused(

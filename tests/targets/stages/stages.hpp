@@ -65,6 +65,13 @@ R with_trailers(int trailers) {
   return R(parameters);
 }
 
+inline KinematicTruck kinematic_truck() {
+  KinematicTruckParameters parameters;
+  parameters.trailers = 1;
+  parameters.min_speed = -0.5F;
+  return KinematicTruck(parameters);
+}
+
 // Calls visit(name, robot) for the robots that move and search in the stages; they stay.
 template <class Visit>
 void for_each_robot(Visit visit) {
@@ -73,6 +80,7 @@ void for_each_robot(Visit visit) {
   static const DifferentialDrive drive{DifferentialDriveParameters{}};
   static const Car car(Car::defaults());
   static const Truck towing = with_trailers<Truck>(2);
+  static const KinematicTruck kinematic = kinematic_truck();
   static const Snake short_snake = with_trailers<Snake>(5);
   static const Snake long_snake = with_trailers<Snake>(15);
   visit("unicycle", unicycle);
@@ -80,6 +88,7 @@ void for_each_robot(Visit visit) {
   visit("diff_drive", drive);
   visit("car", car);
   visit("truck:2", towing);
+  visit("kinematic_truck:1", kinematic);
   visit("snake:5", short_snake);
   visit("snake:15", long_snake);
 }

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+/// \file
+/// First-order car with trailers: state (x, y, theta0, theta1 … thetaN), control (speed of the rear axle, steering
+/// angle).
+#pragma once
+
+#include "krait/robots/chain.hpp"
+
+namespace krait {
+
+/// Metres, radians, seconds; all numbers finite.
+struct KinematicTruckParameters {
+  static constexpr float kMostSteering = 1.5F;  ///< radians: the most max_steering, whose tangent is 14
+
+  int trailers = 0;            ///< 0 … kMaxTrailers
+  float body_length = 0.7F;    ///< metres, > 0
+  float body_width = 0.5F;     ///< metres, > 0
+  float body_offset = 0.0F;    ///< metres, any: of body 0's centre ahead of the rear axle
+  float wheelbase = 0.8F;      ///< metres, > 0: rear axle to front axle
+  float hitch_length = 0.8F;   ///< metres, > 0: axle to axle
+  float max_speed = 2.5F;      ///< m/s, > 0: of the rear axle
+  float min_speed = 0.0F;      ///< m/s, <= 0: of the rear axle; below 0 it may reverse
+  float max_steering = 1.0F;   ///< radians, above 0, up to kMostSteering: the most of the steering angle, either way
+  int self_collision_gap = 2;  ///< >= 1: bodies i and j are tested against each other where |i - j| is at least this
+  float max_hitch_angle =
+      1.5707963F;  ///< radians, above 0, up to ChainParameters::kMostHitch: the most of theta(i-1) - theta(i)
+
+  /// Calls see(field) for all of them, in their order.
+  template <class See>
+  static constexpr void describe(const See& see) {
+    using P = KinematicTruckParameters;
+    see(ParameterField<P, int>{"trailers", &P::trailers});
+    see(length_field("body_length", &P::body_length));
+    see(length_field("body_width", &P::body_width));
+    see(ParameterField<P, float>{"body_offset", &P::body_offset});
+    see(length_field("wheelbase", &P::wheelbase));
+    see(length_field("hitch_length", &P::hitch_length));
+    see(limit_field("max_speed", &P::max_speed, "metres a second"));
+    see(reverse_field("min_speed", &P::min_speed));
+    see(ParameterField<P, float>{"max_steering", &P::max_steering, "radians", 0.001F, kMostSteering});
+    see(ParameterField<P, int>{"self_collision_gap", &P::self_collision_gap, "bodies", 1, 1000});
+    see(ParameterField<P, float>{"max_hitch_angle", &P::max_hitch_angle, "radians", 0.001F,
+                                 ChainParameters::kMostHitch});
+  }
+};
+
+/// A car whose speed and steering angle change at once, and trailers that roll without slip. While a control is held it
+/// moves as a truck does whose speed and steering angle are held, which answers for its bodies, hitches and bounds. It
+/// owns its parameters and polygons and allocates nothing: 2 KB. Its members are those that RobotModel says; every
+/// function of a state is O(trailers), except those of the car alone: steer, track and integrate_lead, which are O(1).
+class KinematicTruck {
+ public:
+  using Parameters = KinematicTruckParameters;                        ///< what it is made from
+  static constexpr int kCarState = 3;                                 ///< floats of the car's state
+  static constexpr int kMaxState = kCarState + kMaxTrailers;          ///< floats of a state, at most
+  static constexpr int kMaxControl = 2;                               ///< floats of a control
+  static constexpr const char* kStateNames[] = {"x", "y", "theta0"};  ///< of the car's components
+  static constexpr int kMaxBodies = Chain::kMaxBodies;                ///< the car and its trailers, at most
+  using Lead = Chain::Lead;                                           ///< what the trailers must know of the car
+
+  /// Copies the parameters; sound() says whether they can be used. A number of trailers that is out of range becomes
+  /// -1, as a chain's.
+  explicit KinematicTruck(const KinematicTruckParameters& parameters);
+
+  const KinematicTruckParameters& parameters() const { return parameters_; }  ///< its own copy
+  int state_size() const { return kCarState + parameters_.trailers; }         ///< floats: x y theta0 theta1 …
+  int leading_size() const { return kCarState; }                              ///< floats of the car's part of a state
+  int control_size() const { return 2; }                                      ///< floats: m/s, radians
+  int body_count() const { return truck_.body_count(); }                      ///< the car and its trailers
+  int self_collision_gap() const { return parameters_.self_collision_gap; }   ///< of KinematicTruckParameters
+  bool reversible() const { return parameters_.min_speed < 0.0F; }            ///< whether it can drive backwards
+  bool sound() const;  ///< whether every parameter is in its range; O(1)
+
+  /// Replaces the polygon of body k, 0 … kMaxTrailers: metres, 3 to 8 vertices, convex, counter-clockwise, in its
+  /// frame; copied. Of more it keeps none, which init refuses as bad_robot.
+  void set_body(int k, Polygon polygon) { truck_.set_body(k, polygon); }
+  /// Body k's polygon, 0 … kMaxTrailers, in its frame; metres. The vertices are this robot's.
+  Polygon body(int k) const { return truck_.body(k); }
+
+  /// Standing straight: writes state_size() floats. Metres, radians; `angles`: one heading a trailer, or null for
+  /// `heading`. O(trailers).
+  void rest(Vec2 position, float heading, const float* angles, float* state) const;
+
+  /// Steers body 0 toward the target's point; its trailers bound how far the wheels turn.
+  void steer(StateView s, const Target& target, Steering& steering, ControlRef u) const;
+  /// The same, knowing body 0's frame.
+  void steer(StateView s, const Pose* poses, const Target& target, Steering& steering, ControlRef u) const;
+  /// Brings the car back to its reference's line within half a dozen wheelbases. The trailers follow.
+  void track(StateView s, StateView reference, float dt, ControlRef u) const;
+  /// As a chain's.
+  float carry_errors(StateView s, const Pose* poses, ControlView u, float dt, float* errors) const;
+  /// Metres, of body 0: as far as the wheels steer, but no tighter than the trailers follow.
+  float turning_radius() const { return truck_.turning_radius(); }
+  float top_speed() const { return parameters_.max_speed; }  ///< m/s
+  /// Whether the hitch angles keep their limit and the position is finite. It is at rest where its controls end: its
+  /// state has no speed.
+  bool within_limits(StateView s) const;
+  /// Whether also the hitch angles stay 2 mrad below their limit.
+  bool keeps_reserve(StateView s) const;
+  /// Body 0's frame is the rear axle, trailer i's its own axle.
+  void place(StateView s, Pose* poses) const;
+  /// Bounds the motion of each body by the lemmas of lib/robot/CHAIN.md.
+  bool travel(StateView s, ControlView u, float dt, StateView next, Travel* travel) const;
+  /// The bounds of travel for all bodies alike, by lemmas 10 to 13 of lib/robot/CHAIN.md.
+  QuickBound quick_bound(StateView s, ControlView u, float dt, StateView next) const;
+
+  /// 1/s: the larger of speed over the hitch's length, and half of the turn rate at full speed and lock.
+  float fastest_rate(float dt) const;
+  /// What it does at most: at full speed and lock.
+  Extremes extremes() const {
+    const float turn = fastest() * lock_ / parameters_.wheelbase;
+    const float pull = fastest() / parameters_.hitch_length;
+    return {fastest(), turn > pull ? turn : pull, 0.0F};
+  }
+  /// Writes the control of top speed and full lock to the left; the state has none of it.
+  void turn_fastest(float*, float* control) const {
+    control[0] = parameters_.max_speed;
+    control[1] = parameters_.max_steering;
+  }
+
+  /// Rolls as its wheels point; the trailers as a truck's.
+  void derivative(StateView s, ControlView u, StateRef ds) const;
+
+  /// A rough step; of the trailers' headings in s it moves the first only.
+  bool sketch(StateRef s, Pose* poses, ControlView u, float dt) const;
+
+  /// The car's part of a Runge-Kutta step, and what the trailers must know of it.
+  void integrate_lead(StateView s, const Pose* poses, ControlView u, float dt, Lead& lead, float* d) const;
+  /// The trailers' part.
+  void integrate_rest(StateView s, const Pose* poses, float dt, const Lead& lead, float* d) const;
+
+ private:
+  float steering_limit(StateView s, float heading_error, float speed) const;
+
+  float fastest() const {  // m/s
+    const KinematicTruckParameters& p = parameters_;
+    return p.max_speed > -p.min_speed ? p.max_speed : -p.min_speed;
+  }
+
+  KinematicTruckParameters parameters_;
+  Chain truck_;  // that moves alike
+  float lock_;   // the tangent of max_steering
+};
+
+/// Its answers need no second look.
+template <>
+inline constexpr bool kAnswersProven<KinematicTruck> = true;
+
+// Compiled in the library, with its arithmetic.
+extern template class detail::FunctionsOf<KinematicTruck>;
+
+}  // namespace krait

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// How far the wheels of a car may be turned whose trailers roll without slip: in a steady turn the last of N trailers
+// follows only where R^2 > N d^2, and a hitch must not close in on its bound faster than it can recover.
+#pragma once
+
+#include "krait/robots/chain.hpp"
+
+namespace krait::detail {
+
+inline constexpr float kUnfoldRate = 2.0F;  // 1/s: how fast a hitch may close in on its bound
+inline constexpr float kFoldBound = 1.2F;   // radians: the hitch angle that steering keeps clear of
+
+// The most tangent of the steering angle of a turn that all trailers follow for long. P: ChainParameters or the like.
+template <class P>
+[[gnu::always_inline]] inline float steady_tangent(const P& p) {
+  return p.wheelbase / (Chain::kTurnReserve * p.hitch_length * std::sqrt(static_cast<float>(p.trailers)));
+}
+
+// That toward the side on which the first hitch angle is `hitch`, at `speed` m/s, either way.
+template <class P>
+[[gnu::always_inline]] inline float recoverable_tangent(const P& p, float hitch, float speed) {
+  const float bound = p.max_hitch_angle < kFoldBound ? p.max_hitch_angle : kFoldBound;
+  const float recovery = kUnfoldRate * (bound - hitch) / (math::absolute(speed) > 0.1F ? math::absolute(speed) : 0.1F);
+  return p.wheelbase * (math::sin_cos(hitch).sin / p.hitch_length + recovery);
+}
+
+}  // namespace krait::detail
