@@ -33,6 +33,7 @@ HELP = {
     "scenes": "the five scenes, every planner of krait",
     "ablations": "each addition to the paper off in turn",
     "links": "figure 4",
+    "streets": "15, 20 and 25 links in a town quarter",
     "scale": "table 1",
     "parameters": "table 2",
     "peers": "OMPL",

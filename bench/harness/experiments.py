@@ -14,6 +14,7 @@ PAPERS = ("paper", "paper-prior", "paper-rrt")  # the paper's three, under its c
 
 LINKS = (5, 10, 15, 20, 25)
 LONG_CHAIN = f"snake:{LINKS[-1]}"
+STREETS = "streets"  # drawn for long chains; not the paper's
 SCALES = ("0.75", "1", "2", "3", "4")
 SCALED_SCENE = "comb"  # the paper's figure 3(c)
 PARAMETERS_SCENE = "rooms"  # the paper's figure 3(b)
@@ -62,6 +63,11 @@ def scenes():
 def links():
     planners = ("adaptive", "prior", "paper", "paper-prior")
     return [Cell(scene, f"snake:{n}", planner) for n in LINKS for scene in SCENES for planner in planners]
+
+
+def streets():
+    """Long chains in a town quarter."""
+    return [Cell(STREETS, f"snake:{n}", planner) for n in LINKS[-3:] for planner in ("adaptive", "prior")]
 
 
 def scale():
@@ -159,6 +165,7 @@ EXPERIMENTS = {
     "scenes": scenes,
     "ablations": ablations,
     "links": links,
+    "streets": streets,
     "scale": scale,
     "parameters": parameters,
     "peers": peers,

@@ -150,6 +150,10 @@ def _problem(cell):
     return cell.problem
 
 
+def _robot(cell):
+    return cell.robot
+
+
 def _planner(cell):
     return cell.planner.removeprefix(PEER)
 
@@ -212,6 +216,11 @@ def _short(results, cell):
 
 def _paper_figures(mean_and_deviation, otherwise):
     return "{:.2f} ({:.2f})".format(*mean_and_deviation) if mean_and_deviation else otherwise
+
+
+def streets_section(results):
+    rows = _rows(results, experiments.streets(), _robot, _planner)
+    return section("Long chains in streets of 3.5 m", ["robot", "planner", *FIGURES], rows)
 
 
 def scale_section(results):
@@ -366,6 +375,7 @@ def tables(results):
         scenes_section(results),
         ablations_section(results),
         links_section(results),
+        streets_section(results),
         scale_section(results),
         parameters_section(results),
         peers_section(results),

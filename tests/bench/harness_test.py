@@ -664,6 +664,7 @@ class Experiments(unittest.TestCase):
 
     def test_have_the_papers_cells(self):
         self.assertEqual(len(experiments.links()), 5 * 5 * 4)
+        self.assertEqual(len(experiments.streets()), 3 * 2)
         self.assertEqual(len(experiments.parameters()), 20)
         self.assertEqual(len(set(experiments.parameters())), 17)  # the defaults are one cell
         for name, values in experiments.PARAMETERS.items():

@@ -317,7 +317,8 @@ DrawnScene draw_scene(std::uint64_t seed) {
   const auto& names = host::scene_names();
   const double scale = draw.log_uniform(0.25, 16);
   const double rooms = std::clamp(draw.chance(0.5) ? 1 : scale, 0.5, 8.0);
-  drawn.workspace = host::make_scene(names[static_cast<std::size_t>(draw.whole(0, 4))].name, rooms).workspace;
+  const auto last = static_cast<int>(names.size()) - 1;
+  drawn.workspace = host::make_scene(names[static_cast<std::size_t>(draw.whole(0, last))].name, rooms).workspace;
   enlarge(drawn.workspace, scale / rooms);
   drawn.passage = 1.4 * scale / rooms;
   return drawn;

@@ -14,6 +14,7 @@ constexpr double kSide = 50;      // m, of the workspace at scale 1
 constexpr double kWall = 1;       // m, thickness
 constexpr double kWide = 1.4;     // m, a passage that the robot fits through
 constexpr double kNarrow = 0.4;   // m, one that it does not
+constexpr double kStreet = 3.5;   // m, between blocks
 constexpr double kGoalSide = 3;   // m
 constexpr double kTailRoom = 22;  // m from the start to the left bound, for 25 trailers of 0.8 m and half a body
 
@@ -132,21 +133,38 @@ struct Aisle {
   double width;   // m
 };
 
-// The blocks of a band of aisles that runs from y = bottom to top (at scale 1).
-void draw_aisles(Drawing& drawing, const std::vector<Aisle>& aisles, double bottom, double top) {
+// The blocks of a band of aisles from y = bottom to top (at scale 1), `margin` (m) away from both.
+void draw_aisles(Drawing& drawing, const std::vector<Aisle>& aisles, double bottom, double top, double margin = 0) {
   const double s = drawing.scale();
+  const double low = s * bottom + margin;
+  const double high = s * top - margin;
   double left = 0;
   for (const Aisle& aisle : aisles) {
-    drawing.add(rectangle({left, s * bottom}, {s * aisle.center - aisle.width / 2, s * top}));
+    drawing.add(rectangle({left, low}, {s * aisle.center - aisle.width / 2, high}));
     left = s * aisle.center + aisle.width / 2;
   }
-  drawing.add(rectangle({left, s * bottom}, {s * kSide, s * top}));
+  drawing.add(rectangle({left, low}, {s * kSide, high}));
 }
 
 // Three halls across the workspace, joined by aisles 1.9 to 3.3 m wide; no passage is too narrow.
 void draw_corridors(Drawing& drawing) {
   draw_aisles(drawing, {{6, 2.6}, {17, 1.9}, {29, 2.2}, {42, 3.0}}, 8, 22);
   draw_aisles(drawing, {{9, 2.2}, {21, 3.3}, {33, 1.9}, {45, 2.4}}, 29, 42);
+  drawing.start(30, 4);
+  drawing.goal(5, 46);
+}
+
+// A town quarter between two halls: three rows of blocks with streets between them. Behind every street through a row
+// stands a block of the next one (from scale 1 on).
+void draw_streets(Drawing& drawing) {
+  const auto row = [&](double bottom, double top, const std::vector<double>& crossings) {
+    std::vector<Aisle> aisles;
+    for (const double x : crossings) aisles.push_back({x, kStreet});
+    draw_aisles(drawing, aisles, bottom, top, kStreet / 2);
+  };
+  row(8, 19.5, {7, 17, 29, 41});
+  row(19.5, 30.5, {11, 23, 35, 45});
+  row(30.5, 42, {5, 17, 28, 40});
   drawing.start(30, 4);
   drawing.goal(5, 46);
 }
@@ -162,7 +180,8 @@ const std::vector<Entry>& entries() {
       {{"gates", "three walls, each with one passable gate among four"}, draw_gates},
       {{"rooms", "a hall and nine rooms; most doors on the straight way are too narrow"}, draw_rooms},
       {{"comb", "five bays; only one leads on to the goal"}, draw_comb},
-      {{"corridors", "three halls joined by aisles 1.9 to 3.3 m wide; nothing too narrow"}, draw_corridors}};
+      {{"corridors", "three halls joined by aisles 1.9 to 3.3 m wide; nothing too narrow"}, draw_corridors},
+      {{"streets", "a town quarter: streets of 3.5 m around staggered blocks; nothing too narrow"}, draw_streets}};
   return all;
 }
 

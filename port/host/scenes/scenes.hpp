@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The five scenes that krait ships, drawn after the paper's figures 1 and 3: 50 m x 50 m, walls 1 m thick, passages
-// of 1.4 m that a robot fits through and of 0.4 m that it does not, a goal of 3 m x 3 m.
+// The six scenes that krait ships: 50 m x 50 m, walls 1 m thick, passages of 1.4 m that a robot fits through and of
+// 0.4 m that it does not, a goal of 3 m x 3 m. All but `streets` are drawn after the paper's figures 1 and 3.
 #pragma once
 
 #include <string>
@@ -23,7 +23,7 @@ struct Passage {
 
 struct Scene {
   Workspace workspace;            // one goal "goal", one start "start" with 20.5 m of free floor straight behind it
-  std::vector<Passage> passages;  // none in `corridors`
+  std::vector<Passage> passages;  // none in `corridors` and `streets`
 };
 
 struct SceneName {
@@ -31,10 +31,10 @@ struct SceneName {
   const char* description;  // a line
 };
 
-// In the order of the documentation: openings, gates, rooms, comb, corridors.
+// In the order of the documentation: openings, gates, rooms, comb, corridors, streets.
 const std::vector<SceneName>& scene_names();
 
-// The scale multiplies every position and room; widths of passages, walls, corridors and the goal stay. Throws
+// The scale multiplies every position and room; widths of passages, walls, aisles, streets and the goal stay. Throws
 // InputError for an unknown name or a scale outside kMinSceneScale…kMaxSceneScale.
 Scene make_scene(const std::string& name, double scale);
 

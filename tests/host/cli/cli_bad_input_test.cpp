@@ -41,7 +41,7 @@ TEST_F(CliBadInput, WrongUse) {
   expect_refused({"compile"}, "INPUT");
   expect_refused({"compile", "room.json"}, "output");
   expect_refused({"compile", "room.json", "-o", "x.krait", "--bogus"}, "--bogus");
-  expect_refused({"scene", "nowhere", "-o", "x.json"}, "openings, gates, rooms, comb, corridors");
+  expect_refused({"scene", "nowhere", "-o", "x.json"}, "openings, gates, rooms, comb, corridors, streets");
   expect_refused({"scene", "gates", "-o", "x.json", "--scale", "0"}, "scale");
   expect_refused({"scene", "gates", "-o", "x.json", "--scale", "nan"}, "scale");
   expect_plan_refused({"--planner", "bogus"}, "bogus");

@@ -79,7 +79,7 @@ TEST_F(CliHelp, TeachesInfoVerifyAndScene) {
   expect_all(help({"verify"}), {"INPUT", "PLAN", "--robot", "--start", "--goal", "--unknown"});
   expect_all(help({"robot"}), {"ROBOT", "--svg", "--png", "ROBOT.json"});
   expect_all(help({"robots"}), {"shipped robots"});
-  expect_all(help({"scene"}), {"openings", "gates", "rooms", "comb", "corridors", "--scale", "-o"});
+  expect_all(help({"scene"}), {"openings", "gates", "rooms", "comb", "corridors", "streets", "--scale", "-o"});
 }
 
 TEST_F(CliHelp, SaysItsVersion) {

@@ -30,7 +30,15 @@ TEST_P(ShippedScene, SnakeOf15Smaller) { expect_solved("snake:15", 0.75, seeds(2
 TEST_P(ShippedScene, SnakeOf15TwiceAsLarge) { expect_solved("snake:15", 2, seeds(2, 20)); }
 TEST_P(ShippedScene, SnakeOf15FourTimesAsLarge) { expect_solved("snake:15", 4, seeds(2, 20)); }
 
-INSTANTIATE_TEST_SUITE_P(All, ShippedScene, testing::Values("openings", "gates", "rooms", "comb", "corridors"),
+using LongChain = ShippedScene;
+TEST_P(LongChain, SnakeOf25) { expect_solved("snake:25", 1, seeds(10, 100)); }
+TEST_P(LongChain, SnakeOf25TwiceAsLarge) { expect_solved("snake:25", 2, seeds(5, 100)); }
+
+INSTANTIATE_TEST_SUITE_P(All, ShippedScene,
+                         testing::Values("openings", "gates", "rooms", "comb", "corridors", "streets"),
+                         [](const auto& scene) { return std::string(scene.param); });
+
+INSTANTIATE_TEST_SUITE_P(Streets, LongChain, testing::Values("streets"),
                          [](const auto& scene) { return std::string(scene.param); });
 
 }  // namespace

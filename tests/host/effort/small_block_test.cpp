@@ -45,7 +45,8 @@ TEST_P(SmallBlock, HoldsEverySearch) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, SmallBlock, ::testing::Values("openings", "gates", "rooms", "comb", "corridors"),
+INSTANTIATE_TEST_SUITE_P(Scenes, SmallBlock,
+                         ::testing::Values("openings", "gates", "rooms", "comb", "corridors", "streets"),
                          [](const auto& scene) { return scene.param; });
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "../scratch.hpp"
 #include "host/import/import.hpp"
@@ -163,7 +164,7 @@ TEST_P(SceneTest, TheGoalIsReachedByADiscOfTheRobotsInradius) { EXPECT_TRUE(reac
 
 TEST_P(SceneTest, WithoutItsPassablePassagesTheGoalIsOutOfReach) {
   if (scene_.passages.empty()) {
-    EXPECT_TRUE(reachable(0.85));  // corridors: nothing narrower than 1.9 m is needed
+    EXPECT_TRUE(reachable(name() == "streets" ? 1.6 : 0.85));  // nothing narrower than 3.5 m, or 1.9 m, is needed
   } else {
     EXPECT_FALSE(reachable(kInradius, passages(true)));
     EXPECT_TRUE(reachable(0.6, passages(false)));
@@ -222,17 +223,39 @@ TEST_P(SceneTest, TheGoalIsThreeMetresWideFreeAndInside) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, SceneTest,
-                         testing::Combine(testing::Values("openings", "gates", "rooms", "comb", "corridors"),
+                         testing::Combine(testing::Values("openings", "gates", "rooms", "comb", "corridors", "streets"),
                                           testing::Values(0.5, 0.75, 1.0, 2.0, 4.0)),
                          [](const auto& test) {
                            return std::get<0>(test.param) + "_" +
                                   std::to_string(static_cast<int>(100 * std::get<1>(test.param)));
                          });
 
-TEST(Scenes, AreFiveByName) {
+TEST(Scenes, AreSixByName) {
   std::vector<std::string> names;
   for (const SceneName& name : scene_names()) names.emplace_back(name.name);
-  EXPECT_THAT(names, testing::ElementsAre("openings", "gates", "rooms", "comb", "corridors"));
+  EXPECT_THAT(names, testing::ElementsAre("openings", "gates", "rooms", "comb", "corridors", "streets"));
+}
+
+// A disc of the robots' inradius that drives along y through one row of blocks meets the next.
+TEST(Scenes, HaveStreetsThatDoNotGoOnBehindTheNextRow) {
+  for (const double scale : {1.0, 2.0, 4.0}) {
+    std::map<double, std::vector<Box>> rows;  // by their lower edges
+    for (const Obstacle& obstacle : make_scene("streets", scale).workspace.obstacles) {
+      const Box box = box_of(obstacle.outer);
+      rows[box.min.y].push_back(box);
+    }
+    ASSERT_EQ(rows.size(), 3U);
+    for (double x = kInradius; x < 50 * scale; x += kInradius) {
+      bool before = false;
+      for (const auto& [bottom, blocks] : rows) {
+        const bool open = std::none_of(blocks.begin(), blocks.end(), [&](const Box& block) {
+          return block.min.x < x + kInradius && x - kInradius < block.max.x;
+        });
+        EXPECT_FALSE(before && open) << x << " " << bottom;
+        before = open;
+      }
+    }
+  }
 }
 
 TEST(Scenes, RefuseUnknownNamesAndScales) {
