@@ -18,19 +18,19 @@ FIRST_SEED = 10_001
 SHORT, LONG = 0.05, 1.0  # seconds of one core, first plan included
 STEP = 0.1  # seconds, of dynobench's robots
 
-# Seconds: medians of the first solution's time, of its cost and of the final cost after 120 s, of the planner with the
-# least final cost, from the table to: J. Ortiz-Haro, W. Hoenig, V. Hartmann, M. Toussaint, iDb-A*: Iterative Search and
-# Optimization for Optimal Kinodynamic Motion Planning, IEEE T-RO 2024 (one core of an EPYC 7502).
+# Seconds, medians: the time and the cost of iDb-A*'s first solution, and the least final cost after 120 s of iDb-A*,
+# RRT* with trajectory optimisation, and SST*, from the table to: J. Ortiz-Haro, W. Hoenig, V. Hartmann, M. Toussaint,
+# iDb-A*: Iterative Search and Optimization for Optimal Kinodynamic Motion Planning, IEEE T-RO 2024.
 PUBLISHED = {
     ("unicycle1_v0", "bugtrap_0"): (0.3, 22.2, 20.9),
     ("unicycle1_v0", "kink_0"): (0.2, 21.5, 13.2),
-    ("unicycle1_v0", "parallelpark_0"): (0.1, 4.4, 3.0),
+    ("unicycle1_v0", "parallelpark_0"): (0.1, 3.1, 3.0),
     ("unicycle2_v0", "bugtrap_0"): (0.8, 25.3, 25.0),
     ("unicycle2_v0", "kink_0"): (0.3, 17.7, 17.7),
-    ("unicycle2_v0", "parallelpark_0"): (0.1, 5.6, 5.6),
+    ("unicycle2_v0", "parallelpark_0"): (0.1, 5.8, 5.6),
     ("car1_v0", "bugtrap_0"): (0.5, 19.3, 19.0),
     ("car1_v0", "kink_0"): (0.8, 23.0, 15.5),
-    ("car1_v0", "parallelpark_0"): (0.1, 3.3, 3.2),
+    ("car1_v0", "parallelpark_0"): (0.1, 3.4, 3.2),
 }
 
 
@@ -150,10 +150,11 @@ def page(rows, seeds, long_seeds):
 Written by `python3 bench/dynobench/dynobench.py SAMPLES` at commit {commit}, on one core of {machine()}.
 
 The goals are full states: within 0.1 m of the position and 0.1 rad of the heading, at rest, and the trailer of `car1`
-within 0.1 rad of straight. Every plan was proven, and verified in double precision: {seeds} seeds from {FIRST_SEED:,},
-{long_seeds} for the plans of {LONG:g} s. Costs are durations in seconds, medians with the 90th percentile in brackets.
-The published numbers are medians, too, of iDb-A*, RRT* with trajectory optimisation, and SST*, of each column the best
-(Ortiz-Haro, Hönig, Hartmann and Toussaint, iDb-A*, IEEE T-RO 2024; one core of an EPYC 7502, 120 s).
+within 0.1 rad of straight. Every plan was proven, and verified in double precision.
+There are {seeds} seeds from {FIRST_SEED:,}, {long_seeds} for the plans of {LONG:g} s. Costs are durations in seconds,
+medians with the 90th percentile in brackets. Published are the time and cost of iDb-A*'s first plan, and the best final
+cost of iDb-A*, RRT* with trajectory optimisation, and SST*, in medians (Ortiz-Haro, Hönig, Hartmann and Toussaint,
+iDb-A*, IEEE T-RO 2024; one core of an EPYC 7502, 120 s).
 
 | robot | problem | solved | first plan: ms [published], times as fast | its cost [published] | best final cost \
 | after {1e3 * SHORT:g} ms: median [90th], of the best | after {LONG:g} s | cm apart by Euler |
@@ -164,6 +165,11 @@ The published numbers are medians, too, of iDb-A*, RRT* with trajectory optimisa
 far a plan's positions are apart, at most over all plans, if its controls are integrated by Euler. krait ends anywhere
 within the tolerances above, which is a little less way than to the goal itself. Its times are those of a search in a
 program that has compiled the map. The machines differ.
+
+**Where krait is no better.** `unicycle2` drives as its steering lets it, which stops to turn in narrow corners: its
+plans take 1.1 to 1.6 times the best. First plans of `car1` through `kink_0` go around the outside. With its trailer
+straight at the end, `car1` needs more room than `parallelpark_0` has for a straight lead to the goal, so that a search
+must find the way by chance; without `--hitch-tolerance` it is found within a millisecond.
 """
 
 
