@@ -16,6 +16,9 @@ namespace {
 
 constexpr PidGains kHeadingGains{3.0F, 0.05F, 0.1F};  // rad/s per radian of heading error
 constexpr float kInside = 1.0F - 1e-5F;               // keeps rounding from carrying a wheel across its limit
+constexpr float kSteered = 0.98F;                     // of the wheels' accelerations: what steering takes; tracking
+                                                      // has the rest, too
+constexpr float kTurnBrake = 0.7F;                    // of them: what turning is to be stopped with
 
 }  // namespace
 
@@ -25,32 +28,44 @@ bool DifferentialDrive::sound() const {
          positive(p.max_wheel_speed) && positive(p.max_wheel_acceleration);
 }
 
+// The most turn rate toward a heading that is `error` radians off, such that turning can be stopped there: w with
+// w^2 / (2 a) + w dt = error - omega dt / 2, as unicycle2 has it, since wheels may take seconds to change their speed.
+float DifferentialDrive::stoppable_turn(StateView s, float error, float dt) const {
+  const float per_wheel = 2.0F * parameters_.wheel_radius / parameters_.track_width;
+  const float brake = kTurnBrake * parameters_.max_wheel_acceleration * per_wheel;
+  const float left = error - 0.25F * (s[4] - s[3]) * per_wheel * dt;
+  const float step = brake * dt;
+  return std::sqrt(step * step + 2.0F * brake * math::absolute(left)) - step;
+}
+
 // Wanted speed and turn rate become wheel speeds; where a wheel would be too fast, speed yields to turning.
 void DifferentialDrive::steer(StateView s, const Target& target, Steering& steering, ControlRef u) const {
   const DifferentialDriveParameters& p = parameters_;
   if (target.speed == 0.0F) {
     constexpr float kStill[2] = {0.0F, 0.0F};
-    approach(s, kStill, target.dt, u);
+    approach(s, kStill, 1.0F, target.dt, u);
     return;
   }
   const float error = heading_error(s, target);
   const float along = math::sin_cos(error).cos;
   const float most = p.max_wheel_speed * kInside;
-  const float half_turn = math::clamp(
-      steering.heading(kHeadingGains, error, target.dt) * 0.5F * p.track_width / p.wheel_radius, -most, most);
+  const float fastest = stoppable_turn(s, error, target.dt);
+  const float turn = math::clamp(steering.heading(kHeadingGains, error, target.dt), -fastest, fastest);
+  const float half_turn = math::clamp(turn * 0.5F * p.track_width / p.wheel_radius, -most, most);
   const float room = most - math::absolute(half_turn);
   const float forward = math::clamp(target.speed * most * (along > 0.0F ? along : 0.0F), -room, room);
   const float wanted[2] = {forward - half_turn, forward + half_turn};
-  approach(s, wanted, target.dt, u);
+  approach(s, wanted, kSteered, target.dt, u);
 }
 
-// The control that brings the wheels' speeds as near to the wanted ones as the limits allow in a time step.
-void DifferentialDrive::approach(StateView s, const float* wanted, float dt, ControlRef u) const {
+// The control that brings the wheels' speeds as near to the wanted ones as their limit and `share` of the accelerations
+// allow in a time step.
+void DifferentialDrive::approach(StateView s, const float* wanted, float share, float dt, ControlRef u) const {
   const DifferentialDriveParameters& p = parameters_;
   const float most = p.max_wheel_speed * kInside;
+  const float push = share * p.max_wheel_acceleration;
   for (int wheel = 0; wheel < 2; ++wheel) {
-    u[wheel] = math::clamp((math::clamp(wanted[wheel], -most, most) - s[3 + wheel]) / dt, -p.max_wheel_acceleration,
-                           p.max_wheel_acceleration);
+    u[wheel] = math::clamp((math::clamp(wanted[wheel], -most, most) - s[3 + wheel]) / dt, -push, push);
   }
 }
 
@@ -61,7 +76,7 @@ void DifferentialDrive::track(StateView s, StateView reference, float dt, Contro
   const float turn = 0.5F * p.track_width * kHeadingShare * change.heading / dt;
   const float wanted[2] = {reference[3] + u[0] * dt + (change.speed - turn) / p.wheel_radius,
                            reference[4] + u[1] * dt + (change.speed + turn) / p.wheel_radius};
-  approach(s, wanted, dt, u);
+  approach(s, wanted, 1.0F, dt, u);
 }
 
 bool DifferentialDrive::within_limits(StateView s) const {

@@ -68,7 +68,8 @@ class DifferentialDrive : public PlanarBody {
     ds[3] = u[0];
     ds[4] = u[1];
   }
-  /// Wanted speed and turn rate become wheel speeds; where a wheel would be too fast, speed yields to turning.
+  /// Wanted speed and turn rate become wheel speeds; where a wheel would be too fast, speed yields to turning. It turns
+  /// no faster than it can stop turning when it faces the target.
   void steer(StateView s, const Target& target, Steering& steering, ControlRef u) const;
   /// Brings it back to its reference's line within some body lengths.
   void track(StateView s, StateView reference, float dt, ControlRef u) const;
@@ -105,7 +106,8 @@ class DifferentialDrive : public PlanarBody {
   }
 
  private:
-  void approach(StateView s, const float* wanted, float dt, ControlRef u) const;
+  float stoppable_turn(StateView s, float error, float dt) const;
+  void approach(StateView s, const float* wanted, float share, float dt, ControlRef u) const;
 
   DifferentialDriveParameters parameters_;
 };
