@@ -2,26 +2,31 @@
 #include "krait/robots/chain.hpp"
 
 #include "base/lanes/angles.hpp"
-#include "robot/folding.hpp"
+#include "robot/front_wheels.hpp"
+#include "robot/limits.hpp"
 #include "robot/shape.hpp"
 #include "robot/tracking.hpp"
+#include "robot/trailers.hpp"
 
 namespace krait {
 
-using detail::correction;
-using detail::Correction;
 using detail::deviation;
 using detail::farthest;
+using detail::inside;
+using detail::kInside;
 using detail::positive;
 using detail::recoverable_tangent;
 using detail::steady_tangent;
-using detail::tracking_distance;
+using detail::trailer_rates;
+using detail::wheel_correction;
+using detail::WheelCorrection;
+using detail::wheels_error;
+using detail::within_lock;
 
 namespace {
 
 constexpr PidGains kHeadingGains{4.0F, 0.05F, 0.05F};  // radians of steering per radian of heading error
 constexpr PidGains kSpeedGains{10.0F, 0.1F, 0.1F};     // m/s^2 per m/s
-constexpr float kInside = 1.0F - 1e-5F;                // keeps rounding from carrying a state across its limit
 
 constexpr float kHitchReserve = 2e-3F;            // radians: the tree's hitch angles stay so far below their limit
 constexpr float kHitchError = 3e-4F;              // radians: what RK4 may be off by in a step
@@ -55,17 +60,6 @@ float exponential(float x) {
 
 // Rarely wanted, so not inlined.
 [[gnu::noinline]] SinCos any_sin_cos(float angle) { return math::sin_cos(angle); }
-
-// Writes the rates of trailers by the pull on the first; hitch(k) returns the hitch angle before trailer k. A trailer
-// turns at the pull on it times the angle's sine, and pulls on by as much of it as the cosine leaves.
-template <class Hitch>
-void trailer_rates(float pull, int trailers, const Hitch& hitch, float* ds) {
-  for (int k = 0; k < trailers; ++k) {
-    const SinCos angle = hitch(k);
-    ds[k] = pull * angle.sin;
-    pull = pull * angle.cos;
-  }
-}
 
 constexpr int kStages = Chain::Lead::kStages;
 
@@ -194,18 +188,13 @@ void Chain::steer(StateView s, const Target& target, Steering& steering, Control
 [[gnu::flatten]] void Chain::steer(StateView s, const Pose* poses, const Target& target, Steering& steering,
                                    ControlRef u) const {
   const ChainParameters& p = parameters_;
-  const SinCos heading = poses[0].heading;
-  const Vec2 to{target.point.x - s[0], target.point.y - s[1]};
-  const Vec2 along{heading.cos, heading.sin};
   const bool stops = target.speed == 0.0F;
   const bool backward = target.speed < 0.0F || (stops && s[3] < 0.0F);
-  const float error =
-      backward ? -math::atan2(-cross(along, to), -dot(along, to)) : math::atan2(cross(along, to), dot(along, to));
+  const float error = wheels_error(s, poses[0].heading, target.point, backward);
   const float wanted = steering.heading(kHeadingGains, error, target.dt);
   const float lock = p.max_steering * kInside * target.turn;
   const float side = steering_limit(s, wanted, s[3]);
-  const float psi = wanted < 0.0F ? math::clamp(wanted, -math::clamp(side, -lock, lock), lock)
-                                  : math::clamp(wanted, -lock, math::clamp(side, -lock, lock));
+  const float psi = within_lock(wanted, side, lock);
   const float set_point = target.speed * (backward ? -p.min_speed : p.max_speed);
   const float push = steering.speed(kSpeedGains, set_point - s[3], target.dt);
   const float gain = math::clamp(push, -p.max_acceleration, p.max_acceleration);
@@ -232,21 +221,15 @@ float Chain::stopping_way(StateView s) const {
 void Chain::approach(StateView s, float speed, float psi, float dt, ControlRef u) const {
   const ChainParameters& p = parameters_;
   const float lock = p.max_steering * kInside;
-  const float inset = (1.0F - kInside) * (p.max_speed - p.min_speed);
-  const float next = math::clamp(speed, p.min_speed + inset, p.max_speed - inset);
-  u[0] = math::clamp((next - s[3]) / dt, -p.max_acceleration, p.max_acceleration);
+  u[0] = math::clamp((inside(speed, p.min_speed, p.max_speed) - s[3]) / dt, -p.max_acceleration, p.max_acceleration);
   u[1] = math::clamp((math::clamp(psi, -lock, lock) - s[4]) / dt, -p.max_steering_rate, p.max_steering_rate);
 }
 
-// The car follows its reference's line; curvature changes by what turns it over within half a dozen wheelbases, and
-// the steering angle by the wheelbase times that.
 void Chain::track(StateView s, StateView reference, float dt, ControlRef u) const {
   const ChainParameters& p = parameters_;
   const float speed = reference[3];
-  const float distance = 4.0F * p.wheelbase;
-  const Correction change = correction(deviation(s, reference), speed, distance, dt);
-  const float bend = p.wheelbase * 4.0F * change.heading / tracking_distance(speed, distance, dt);
-  approach(s, speed + u[0] * dt + change.speed, reference[4] + u[1] * dt + (speed < 0.0F ? -bend : bend), dt, u);
+  const WheelCorrection change = wheel_correction(deviation(s, reference), speed, p.wheelbase, dt);
+  approach(s, speed + u[0] * dt + change.speed, reference[4] + u[1] * dt + change.steering, dt, u);
 }
 
 // Carries errors on to first order, with the rates of the step's middle speed. With phi the hitch angle before trailer

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "krait/robots/differential_drive.hpp"
 
+#include "robot/limits.hpp"
 #include "robot/shape.hpp"
 #include "robot/tracking.hpp"
+#include "robot/turning.hpp"
 
 namespace krait {
 
@@ -10,15 +12,15 @@ using detail::correction;
 using detail::Correction;
 using detail::deviation;
 using detail::kHeadingShare;
+using detail::kInside;
+using detail::kSteered;
+using detail::kTurnBrake;
 using detail::positive;
+using detail::stoppable_turn;
 
 namespace {
 
 constexpr PidGains kHeadingGains{3.0F, 0.05F, 0.1F};  // rad/s per radian of heading error
-constexpr float kInside = 1.0F - 1e-5F;               // keeps rounding from carrying a wheel across its limit
-constexpr float kSteered = 0.98F;                     // of the wheels' accelerations: what steering takes; tracking
-                                                      // has the rest, too
-constexpr float kTurnBrake = 0.7F;                    // of them: what turning is to be stopped with
 
 }  // namespace
 
@@ -26,16 +28,6 @@ bool DifferentialDrive::sound() const {
   const DifferentialDriveParameters& p = parameters_;
   return positive(p.body_length) && positive(p.body_width) && positive(p.wheel_radius) && positive(p.track_width) &&
          positive(p.max_wheel_speed) && positive(p.max_wheel_acceleration);
-}
-
-// The most turn rate toward a heading that is `error` radians off, such that turning can be stopped there: w with
-// w^2 / (2 a) + w dt = error - omega dt / 2, as unicycle2 has it, since wheels may take seconds to change their speed.
-float DifferentialDrive::stoppable_turn(StateView s, float error, float dt) const {
-  const float per_wheel = 2.0F * parameters_.wheel_radius / parameters_.track_width;
-  const float brake = kTurnBrake * parameters_.max_wheel_acceleration * per_wheel;
-  const float left = error - 0.25F * (s[4] - s[3]) * per_wheel * dt;
-  const float step = brake * dt;
-  return std::sqrt(step * step + 2.0F * brake * math::absolute(left)) - step;
 }
 
 // Wanted speed and turn rate become wheel speeds; where a wheel would be too fast, speed yields to turning.
@@ -49,7 +41,9 @@ void DifferentialDrive::steer(StateView s, const Target& target, Steering& steer
   const float error = heading_error(s, target);
   const float along = math::sin_cos(error).cos;
   const float most = p.max_wheel_speed * kInside;
-  const float fastest = stoppable_turn(s, error, target.dt);
+  const float per_wheel = 2.0F * p.wheel_radius / p.track_width;
+  const float left = error - 0.25F * (s[4] - s[3]) * per_wheel * target.dt;
+  const float fastest = stoppable_turn(left, kTurnBrake * p.max_wheel_acceleration * per_wheel, target.dt);
   const float turn = math::clamp(steering.heading(kHeadingGains, error, target.dt), -fastest, fastest);
   const float half_turn = math::clamp(turn * 0.5F * p.track_width / p.wheel_radius, -most, most);
   const float room = most - math::absolute(half_turn);

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "krait/robots/kinematic_truck.hpp"
 
-#include "robot/folding.hpp"
-#include "robot/shape.hpp"
-#include "robot/tracking.hpp"
+#include "robot/front_wheels.hpp"
+#include "robot/trailers.hpp"
 
 namespace krait {
 
-using detail::correction;
-using detail::Correction;
 using detail::deviation;
 using detail::recoverable_tangent;
 using detail::steady_tangent;
-using detail::tracking_distance;
+using detail::trailer_rates;
+using detail::wheel_correction;
+using detail::WheelCorrection;
+using detail::wheels_error;
+using detail::within_lock;
 
 namespace {
 
@@ -110,13 +111,9 @@ void KinematicTruck::steer(StateView s, const Pose* poses, const Target& target,
     u.setZero();
     return;
   }
-  const SinCos heading = poses[0].heading;
-  const Vec2 to{target.point.x - s[0], target.point.y - s[1]};
-  const Vec2 along{heading.cos, heading.sin};
   const bool backward = target.speed < 0.0F;
   const float speed = target.speed * (backward ? -p.min_speed : p.max_speed);
-  const float error =
-      backward ? -math::atan2(-cross(along, to), -dot(along, to)) : math::atan2(cross(along, to), dot(along, to));
+  const float error = wheels_error(s, poses[0].heading, target.point, backward);
   PidGains gains = kHeadingGains;
   const float way = math::absolute(speed) * target.dt;
   if (gains.proportional * way > p.wheelbase) gains.proportional = p.wheelbase / way;
@@ -124,20 +121,14 @@ void KinematicTruck::steer(StateView s, const Pose* poses, const Target& target,
   const float lock = target.turn < 1.0F ? math::atan2(target.turn * lock_, 1.0F) : p.max_steering;
   const float side = steering_limit(s, wanted, speed);
   u[0] = speed;
-  u[1] = wanted < 0.0F ? math::clamp(wanted, -math::clamp(side, -lock, lock), lock)
-                       : math::clamp(wanted, -lock, math::clamp(side, -lock, lock));
+  u[1] = within_lock(wanted, side, lock);
 }
 
-// The car follows its reference's line; curvature changes by what turns it over within half a dozen wheelbases, and
-// the steering angle by the wheelbase times that.
 void KinematicTruck::track(StateView s, StateView reference, float dt, ControlRef u) const {
   const KinematicTruckParameters& p = parameters_;
-  const float speed = u[0];
-  const float distance = 4.0F * p.wheelbase;
-  const Correction change = correction(deviation(s, reference), speed, distance, dt);
-  const float bend = p.wheelbase * 4.0F * change.heading / tracking_distance(speed, distance, dt);
-  u[0] = math::clamp(speed + change.speed, p.min_speed, p.max_speed);
-  u[1] = math::clamp(u[1] + (speed < 0.0F ? -bend : bend), -p.max_steering, p.max_steering);
+  const WheelCorrection change = wheel_correction(deviation(s, reference), u[0], p.wheelbase, dt);
+  u[0] = math::clamp(u[0] + change.speed, p.min_speed, p.max_speed);
+  u[1] = math::clamp(u[1] + change.steering, -p.max_steering, p.max_steering);
 }
 
 float KinematicTruck::carry_errors(StateView s, const Pose* poses, ControlView u, float dt, float* errors) const {
@@ -172,12 +163,8 @@ void KinematicTruck::derivative(StateView s, ControlView u, StateRef ds) const {
   ds[0] = u[0] * heading.cos;
   ds[1] = u[0] * heading.sin;
   ds[2] = u[0] * tangent(math::sin_cos(u[1])) / parameters_.wheelbase;
-  float pull = u[0] / parameters_.hitch_length;
-  for (int i = kCarState; i < static_cast<int>(s.size()); ++i) {
-    const SinCos hitch = math::sin_cos(s[i - 1] - s[i]);
-    ds[i] = pull * hitch.sin;
-    pull = pull * hitch.cos;
-  }
+  const auto hitch = [s](int k) { return math::sin_cos(s[kCarState - 1 + k] - s[kCarState + k]); };
+  trailer_rates(u[0] / parameters_.hitch_length, static_cast<int>(s.size()) - kCarState, hitch, ds.data() + kCarState);
 }
 
 bool KinematicTruck::sketch(StateRef s, Pose* poses, ControlView u, float dt) const {

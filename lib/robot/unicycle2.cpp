@@ -1,24 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "krait/robots/unicycle2.hpp"
 
+#include "robot/limits.hpp"
 #include "robot/shape.hpp"
 #include "robot/tracking.hpp"
+#include "robot/turning.hpp"
 
 namespace krait {
 
 using detail::correction;
 using detail::Correction;
 using detail::deviation;
+using detail::inside;
 using detail::kHeadingShare;
+using detail::kInside;
+using detail::kSteered;
+using detail::kTurnBrake;
 using detail::positive;
-
-namespace {
-
-constexpr float kInside = 1.0F - 1e-5F;  // keeps rounding from carrying a state across its limit
-constexpr float kSteered = 0.98F;        // of the largest accelerations: what steering takes, and tracking has the rest
-constexpr float kTurnBrake = 0.7F;       // of the largest turn acceleration: what turning is to be stopped with
-
-}  // namespace
+using detail::stoppable_turn;
 
 bool Unicycle2::sound() const {
   const Unicycle2Parameters& p = parameters_;
@@ -27,11 +26,9 @@ bool Unicycle2::sound() const {
          positive(p.max_turn_acceleration);
 }
 
-// With the turn rate w after this step it turns by (omega + w) dt / 2 in it, and by less than w^2 / (2 a) + w dt / 2
-// until it no longer turns. So w is the root of w^2 / (2 a) + w dt = error - omega dt / 2, which leaves no error after
-// two steps where a is no limit. Where it turns so fast that it will pass the direction behind it, it turns on and not
-// back. Speed yields by the cosine's square: a machine that takes two seconds to its top speed finds its way with fewer
-// vertices so than with the cosine.
+// Where it turns so fast that it will pass the direction behind it, it turns on and not back. Speed yields by the
+// cosine's square: a machine that takes two seconds to its top speed finds its way with fewer vertices so than with the
+// cosine.
 void Unicycle2::steer(StateView s, const Target& target, Steering&, ControlRef u) const {
   const Unicycle2Parameters& p = parameters_;
   if (target.speed == 0.0F) {
@@ -43,9 +40,7 @@ void Unicycle2::steer(StateView s, const Target& target, Steering&, ControlRef u
   const float stopped = error - 0.5F * s[4] * math::absolute(s[4]) / (kSteered * p.max_turn_acceleration);
   const float around = stopped > kPi ? error - 2.0F * kPi : stopped < -kPi ? error + 2.0F * kPi : error;
   const float left = around - 0.5F * s[4] * target.dt;
-  const float brake = kTurnBrake * p.max_turn_acceleration;
-  const float step = brake * target.dt;
-  const float rate = std::sqrt(step * step + 2.0F * brake * math::absolute(left)) - step;
+  const float rate = stoppable_turn(left, kTurnBrake * p.max_turn_acceleration, target.dt);
   const float top = target.speed * (target.speed < 0.0F ? -p.min_speed : p.max_speed);
   approach(s, along > 0.0F ? top * along * along : 0.0F, left < 0.0F ? -rate : rate, kSteered, target.dt, u);
 }
@@ -56,11 +51,9 @@ void Unicycle2::steer(StateView s, const Target& target, Steering&, ControlRef u
 void Unicycle2::approach(StateView s, float speed, float turn_rate, float share, float dt, ControlRef u) const {
   const Unicycle2Parameters& p = parameters_;
   const float most = p.max_turn_rate * kInside;
-  const float inset = (1.0F - kInside) * (p.max_speed - p.min_speed);
-  const float next = math::clamp(speed, p.min_speed + inset, p.max_speed - inset);
   const float push = share * p.max_acceleration;
   const float twist = share * p.max_turn_acceleration;
-  u[0] = math::clamp((next - s[3]) / dt, -push, push);
+  u[0] = math::clamp((inside(speed, p.min_speed, p.max_speed) - s[3]) / dt, -push, push);
   u[1] = math::clamp((math::clamp(turn_rate, -most, most) - s[4]) / dt, -twist, twist);
 }
 

@@ -50,13 +50,7 @@ class DifferentialDrive : public PlanarBody {
   bool sound() const;                       ///< whether every parameter is in its range
 
   /// Writes state_size() floats. Metres, radians.
-  void rest(Vec2 position, float heading, float* state) const {
-    state[0] = position.x;
-    state[1] = position.y;
-    state[2] = heading;
-    state[3] = 0.0F;
-    state[4] = 0.0F;
-  }
+  void rest(Vec2 position, float heading, float* state) const { stand(position, heading, state_size(), state); }
 
   /// Rolls without slip, as its wheels turn.
   void derivative(StateView s, ControlView u, StateRef ds) const {
@@ -106,7 +100,6 @@ class DifferentialDrive : public PlanarBody {
   }
 
  private:
-  float stoppable_turn(StateView s, float error, float dt) const;
   void approach(StateView s, const float* wanted, float share, float dt, ControlRef u) const;
 
   DifferentialDriveParameters parameters_;

@@ -34,6 +34,14 @@ class PlanarBody {
   void place(StateView s, Pose* poses) const { poses[0] = {position(s), math::sin_cos(s[2])}; }
 
  protected:
+  /// Writes position and heading, and zeros behind them, to `size` floats: standing still.
+  static void stand(Vec2 position, float heading, int size, float* state) {
+    state[0] = position.x;
+    state[1] = position.y;
+    state[2] = heading;
+    for (int i = 3; i < size; ++i) state[i] = 0.0F;
+  }
+
   /// Heading error to the target in radians, of the rear when driving backwards.
   static float heading_error(StateView s, const Target& target) {
     const SinCos heading = math::sin_cos(s[2]);

@@ -48,11 +48,7 @@ class Unicycle : public PlanarBody {
   bool sound() const;                                                   ///< whether every parameter is in its range
 
   /// Writes state_size() floats. Metres, radians.
-  void rest(Vec2 position, float heading, float* state) const {
-    state[0] = position.x;
-    state[1] = position.y;
-    state[2] = heading;
-  }
+  void rest(Vec2 position, float heading, float* state) const { stand(position, heading, state_size(), state); }
 
   /// Rolls along its heading and turns, as the control says.
   void derivative(StateView s, ControlView u, StateRef ds) const {

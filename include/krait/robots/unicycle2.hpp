@@ -52,13 +52,7 @@ class Unicycle2 : public PlanarBody {
   bool sound() const;                                                    ///< whether every parameter is in its range
 
   /// Writes state_size() floats. Metres, radians.
-  void rest(Vec2 position, float heading, float* state) const {
-    state[0] = position.x;
-    state[1] = position.y;
-    state[2] = heading;
-    state[3] = 0.0F;
-    state[4] = 0.0F;
-  }
+  void rest(Vec2 position, float heading, float* state) const { stand(position, heading, state_size(), state); }
 
   /// Rolls along its heading and turns, both faster as the control says.
   void derivative(StateView s, ControlView u, StateRef ds) const {

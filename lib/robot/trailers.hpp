@@ -1,11 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far the wheels of a car may be turned whose trailers roll without slip: in a steady turn the last of N trailers
-// follows only where R^2 > N d^2, and a hitch must not close in on its bound faster than it can recover.
+// Trailers that are each hitched over the axle before: how fast they turn, and how far the wheels of a car may be
+// turned whose trailers roll without slip. In a steady turn the last of N trailers follows only where R^2 > N d^2, and
+// a hitch must not close in on its bound faster than it can recover.
 #pragma once
 
 #include "krait/robots/chain.hpp"
 
 namespace krait::detail {
+
+// Writes the rates of trailers by the pull on the first; hitch(k) returns the hitch angle before trailer k. A trailer
+// turns at the pull on it times the angle's sine, and pulls on by as much of it as the cosine leaves.
+template <class Hitch>
+void trailer_rates(float pull, int trailers, const Hitch& hitch, float* ds) {
+  for (int k = 0; k < trailers; ++k) {
+    const SinCos angle = hitch(k);
+    ds[k] = pull * angle.sin;
+    pull = pull * angle.cos;
+  }
+}
 
 inline constexpr float kUnfoldRate = 2.0F;  // 1/s: how fast a hitch may close in on its bound
 inline constexpr float kFoldBound = 1.2F;   // radians: the hitch angle that steering keeps clear of
