@@ -34,29 +34,36 @@ Obstacle read_obstacle(const Field& field) {
 struct Pose {
   Point position;
   double heading = 0;
-  std::vector<double> angles;  // of trailers; empty: all equal to heading
+  std::vector<double> angles;  // of trailers; empty: straight
 };
 
-// The first three numbers of a state, and what follows them of a car with trailers, their headings. Others have no
-// place in a start: warns where they are not zero.
-Pose read_pose(const Field& state, bool tows, std::vector<std::string>& warnings) {
-  const std::size_t size = state.size(3, tows ? 3 + kMaxLinks : SIZE_MAX);
-  Pose pose{{state.item(0).number(-kMaxFarCoordinate, kMaxFarCoordinate, "metres"),
-             state.item(1).number(-kMaxFarCoordinate, kMaxFarCoordinate, "metres")},
-            state.item(2).number(-kMaxAngle, kMaxAngle, "radians"),
-            {}};
+// Those that follow the first three numbers of a state, the headings of a car's trailers; none where they are straight.
+std::vector<double> read_trailers(const Field& state, double heading) {
+  std::vector<double> angles;
+  const std::size_t size = state.size(3, 3 + kMaxLinks);
+  for (std::size_t i = 3; i < size; ++i) angles.push_back(state.item(i).number(-kMaxAngle, kMaxAngle, "radians"));
+  const bool straight = std::all_of(angles.begin(), angles.end(), [&](double angle) { return angle == heading; });
+  return straight ? std::vector<double>() : angles;
+}
+
+// Warns where the numbers behind the first three, which have no place in a start, are not zero.
+void warn_of_others(const Field& state, std::vector<std::string>& warnings) {
   bool more = false;
-  bool bent = false;
-  for (std::size_t i = 3; i < size; ++i) {
-    if (tows) {
-      pose.angles.push_back(state.item(i).number(-kMaxAngle, kMaxAngle, "radians"));
-      bent = bent || pose.angles.back() != pose.heading;
-    } else {
-      more = more || state.item(i).number(-1e9, 1e9) != 0;
-    }
-  }
+  for (std::size_t i = 3; i < state.size(3); ++i) more = more || state.item(i).number(-1e9, 1e9) != 0;
   if (more) warnings.push_back(state.place() + ": only x, y and theta are used, its other numbers are not");
-  if (!bent) pose.angles.clear();
+}
+
+Pose read_pose(const Field& state, bool tows, std::vector<std::string>& warnings) {
+  state.size(3);
+  Pose pose;
+  pose.position = {state.item(0).number(-kMaxFarCoordinate, kMaxFarCoordinate, "metres"),
+                   state.item(1).number(-kMaxFarCoordinate, kMaxFarCoordinate, "metres")};
+  pose.heading = state.item(2).number(-kMaxAngle, kMaxAngle, "radians");
+  if (tows) {
+    pose.angles = read_trailers(state, pose.heading);
+  } else {
+    warn_of_others(state, warnings);
+  }
   return pose;
 }
 

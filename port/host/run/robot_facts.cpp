@@ -91,17 +91,16 @@ std::vector<double> steady_hitch_angles(double sine, int links) {
 // Of one body on an axle, which turns on the spot unless it must move.
 void planar_turn_facts(const RobotSpec& robot, RobotFacts& facts) {
   SteadyTurn& turn = facts.tightest;
-  if (facts.least_speed > 0) turn.radius = facts.least_speed / parameter(robot, "max_turn_rate");
+  turn.radius = facts.lock_radius;
   measure_sweep(turn, robot, 1);
   turn.swept_width = turn.radius > 0 ? turn.outer - turn.inner : 2 * turn.outer;
-  facts.lock_radius = turn.radius;
   facts.lock_outer = turn.outer;
 }
 
 void turn_facts(const RobotSpec& robot, RobotFacts& facts) {
+  facts.lock_radius = lock_radius(robot);
   if (!has_steering(robot)) return planar_turn_facts(robot, facts);
   double steering = parameter(robot, "max_steering");
-  facts.lock_radius = parameter(robot, "wheelbase") / std::tan(steering);
   SteadyTurn& turn = facts.tightest;
   if (robot.links > 0) {
     const double most = largest_first_sine(robot);
@@ -177,6 +176,12 @@ std::string axle_warning(const RobotSpec& robot) {
 double least_speed(const RobotSpec& robot) {
   const auto least = robot.parameters.find("min_speed");
   return least == robot.parameters.end() ? 0 : std::max(0.0, least->second);
+}
+
+double lock_radius(const RobotSpec& robot) {
+  if (has_steering(robot)) return parameter(robot, "wheelbase") / std::tan(parameter(robot, "max_steering"));
+  const double least = least_speed(robot);
+  return least > 0 ? least / parameter(robot, "max_turn_rate") : 0;
 }
 
 std::vector<Ring> bodies_in(const SteadyTurn& turn, const RobotSpec& robot) {

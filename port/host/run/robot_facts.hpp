@@ -44,6 +44,10 @@ std::string axle_warning(const RobotSpec& robot);
 // Metres a second, of a robot that never stands still; 0 of any other.
 double least_speed(const RobotSpec& robot);
 
+// Metres, of the circle of the middle of body 0's axle at full lock, or at the least speed; 0 for a robot that turns on
+// the spot.
+double lock_radius(const RobotSpec& robot);
+
 // The bodies in the turn, to the left around (0, radius), body 0 at the origin with heading 0.
 std::vector<Ring> bodies_in(const SteadyTurn& turn, const RobotSpec& robot);
 

@@ -95,13 +95,6 @@ bool cannot_reverse(const RobotSpec& robot) {
 
 bool pushes_trailers(const RobotSpec& robot) { return robot.links > 0 && !cannot_reverse(robot); }
 
-// Metres, of the tightest circle of the axle's middle; 0 for a robot that turns on the spot.
-double turning_radius(const RobotSpec& robot) {
-  const auto steering = robot.parameters.find("max_steering");
-  if (const double least = least_speed(robot); least > 0) return least / robot.parameters.at("max_turn_rate");
-  return steering == robot.parameters.end() ? 0 : robot.parameters.at("wheelbase") / std::tan(steering->second);
-}
-
 std::vector<std::string> what_to_try(Status status, const Statistics& statistics, const SearchRequest& request) {
   std::vector<std::string> lines;
   if (status == Status::budget_used) lines.push_back("try more --iterations");
@@ -115,7 +108,7 @@ std::vector<std::string> what_to_try(Status status, const Statistics& statistics
   if (request.facing) lines.push_back("try a larger --heading-tolerance, --either-way, or --any-heading instead");
   if (request.parameters.clearance > Parameters{}.clearance) lines.push_back("try a smaller --clearance");
   if (cannot_reverse(request.robot)) lines.push_back("try a ROBOT.json that may reverse, with a min_speed below 0");
-  if (const double radius = turning_radius(request.robot); radius > 0) {
+  if (const double radius = lock_radius(request.robot); radius > 0) {
     lines.push_back("it turns with a radius of " + metres(radius) + ": has every bend so much room?");
   }
   return lines;
