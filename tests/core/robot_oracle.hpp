@@ -111,11 +111,12 @@ inline std::vector<Numbers> vertices(Polygon body, const Frame& frame) {
 template <class R>
 std::vector<R> instances();
 
+// Snakes, trucks and the like; every second one has other dimensions, and turns its wheels by less.
 template <class R>
-std::vector<R> chains(std::initializer_list<int> trailers) {
+std::vector<R> chains(std::initializer_list<int> trailers, float max_steering = 0.6F) {
   std::vector<R> result;
   for (const int n : trailers) {
-    ChainParameters p;
+    typename R::Parameters p;
     p.trailers = n;
     result.emplace_back(p);
     p.body_length = 1.5F;
@@ -124,7 +125,7 @@ std::vector<R> chains(std::initializer_list<int> trailers) {
     p.wheelbase = 1.1F;
     p.hitch_length = 1.7F;
     p.min_speed = -1.5F;
-    p.max_steering = 0.6F;
+    p.max_steering = max_steering;
     result.emplace_back(p);
   }
   return result;
@@ -143,21 +144,7 @@ inline std::vector<Car> instances<Car>() {
 }
 template <>
 inline std::vector<KinematicTruck> instances<KinematicTruck>() {
-  std::vector<KinematicTruck> result;
-  for (const int n : {0, 1, 2, 5, 25}) {
-    KinematicTruckParameters p;
-    p.trailers = n;
-    result.emplace_back(p);
-    p.body_length = 1.5F;
-    p.body_width = 0.9F;
-    p.body_offset = 0.4F;
-    p.wheelbase = 1.1F;
-    p.hitch_length = 1.7F;
-    p.min_speed = -1.5F;
-    p.max_steering = 1.1F;
-    result.emplace_back(p);
-  }
-  return result;
+  return chains<KinematicTruck>({0, 1, 2, 5, 25}, 1.1F);
 }
 template <>
 inline std::vector<Unicycle> instances<Unicycle>() {
@@ -184,9 +171,10 @@ inline std::vector<DifferentialDrive> instances<DifferentialDrive>() {
   return {DifferentialDrive({}), DifferentialDrive(wide_track)};
 }
 
-// Chains that fit through a door of 2 m.
-inline ChainParameters small_chain(int trailers) {
-  ChainParameters p;
+// Chains, or the like, that fit through a door of 2 m.
+template <class P = ChainParameters>
+P small_chain(int trailers) {
+  P p;
   p.trailers = trailers;
   p.body_length = 0.4F;
   p.body_width = 0.3F;
@@ -216,12 +204,7 @@ inline Car small_robot<Car>() {
 }
 template <>
 inline KinematicTruck small_robot<KinematicTruck>() {
-  KinematicTruckParameters p;
-  p.trailers = 1;
-  p.body_length = 0.4F;
-  p.body_width = 0.3F;
-  p.wheelbase = 0.4F;
-  p.hitch_length = 0.45F;
+  auto p = small_chain<KinematicTruckParameters>(1);
   p.min_speed = -0.5F;
   return KinematicTruck(p);
 }
@@ -245,25 +228,17 @@ inline float log_uniform(std::mt19937& random, double low, double high) {
 // A robot of any parameters that matter to its motion.
 template <class R>
 R random_robot(std::mt19937& random) {
-  if constexpr (std::is_base_of_v<Chain, R>) {
-    ChainParameters p;
+  if constexpr (kTows<R>) {
+    constexpr bool kAccelerates = std::is_base_of_v<Chain, R>;
+    typename R::Parameters p;
     p.trailers = static_cast<int>(below(random, 26));
     p.wheelbase = log_uniform(random, 0.05, 5);
     p.hitch_length = log_uniform(random, 0.05, 5);
     p.max_speed = log_uniform(random, 0.05, 20);
     p.min_speed = below(random, 2) == 0 ? 0.0F : -p.max_speed;
-    p.max_acceleration = log_uniform(random, 0.05, 50);
+    if constexpr (kAccelerates) p.max_acceleration = log_uniform(random, 0.05, 50);
     p.max_steering = log_uniform(random, 0.05, 1.5);
-    p.max_steering_rate = log_uniform(random, 0.05, 50);
-    return R(p);
-  } else if constexpr (std::is_same_v<R, KinematicTruck>) {
-    KinematicTruckParameters p;
-    p.trailers = static_cast<int>(below(random, 26));
-    p.wheelbase = log_uniform(random, 0.05, 5);
-    p.hitch_length = log_uniform(random, 0.05, 5);
-    p.max_speed = log_uniform(random, 0.05, 20);
-    p.min_speed = below(random, 2) == 0 ? 0.0F : -p.max_speed;
-    p.max_steering = log_uniform(random, 0.05, 1.5);
+    if constexpr (kAccelerates) p.max_steering_rate = log_uniform(random, 0.05, 50);
     return R(p);
   } else if constexpr (std::is_same_v<R, Unicycle>) {
     UnicycleParameters p;
