@@ -13,6 +13,7 @@ from pathlib import Path
 
 KRAIT = "build/host/bin/krait"
 WORK = Path("build/bench/dynobench")
+ROBOT = WORK / "robot.json"
 PAGE = Path("bench/DYNOBENCH.md")
 FIRST_SEED = 10_001
 SHORT, LONG = 0.05, 1.0  # seconds of one core, first plan included
@@ -95,10 +96,9 @@ def apart_by_euler(robot, table):
 
 # Seconds: the search's, the first plan's and the returned one's; and metres apart by Euler. None: not solved.
 def plan(problem, robot, seed, *options):
-    robot_file, table, result = WORK / "robot.json", WORK / "plan.csv", WORK / "plan.json"
-    robot_file.write_text(json.dumps(robot))
+    table, result = WORK / "plan.csv", WORK / "plan.json"
     hitches = ["--hitch-tolerance", "0.1"] if robot["model"] == "kinematic_truck" else []
-    told = subprocess.run([KRAIT, "plan", problem, "--robot", robot_file, "--seed", str(seed), "--csv", table, "-o",
+    told = subprocess.run([KRAIT, "plan", problem, "--robot", ROBOT, "--seed", str(seed), "--csv", table, "-o",
                            result, *hitches, *options], capture_output=True, text=True)
     if told.returncode == 1:
         return None
@@ -128,6 +128,7 @@ def shown(runs, best):
 
 def row(samples, name, problem, seeds, long_seeds):
     robot = robot_of(read_model(samples / name / "model.yaml"))
+    ROBOT.write_text(json.dumps(robot))
     file = samples / name / f"{problem}.yaml"
     firsts, shorts, longs = ([plan(file, robot, seed, *options) for seed in range(FIRST_SEED, FIRST_SEED + count)]
                              for count, options in ((seeds, ["--improve", "0"]),
