@@ -24,8 +24,7 @@ class PlannerSession : public Session {
  public:
   PlannerSession(const krait::Scene& scene, const SearchRequest& request, Block& block)
       : core_(request.robot), robot_(core_.view()), query_(resolve(scene, robot_, request)) {
-    const Limits limits{.iterations = request.iterations, .way_legs = way_legs(request)};
-    refuse(planner_.init({block.data(), request.memory, &scene, robot_}, request.parameters, limits), request);
+    refuse(set_up({block.data(), request.memory, &scene, robot_}, request), request);
     (void)planner_.start({query_.start.data(), query_.goal, request.seed});
     refuse(planner_.failure(), request);
     if (planner_.status() == Status::start_in_collision) refuse(planner_.contact(), scene, request);
@@ -79,6 +78,20 @@ class PlannerSession : public Session {
   const ResolvedQuery& query() const override { return query_; }
 
  private:
+  // Where the block is too small, bytes_needed is enough for the room of improvement too, which grows with the block.
+  Failure set_up(const Setup& setup, SearchRequest request) {
+    const auto init = [&] {
+      const Limits limits{.iterations = request.iterations, .way_legs = way_legs(request)};
+      return planner_.init(setup, request.parameters, limits);
+    };
+    Failure ready = init();
+    while (ready.status == Status::arena_too_small && ready.bytes_needed > request.memory) {
+      request.memory = ready.bytes_needed;
+      ready = init();
+    }
+    return ready;
+  }
+
   CoreRobot core_;
   Robot robot_;
   ResolvedQuery query_;

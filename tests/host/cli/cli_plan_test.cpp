@@ -317,6 +317,20 @@ TEST_F(CliPlan, TheMemoryThatItAsksForIsEnoughAndNoByteLess) {
                  "at least " + std::to_string(needed));
 }
 
+// Improvement has a share of the block, of a larger one a larger share.
+TEST_F(CliPlan, TheMemoryThatItAsksForIsEnoughToImproveToo) {
+  expect_done({"scene", "openings", "-o", "openings.json"});
+  expect_done({"compile", "openings.json", "-o", "openings.krait"});
+  const auto in = [this](const std::string& memory) {
+    return krait(
+        {"plan", "openings.krait", "--robot", "car", "--iterations", "1", "--improve", "1", "--memory", memory});
+  };
+  const std::string complaint = in("0").errors;
+  const std::size_t at = complaint.find("at least ");
+  ASSERT_NE(at, std::string::npos) << complaint;
+  EXPECT_EQ(in(std::to_string(std::stoull(complaint.substr(at + 9)))).code, 1) << complaint;
+}
+
 TEST_F(CliPlan, PaperRunsAndSaysWhetherItsPlanHolds) {
   const Outcome outcome = krait({"plan", "room.krait", "--robot", "snake:5", "--paper", "-o", "plan.json"});
   const std::string status = json("plan.json").at("status");
