@@ -33,9 +33,11 @@ class Company {
       told_ = seconds;
       tell();
     }
-    return stopped_ || (request_.time_limit && seconds > *request_.time_limit);
+    late_ = request_.time_limit && seconds > *request_.time_limit;
+    return stopped_ || late_;
   }
   bool stopped() const { return stopped_; }
+  bool late() const { return late_; }
 
  private:
   static constexpr double kBetweenNews = 0.2;  // seconds
@@ -55,6 +57,7 @@ class Company {
   Clock::time_point begin_;
   double told_ = 0;
   bool stopped_ = false;
+  bool late_ = false;
 };
 
 void search_to_end(Session& session, Company& company) {
@@ -170,6 +173,7 @@ SearchResult run_search(const std::string& scene_path, const SceneBytes& bytes, 
   SearchResult result{session->query().form, session->query().asked, since(begin)};
   result.first = first;
   result.stopped = company.stopped();
+  result.late = company.late();
   result.plan.status = to_string(session->status());
   session->copy_plan(result.plan);
   result.plan.statistics = statistics_json(session->statistics(), result.seconds);

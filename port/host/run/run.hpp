@@ -108,6 +108,7 @@ struct SearchResult {
   std::vector<std::string> why{};  // there is no plan, a line each
   PlanMeasure first{};             // of the first plan; zeros where there is none
   bool stopped = false;            // by SearchWatch::stop
+  bool late = false;               // SearchRequest::time_limit ended it
 };
 
 // Opens, plans, and takes the plan out. Every end of a search (Status) that is an honest answer comes back in

@@ -63,6 +63,10 @@ TEST_F(CliHelp, TeachesPlan) {
        "--png",     "--html",       "no_route",     "budget_used", "tree_full", "time_used"});
 }
 
+TEST_F(CliHelp, SaysWhatIsImprovedUnasked) {
+  EXPECT_THAT(help({"plan"}), HasSubstr("(default: 10; 0, the first plan, with --paper, --planner prior or rrt, "));
+}
+
 TEST_F(CliHelp, ListsTheDefaultsOfEveryRobot) {
   const std::string text = help({"plan"});
   for (const std::string& model : robot_models()) {

@@ -16,6 +16,8 @@ namespace {
 using nlohmann::ordered_json;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
+using Arguments = std::vector<std::string>;
 
 class CliPlan : public CliTest {
  protected:
@@ -80,6 +82,7 @@ std::string without_time(ordered_json plan) {
 }
 
 constexpr const char* kTinyGoal = "17,5,0.001";  // m: no search hits a millimetre
+constexpr const char* kStraightOn = "5,5,0.5";   // there is no better plan than the first
 
 TEST_F(CliPlan, HasTheFieldsOfTheFormat) {
   const ordered_json plan = this->plan({"--robot", "snake:2", "--seed", "7"});
@@ -130,7 +133,7 @@ TEST_F(CliPlan, HasOneStateMoreThanControlsAllInTheirLimits) {
 }
 
 TEST_F(CliPlan, HasTheStatisticsOfTheFormat) {
-  const ordered_json plan = this->plan({"--robot", "car", "--memory", "1M"});
+  const ordered_json plan = this->plan({"--robot", "car", "--memory", "1M", "--improve", "0"});
   const ordered_json& s = plan.at("statistics");
   EXPECT_THAT(keys(s), ElementsAre("time_s", "iterations", "restarts", "vertices", "recycled", "collision_checks",
                                    "dijkstra_runs", "regions_repaired", "plans_refused", "bytes_used", "bytes_given",
@@ -168,10 +171,10 @@ TEST_F(CliPlan, IsTheSameTwice) {
   EXPECT_EQ(without_time(plan({"--robot", "snake:5", "--seed", "1", "--memory", "64M", "--time-limit", "100"})), first);
 }
 
-TEST_F(CliPlan, ImprovesAndSaysSo) {
+TEST_F(CliPlan, ImprovesByTenTimesTheFirstPlansChecksUnlessAskedOtherwise) {
   for (const std::string& robot : every_robot(2)) {
-    const ordered_json first = plan({"--robot", robot, "--seed", "3"});
-    const ordered_json better = plan({"--robot", robot, "--seed", "3", "--improve", "10"});
+    const ordered_json first = plan({"--robot", robot, "--seed", "3", "--improve", "0"});
+    const ordered_json better = plan({"--robot", robot, "--seed", "3"});
     const ordered_json& s = better.at("statistics");
     EXPECT_FALSE(first.at("statistics").contains("improvements"));
     EXPECT_EQ(s.at("first_plan_length_m"), first.at("statistics").at("plan_length_m")) << robot;
@@ -181,6 +184,43 @@ TEST_F(CliPlan, ImprovesAndSaysSo) {
     const Outcome verdict = krait({"verify", "room.json", "plan.json", "--robot", robot});
     EXPECT_EQ(verdict.code, 0) << verdict.output << verdict.errors;
     EXPECT_EQ(without_time(plan({"--robot", robot, "--seed", "3", "--improve", "10"})), without_time(better));
+  }
+}
+
+TEST_F(CliPlan, SaysWhatImprovementMadeOfThePlan) {
+  const auto said = [this](Arguments options) {
+    options.insert(options.begin(), {"plan", "room.krait", "-o", "plan.json"});
+    const Outcome outcome = krait(options);
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    return outcome.output;
+  };
+  int all = 0;
+  for (const std::string& robot : every_robot(2)) {
+    const std::string text = said({"--robot", robot, "--seed", "3"});
+    const int count = json("plan.json").at("statistics").at("improvements");
+    const std::string times = count == 1 ? "1 time" : std::to_string(count) + " times";
+    EXPECT_THAT(text, HasSubstr(count > 0 ? "\nimproved " + times + ": " : "\nno better plan was found in 10 times "));
+    all += count;
+  }
+  EXPECT_GT(all, 0);
+  EXPECT_THAT(said({"--robot", "car", "--improve", "0"}), Not(HasSubstr("improved")));
+  EXPECT_THAT(said({"--robot", "car", "--goal", kStraightOn}),
+              HasSubstr("\nno better plan was found in 10 times the first plan's collision checks\n"));
+  EXPECT_THAT(said({"--robot", "car", "--goal", kStraightOn, "--improve", "1e6", "--time-limit", "0.5"}),
+              HasSubstr("\nno better plan was found within the time limit\n"));
+}
+
+// Of a rival, of the paper's algorithm, and where there is little memory.
+TEST_F(CliPlan, DoesNotImproveUnaskedWhereTheFirstPlanIsWanted) {
+  const std::vector<Arguments> all = {
+      {"--planner", "prior"}, {"--planner", "rrt"}, {"--paper"}, {"--memory", "1048575"}};
+  for (Arguments options : all) {
+    options.insert(options.end(), {"--robot", "car", "--seed", "3"});
+    const ordered_json unasked = plan(options);
+    options.insert(options.end(), {"--improve", "0"});
+    EXPECT_EQ(without_time(plan(options)), without_time(unasked)) << options.front();
+    options.back() = "10";
+    EXPECT_TRUE(plan(options).at("statistics").contains("improvements")) << options.front();
   }
 }
 
@@ -244,6 +284,7 @@ TEST_F(CliPlan, TakesStartsByNameAndAsAPose) {
 }
 
 TEST_F(CliPlan, BeginsInTheGoalWithAnEmptyPlan) {
+  EXPECT_THAT(krait({"plan", "room.krait", "--robot", "car", "--goal", "3,5,1"}).output, Not(HasSubstr("better plan")));
   const ordered_json plan = this->plan({"--robot", "car", "--goal", "3,5,1"});
   EXPECT_EQ(plan.at("status"), "solved");
   EXPECT_EQ(plan.at("states").size(), 1U);
@@ -317,7 +358,7 @@ TEST_F(CliPlan, TheMemoryThatItAsksForIsEnoughAndNoByteLess) {
                  "at least " + std::to_string(needed));
 }
 
-// Improvement has a share of the block, of a larger one a larger share.
+// Improvement takes a share of the block, so that a larger one must have more room for it.
 TEST_F(CliPlan, TheMemoryThatItAsksForIsEnoughToImproveToo) {
   expect_done({"scene", "openings", "-o", "openings.json"});
   expect_done({"compile", "openings.json", "-o", "openings.krait"});
@@ -500,7 +541,7 @@ TEST_F(CliPlan, VerifyOfAnHonestNoSaysSo) {
   const Outcome outcome = krait({"verify", "room.json", "plan.json", "--robot", "car", "--goal", kTinyGoal});
   EXPECT_EQ(outcome.code, 1);
   EXPECT_THAT(outcome.output, HasSubstr("tree_full"));
-  EXPECT_THAT(outcome.output, testing::Not(HasSubstr("nan")));
+  EXPECT_THAT(outcome.output, Not(HasSubstr("nan")));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The firmware of a ROBOT.json plans as krait plan does with that file, and says in one line what it does not plan.
+// The firmware of a ROBOT.json finds the first plan of krait plan, and says in one line what it does not plan.
 #include <nlohmann/json.hpp>
 
 #include "host/cli/program.hpp"
@@ -22,7 +22,8 @@ class CompiledFirmware : public CliTest {
 
   // Both find the same plan, by that query and with those parameters.
   void expect_same_plan(const Arguments& query) const {
-    Arguments arguments = {"plan", "room.krait", "--robot", kVan, "--memory", "1M", "-o", "plan.json"};
+    Arguments arguments = {"plan", "room.krait", "--robot", kVan, "--memory",
+                           "1M",   "--improve",  "0",       "-o", "plan.json"};
     arguments.insert(arguments.end(), query.begin(), query.end());
     expect_done(arguments);
     Arguments words = {"--memory", "1M"};

@@ -89,7 +89,7 @@ def fill(folder, environment):
     for command in ["krait compile room.json -o room.krait",
                     "krait compile nostart.json -o nostart.krait",
                     "krait compile nogoal.json -o nogoal.krait",
-                    "krait plan room.json --robot car --clearance 0.001 -o plan.json",
+                    "krait plan room.json --robot car --clearance 0.001 --improve 0 -o plan.json",
                     "head -c 400 room.krait >cut.krait"]:
         subprocess.run(["bash", "-c", command], cwd=folder, env=environment, check=True, stdout=subprocess.DEVNULL)
 
