@@ -534,9 +534,11 @@ KRAIT_NODISCARD krait_status krait_advance(krait_planner* planner, uint64_t iter
 
 /** At most `iterations` more of looking for a plan of fewer steps: the plan is then the best so far, and krait_next
     begins again with its first state. The plan does not depend on how the iterations are cut into calls. KRAIT_SOLVED;
-    where there is no plan, the search's status; KRAIT_BAD_ARGUMENT where krait_limits has no way_legs. Work of one: at
-    most max_steps steps, near a pose with the choice of lines as in krait_advance, and 16 legs' steps that are not
-    proven, or O(way_legs); the first call after krait_start begins with a Dijkstra. */
+    where there is no plan, the search's status; KRAIT_BAD_ARGUMENT where krait_limits has no way_legs. Where the robot
+    is a chain of four bodies or more, most iterations are those of searches that begin anew: their work is that of
+    krait_advance's, they count in krait_statistics and krait_limits as its do, and each begins and ends with a
+    Dijkstra. Work of any other: at most max_steps steps, near a pose with the choice of lines as in krait_advance, and
+    16 legs' steps that are not proven, or O(way_legs); the first call after krait_start begins with a Dijkstra. */
 KRAIT_NODISCARD krait_status krait_improve(krait_planner* planner, uint64_t iterations);
 
 /** Ends a search as KRAIT_TIME_USED, for a program whose clock says so. No effect once it has ended. O(1). */
@@ -590,7 +592,7 @@ typedef struct krait_effort {
 /** Returns the effort of a search that has started, the first place among equals. O(R). */
 krait_effort krait_effort_of(const krait_planner* planner);
 
-/** What a search has done so far. */
+/** What a search has done so far, and those that krait_improve made after it. */
 typedef struct krait_statistics {
   uint64_t iterations,   /**< expansions; of a long one every max_steps steps */
       restarts,          /**< tries after the first (krait_search_tuning's restart_unit) */
@@ -602,8 +604,8 @@ typedef struct krait_statistics {
       plans_refused;     /**< ways to the goal that did not hold as driven */
   uint64_t bytes_used,   /**< of the block behind the planner itself: tables, and what vertices and expansions took at
                               most */
-      bytes_given;       /**< of the block behind the planner itself: `krait plan --memory bytes_given` on the
-                              workstation finds the same plan */
+      bytes_given;       /**< of the block behind the planner itself: `krait plan --memory bytes_given --clearance 0.001
+                              --improve 0` on the workstation finds the same plan */
   uint32_t plan_steps;   /**< controls of the plan, each held for a time step */
   float plan_length;     /**< metres */
   float plan_duration;   /**< seconds */

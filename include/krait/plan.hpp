@@ -16,6 +16,7 @@ namespace detail {
 class MotionTree;
 class TargetGrid;
 class Way;
+struct PackedTarget;
 
 // The legs of a plan, one after the other: a path of the motion tree, or a way that was found later.
 class PlanPath {
@@ -28,6 +29,7 @@ class PlanPath {
   Index first() const { return first_; }  // kNone: no leg
   Index next(Index leg) const;
   Target target(Index leg) const;
+  const PackedTarget& packed(Index leg) const;
   std::uint32_t steps(Index leg) const;
 
  private:

@@ -78,7 +78,7 @@ struct Query {
   std::uint64_t seed = 1;        ///< any; the same seed, the same plan
 };
 
-/// What a search has done so far, by the names of the plan's JSON.
+/// What a search has done so far, and those that improve made after it, by the names of the plan's JSON.
 struct Statistics {
   std::uint64_t iterations = 0;        ///< expansions; of a long one every max_steps steps
   std::uint64_t restarts = 0;          ///< tries after the first (SearchTuning::restart_unit)
@@ -139,12 +139,14 @@ class Planner {
   [[nodiscard]] Status advance(std::uint64_t iterations, const Watch& watch);
 
   /// At most `iterations` more of looking for a plan of fewer steps; plan() and Statistics::plan_steps, plan_length,
-  /// plan_duration and hash are then those of the best so far, which was driven and proven as the first one was. Work
-  /// of one: at most max_steps steps, near a pose with the choice of lines as in advance at every third at most, and 16
-  /// legs' steps that are not proven, or O(way_legs); the first call after start begins with one Dijkstra. The result
-  /// does not depend on how the iterations are cut into calls. Plans and their cursors from before the call end with
-  /// it. Returns status() and does nothing where that is not solved or the plan has no steps; bad_argument where
-  /// Limits::way_legs is 0.
+  /// plan_duration and hash are then those of the best so far, which was driven and proven as the first one was. Where
+  /// the robot is a chain of four bodies or more, most iterations are those of searches that begin anew, in the same
+  /// tree; their work is that of an iteration of advance, they count in Statistics and Limits as its do, and each
+  /// begins and ends with a Dijkstra. Work of any other: at most max_steps steps, near a pose with the choice of lines
+  /// as in advance at every third at most, and 16 legs' steps that are not proven, or O(way_legs); the first call after
+  /// start begins with one Dijkstra. The result does not depend on how the iterations are cut into calls. Plans and
+  /// their cursors from before the call end with it. Returns status() and does nothing where that is not solved or the
+  /// plan has no steps; bad_argument where Limits::way_legs is 0.
   [[nodiscard]] Status improve(std::uint64_t iterations);
 
   /// Ends the search as time_used, for a port whose clock says so. No effect once it has ended. O(1).

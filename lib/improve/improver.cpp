@@ -24,7 +24,7 @@ void Improver::allocate(Arena& arena, std::uint32_t legs, int state_size) {
 }
 
 void Improver::begin(const WayTools& tools, PlanProof& proof, const Regions& regions, const PlanPath& plan,
-                     const EndDepth& depth, const Random& random) {
+                     const EndDepth& depth, const Random& random, bool anew) {
   tools_ = tools;
   proof_ = &proof;
   regions_ = &regions;
@@ -37,11 +37,19 @@ void Improver::begin(const WayTools& tools, PlanProof& proof, const Regions& reg
   stride_ = 0.0F;
   share_ = 0;
   round_ = 0;
+  searches_ = 0;
+  searched_ = 0;
+  if (anew && tools.robot.body_count() >= kLongChain && size(plan).legs <= best_.capacity()) {
+    searches_ = kSearches;
+    take_found(plan);
+  }
   stage_ = Stage::turning;
 }
 
 bool Improver::iterate() {
   switch (stage_) {
+    case Stage::anew:
+      break;
     case Stage::turning:
       measure_turn();
       break;
@@ -62,8 +70,27 @@ bool Improver::iterate() {
 
 void Improver::take_plan(const PlanPath& plan) {
   plan_ = plan;
-  plan_steps_ = 0;
-  for (Index leg = plan.first(); leg != kNone; leg = plan.next(leg)) plan_steps_ += plan.steps(leg);
+  plan_steps_ = size(plan).steps;
+}
+
+Improver::Size Improver::size(const PlanPath& plan) {
+  Size size{};
+  for (Index leg = plan.first(); leg != kNone; leg = plan.next(leg)) {
+    ++size.legs;
+    size.steps += plan.steps(leg);
+  }
+  return size;
+}
+
+bool Improver::wants(const PlanPath& found) const {
+  const Size size = this->size(found);
+  return size.steps < plan_steps_ && size.legs <= best_.capacity();
+}
+
+void Improver::take_found(const PlanPath& found) {
+  best_.clear();
+  for (Index leg = found.first(); leg != kNone; leg = found.next(leg)) best_.add(found.packed(leg), found.steps(leg));
+  take_plan(PlanPath(best_, tools_.grid));
 }
 
 float Improver::step_in_void(Pose& after) {
@@ -111,6 +138,16 @@ void Improver::aim_aside(const Pose& pose, bool left) {
 }
 
 void Improver::begin_round() {
+  if (searched_ < searches_) {
+    ++searched_;
+    stage_ = Stage::anew;
+  } else {
+    searched_ = 0;
+    begin_line();
+  }
+}
+
+void Improver::begin_line() {
   ++round_;
   line_.clear(kSpacing * turns_.unit);
   if (round_ % 2 == 1 && trace_regions()) return begin_pull();

@@ -2,7 +2,8 @@
 // Looks for ways of fewer steps than a plan has. In rounds: a line to the goal, along the shortest path of regions or
 // along the plan, is pulled taut; its corners are rounded by what the robot can turn; it is driven, and changed at
 // random around the place where that fails until the goal is reached, then anywhere as long as that saves steps. What
-// is better than the plan is driven once more and proven as the plan was, and only then takes its place.
+// is better than the plan is driven once more and proven as the plan was, and only then takes its place. A long chain
+// seldom gets along such a line: most of its rounds are searches anew, which the planner makes.
 #pragma once
 
 #include "decomposition/locate.hpp"
@@ -24,14 +25,24 @@ class Improver {
 
   // Begins with a plan of one step or more, which must stay, as must what the tools name and `proof`. The regions'
   // costs and paths are those of the goal, as they were before any was raised. A plan ends as deep inside the
-  // goal as `depth` says.
+  // goal as `depth` says. Searches anew are asked for only if `anew`.
   void begin(const WayTools& tools, PlanProof& proof, const Regions& regions, const PlanPath& plan,
-             const EndDepth& depth, const Random& random);
+             const EndDepth& depth, const Random& random, bool anew);
 
   // Continues by one iteration, which is at most max_steps steps of a drive, and some more at its begin: those that
   // Way::kLegsAState legs have, driven again unproven, or a turn in the void; or a stretch of pulling a line taut; or
-  // the regions from the start to the goal. Returns whether there is a better plan now.
+  // the regions from the start to the goal. Returns whether there is a better plan now. Not while it searches_anew.
   bool iterate();
+
+  // Whether this round is a search for a plan of fewer steps, until search_over. It may change the tree, and the
+  // regions if they are in the end as they were.
+  bool searches_anew() const { return stage_ == Stage::anew; }
+  void search_over() { begin_round(); }
+
+  // Whether the way has fewer steps than the best plan so far, and there is room for its legs. O(legs).
+  bool wants(const PlanPath& found) const;
+  // Makes a plan that a search has found, and that it wants, the best, by a copy. O(legs).
+  void take_found(const PlanPath& found);
 
   // The best plan so far.
   const PlanPath& plan() const { return plan_; }
@@ -41,12 +52,14 @@ class Improver {
  private:
   using Outcome = WayDrive::Outcome;
 
-  enum class Stage : std::uint8_t { turning, tracing, pulling, driving, proving };
+  enum class Stage : std::uint8_t { turning, anew, tracing, pulling, driving, proving };
 
   // Room for the line of a short plan, however few legs its ways may have.
   static constexpr std::uint32_t kLeastVias = 64;
   static constexpr std::uint32_t kLeastPoints = 256;
   // Measured: bench/ABLATIONS.md, "Constants".
+  static constexpr int kLongChain = 4;            // bodies of a chain whose plans are searched for anew, and
+  static constexpr std::uint32_t kSearches = 7;   // such rounds before each one along a line
   static constexpr std::uint32_t kHold = 3;       // steps of a leg, or more where a way would not have room
   static constexpr std::uint32_t kPatience = 20;  // changes in vain while the goal is not reached, and
   static constexpr std::uint32_t kPolish = 30;    // afterwards, that end a round
@@ -79,6 +92,11 @@ class Improver {
   Route& route() { return routes_[here_of_routes_]; }
   Route& changed() { return routes_[1 - here_of_routes_]; }
 
+  struct Size {
+    std::uint32_t legs, steps;
+  };
+  static Size size(const PlanPath& plan);
+
   void take_plan(const PlanPath& plan);
 
   // One unproven step of the drive; returns how long it is.
@@ -89,8 +107,10 @@ class Improver {
 
   void aim_aside(const Pose& pose, bool left);
 
-  // A new line: in turn that of the regions and that of the plan.
   void begin_round();
+
+  // A new line: in turn that of the regions and that of the plan.
+  void begin_line();
 
   // The middles of the portals between the regions. False where they have no path.
   bool trace_regions();
@@ -164,7 +184,9 @@ class Improver {
   float half_width_ = 0.0F;
   float stride_ = 0.0F;  // metres: the longest step that the robot made
   Turns turns_{};
-  std::uint32_t share_ = 0;  // of the turns, that is measured next
+  std::uint32_t share_ = 0;     // of the turns, that is measured next
+  std::uint32_t searches_ = 0;  // before each round along a line, and
+  std::uint32_t searched_ = 0;  // those that have begun since the last one
   Stage stage_ = Stage::turning;
   std::uint32_t round_ = 0;
   TautLine line_;

@@ -53,7 +53,8 @@ class MotionTree {
   void end_expansion(Index expansion, std::uint32_t steps);
 
   // The target as stored; `dt` is not.
-  Target target(Index expansion) const { return grid_.unpack(records_[expansion].target); }
+  Target target(Index expansion) const { return grid_.unpack(packed(expansion)); }
+  const PackedTarget& packed(Index expansion) const { return records_[expansion].target; }
   Branch origin(Index expansion) const;
   std::uint32_t steps(Index expansion) const { return records_[expansion].steps_and_uses & kMostSteps; }
 

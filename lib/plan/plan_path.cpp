@@ -17,6 +17,10 @@ Target PlanPath::target(Index leg) const {
   return tree_ != nullptr ? tree_->target(leg) : grid_->unpack((*way_)[leg].target);
 }
 
+const PackedTarget& PlanPath::packed(Index leg) const {
+  return tree_ != nullptr ? tree_->packed(leg) : (*way_)[leg].target;
+}
+
 std::uint32_t PlanPath::steps(Index leg) const { return tree_ != nullptr ? tree_->steps(leg) : (*way_)[leg].steps; }
 
 }  // namespace krait::detail

@@ -55,6 +55,12 @@ class Way {
     }
     legs_[count_++] = {target, 0, arc, length_};
   }
+  // A whole leg, of a way whose states and lengths are not asked for. Not when full.
+  void add(const PackedTarget& target, std::uint32_t steps) {
+    KRAIT_ASSERT(!full());
+    legs_[count_++] = {target, steps, 0.0F, 0.0F};
+    steps_ += steps;
+  }
   // Counts a step of the last leg, `metres` long.
   void step(float metres) {
     KRAIT_ASSERT(count_ > 0);

@@ -36,6 +36,20 @@ Status AdaptiveSearch::advance(std::uint64_t iterations, const Watch& watch) {
   return advance_by(iterations, [&] { iterate(watch); });
 }
 
+Status AdaptiveSearch::improve(std::uint64_t iterations) {
+  return improve_by(iterations, [&] { search_anew(); });
+}
+
+void AdaptiveSearch::search_anew() {
+  if (resume_anew()) {
+    (void)advance(1);
+  } else {
+    forget();
+    begin_anew();
+  }
+  pause_anew();
+}
+
 void AdaptiveSearch::forget() {
   groups_.clear({parameters_.tuning.alpha, parameters_.tuning.beta, parameters_.tuning.epsilon},
                 parameters_.tuning.group_sample);

@@ -18,6 +18,7 @@ class AdaptiveSearch : public GroupedSearch {
   [[nodiscard]] Status start(const Query& query);
   [[nodiscard]] Status advance(std::uint64_t iterations) { return advance(iterations, Watch()); }
   [[nodiscard]] Status advance(std::uint64_t iterations, const Watch& watch);
+  [[nodiscard]] Status improve(std::uint64_t iterations);
 
  private:
   // Measured: bench/ABLATIONS.md, "Constants".
@@ -31,6 +32,9 @@ class AdaptiveSearch : public GroupedSearch {
 
   // The length of a sketched step, seconds.
   float sketched_step() const;
+
+  // An iteration of a search for a better plan.
+  void search_anew();
 
   // Algorithm 1, lines 4 to 13.
   void iterate(const Watch& watch);

@@ -279,26 +279,48 @@ void Search::refuse_plan() {
   restarts_.end_try();
 }
 
-Status Search::improve(std::uint64_t iterations) {
-  if (status() != Status::solved || path_ == kNone) return status();
-  if (limits_.way_legs == 0) return Status::bad_argument;
-  if (!improving_) begin_to_improve();
-  for (; iterations > 0; --iterations) {
-    if (!improver_.iterate()) continue;
-    ++statistics_.improvements;
-    note(improver_.measures());
-  }
-  return status();
-}
-
 void Search::begin_to_improve() {
   improving_ = true;
+  anew_ = false;
   find_paths();
   const TargetGrid grid(scene_->bounds());
   LastMetres* const last_metres = shoots() ? &expander_.last_metres() : nullptr;
   const WayTools tools{robot_, scene_,   &parameters_, &check_,     &expander_.drive(), &expander_.brake(),
                        grid,   &ending_, last_metres,  goal_depth_, tree_.state(kRoot)};
-  improver_.begin(tools, proof_, regions_, found_path(), end_depth_, random_);
+  improver_.begin(tools, proof_, regions_, found_path(), end_depth_, random_, searches_anew_);
+  random_ = Random(random_.bits());  // searches anew draw other numbers than the improver
+}
+
+void Search::improve_along_line() {
+  if (!improver_.iterate()) return;
+  ++statistics_.improvements;
+  note(improver_.measures());
+}
+
+bool Search::resume_anew() {
+  finish(Status::searching);
+  return anew_;
+}
+
+void Search::begin_anew() {
+  new_try();
+  restarts_.begin(parameters_.tuning.restart_unit);
+  keep_for_tree();
+}
+
+void Search::pause_anew() {
+  const bool goes_on = status() == Status::searching && !(driving() && !improver_.wants(found_path()));
+  if (status() == Status::internal) return;
+  if (status() == Status::solved) {
+    improver_.take_found(found_path());
+    ++statistics_.improvements;
+  }
+  finish(Status::solved);
+  anew_ = goes_on;
+  if (goes_on) return;
+  driven_ = kNone;
+  find_paths();
+  improver_.search_over();
 }
 
 // Answers.

@@ -29,6 +29,7 @@ inline constexpr Parameters kDefaults;
 //   init             check_setup, take_block, and what it keeps itself from arena_
 //   start            usable, then begin
 //   advance          advance_by, an iteration being new_try where new_try_due, or else expand or go_on
+//   improve          improve_by, a search anew being what advance does between resume_anew and pause_anew
 //   keep             as Keeper has it
 class Search {
  public:
@@ -36,8 +37,10 @@ class Search {
   Search(const Search&) = delete;
   Search& operator=(const Search&) = delete;
 
-  // Does what Planner::improve does.
-  [[nodiscard]] Status improve(std::uint64_t iterations);
+  // Does what Planner::improve does, for a planner that does not search anew.
+  [[nodiscard]] Status improve(std::uint64_t iterations) {
+    return improve_by(iterations, [] {});
+  }
 
   // What init cut the block into: Arena::needed(Pool) bytes a pool.
   const Arena& arena() const { return arena_; }
@@ -114,6 +117,29 @@ class Search {
     return status();
   }
 
+  // Improves the plan by so many iterations: calls search_anew() for one of a search anew.
+  template <class SearchAnew>
+  Status improve_by(std::uint64_t iterations, SearchAnew search_anew) {
+    if (status() != Status::solved || path_ == kNone) return status();
+    if (limits_.way_legs == 0) return Status::bad_argument;
+    if (!improving_) begin_to_improve();
+    for (; iterations > 0 && status() == Status::solved; --iterations) {
+      if (improver_.searches_anew()) {
+        search_anew();
+      } else {
+        improve_along_line();
+      }
+    }
+    return status();
+  }
+
+  // Lets the search go on that improves the plan; false when it has yet to begin: then begin_anew, which is an
+  // iteration of its own.
+  bool resume_anew();
+  void begin_anew();
+  // Lets it rest: the status is solved, as it is for the caller of improve.
+  void pause_anew();
+
   // Whether a try is over; then new_try forgets all but the start and where the random numbers have got to.
   bool new_try_due() { return restarts_.due(); }
   void new_try();
@@ -138,7 +164,8 @@ class Search {
   Status finish(Status status);
 
   bool shoots_at_poses_ = true;
-  bool shortcuts_ = true;  // the plan is the same without, which tests and measurements of them search
+  bool searches_anew_ = true;  // whether plans of long chains are improved by searches, too
+  bool shortcuts_ = true;      // the plan is the same without, which tests and measurements of them search
   Robot robot_;
   const Scene* scene_ = nullptr;
   Parameters parameters_ = kDefaults;
@@ -214,6 +241,8 @@ class Search {
 
   void begin_to_improve();
 
+  void improve_along_line();
+
   PlanPath found_path() const { return {tree_, path_}; }
 
   bool ready_ = false;
@@ -232,6 +261,7 @@ class Search {
   std::uint32_t steps_left_ = 0;  // of that expansion
   PlanProof proof_;
   bool improving_ = false;  // since the first call of improve
+  bool anew_ = false;       // whether a search for a better plan has begun and not ended
   Improver improver_;
 };
 
