@@ -6,19 +6,24 @@
 namespace krait::test {
 namespace {
 
-TEST(Improve, PlansOnlyGetBetterAndDo) {
+// A chain of four bodies, as whose plans are improved by searches that begin anew, too.
+Snake long_chain() { return Snake(small_chain(3)); }
+
+// How often a plan became better, of three seeds.
+template <class R>
+int count_better(const R& robot, int iterations) {
   int better = 0;
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
-    Solved<Car> bench(small_car(), seed);
+    Solved<R> bench(robot, seed);
     std::uint32_t steps = bench.planner.plan().steps();
     std::uint64_t improvements = 0;
-    for (int i = 0; i < 1500; ++i) {
-      ASSERT_EQ(bench.planner.improve(1), Status::solved);
+    for (int i = 0; i < iterations; ++i) {
+      EXPECT_EQ(bench.planner.improve(1), Status::solved);
       const Plan plan = bench.planner.plan();
       const Statistics statistics = bench.planner.statistics();
       const bool found = statistics.improvements > improvements;
       improvements = statistics.improvements;
-      ASSERT_TRUE(found ? plan.steps() < steps : plan.steps() == steps);
+      EXPECT_TRUE(found ? plan.steps() < steps : plan.steps() == steps);
       steps = plan.steps();
       if (!found) continue;
       ++better;
@@ -28,21 +33,57 @@ TEST(Improve, PlansOnlyGetBetterAndDo) {
       EXPECT_EQ(statistics.hash, plan.hash());
     }
   }
-  EXPECT_GE(better, 3);
+  return better;
+}
+
+TEST(Improve, PlansOnlyGetBetterAndDo) {
+  EXPECT_GE(count_better(small_car(), 1500), 3);
+  EXPECT_GE(count_better(long_chain(), 3000), 6);
+}
+
+// A search that begins anew makes vertices, and others than the first.
+TEST(Improve, PlansOfLongChainsAreSearchedForAnew) {
+  Solved<Snake> chain(long_chain());
+  Solved<Truck> truck(Truck(small_chain(2)));
+  const Statistics before = chain.planner.statistics();
+  const std::uint64_t of_truck = truck.planner.statistics().vertices;
+  EXPECT_EQ(chain.planner.improve(2000), Status::solved);
+  EXPECT_EQ(truck.planner.improve(2000), Status::solved);
+  EXPECT_GT(chain.planner.statistics().vertices, 5 * before.vertices);
+  EXPECT_LT(chain.planner.plan().steps(), before.plan_steps);
+  EXPECT_EQ(truck.planner.statistics().vertices, of_truck);
+}
+
+// Their expansions count, so that a search that may make no more ends; the rounds along lines go on.
+TEST(Improve, SearchesKeepToTheLimits) {
+  Bench<Snake> bench(winding(), long_chain());
+  bench.limits.way_legs = kLegs;
+  bench.limits.iterations = 200;
+  ASSERT_TRUE(bench.init().ok());
+  const std::vector<float> start = start_of(bench.robot);
+  ASSERT_EQ(bench.solve({start.data(), Goal::named(0), 1}), Status::solved);
+  ASSERT_LT(bench.planner.statistics().iterations, 200U);
+  EXPECT_EQ(bench.planner.improve(2000), Status::solved);
+  EXPECT_EQ(bench.planner.statistics().iterations, 200U);
+  const std::uint64_t checks = bench.planner.statistics().collision_checks;
+  EXPECT_EQ(bench.planner.improve(2000), Status::solved);
+  EXPECT_GT(bench.planner.statistics().collision_checks, checks);
+  EXPECT_EQ(bench.planner.plan().hash(), bench.planner.statistics().hash);
 }
 
 TEST(ImproveCalls, ThePlanDoesNotDependOnHowTheyAreCut) {
   expect_independent_of_cuts(small_car());
   expect_independent_of_cuts(small_unicycle());
   expect_independent_of_cuts(Truck(small_chain(2)));
+  expect_independent_of_cuts(long_chain());
 }
 
 // A planner that has improved before is as a fresh one.
-TEST(ImproveCalls, TheNextStartForgetsThem) {
-  Solved<Car> used(small_car(), 5);
-  EXPECT_EQ(used.planner.improve(700), Status::solved);
-  ASSERT_GT(used.planner.statistics().improvements, 0U);
-  Solved<Car> fresh(small_car(), 2);
+template <class R>
+void expect_forgotten(const R& robot, std::uint64_t iterations) {
+  Solved<R> used(robot, 5);
+  EXPECT_EQ(used.planner.improve(iterations), Status::solved);
+  Solved<R> fresh(robot, 2);
   ASSERT_EQ(used.solve({used.start.data(), Goal::named(0), 2}), Status::solved);
   EXPECT_EQ(used.planner.statistics().improvements, 0U);
   EXPECT_EQ(used.planner.plan().hash(), fresh.planner.plan().hash());
@@ -51,9 +92,17 @@ TEST(ImproveCalls, TheNextStartForgetsThem) {
   EXPECT_TRUE(same(used.planner.statistics(), fresh.planner.statistics()));
 }
 
-TEST(ImproveProof, EveryBetterPlanIsSound) {
+TEST(ImproveCalls, TheNextStartForgetsThem) {
+  expect_forgotten(small_car(), 700);
+  for (std::uint64_t into_a_search = 100; into_a_search < 120; ++into_a_search) {
+    expect_forgotten(long_chain(), into_a_search);
+  }
+}
+
+template <class R>
+void expect_sound(const R& robot) {
   for (const std::uint64_t seed : {1U, 2U}) {
-    Solved<Car> bench(small_car(), seed);
+    Solved<R> bench(robot, seed);
     for (std::uint64_t found = 0; found < 3;) {
       EXPECT_EQ(bench.planner.improve(1), Status::solved);
       if (bench.planner.statistics().improvements == found) continue;
@@ -63,6 +112,11 @@ TEST(ImproveProof, EveryBetterPlanIsSound) {
       EXPECT_TRUE(end[0] > goal.x0 && end[0] < goal.x1 && end[1] > goal.y0 && end[1] < goal.y1);
     }
   }
+}
+
+TEST(ImproveProof, EveryBetterPlanIsSound) {
+  expect_sound(small_car());
+  expect_sound(long_chain());
 }
 
 TEST(ImproveMemory, IsPartOfTheBytesRequired) {
@@ -90,8 +144,9 @@ TEST(ImproveMemory, LimitsForLeaveRoomForIt) {
   EXPECT_LT(limits.vertices, Planner::limits_for(60'000, open.scene, car).vertices);
 }
 
-TEST(ImproveMemory, NothingOutsideTheBlockIsWritten) {
-  Bench<Car> bench(winding(), small_car());
+template <class R>
+void expect_nothing_written_outside(const R& robot) {
+  Bench<R> bench(winding(), robot);
   bench.limits.vertices = 1000;
   bench.limits.way_legs = 16;  // legs are longer then
   const auto needed = bench.planner.bytes_required(bench.open.scene, bench.robot, bench.limits);
@@ -106,6 +161,11 @@ TEST(ImproveMemory, NothingOutsideTheBlockIsWritten) {
     ASSERT_EQ(block[i], 0x5151515151515151ULL);
     ASSERT_EQ(block[32 + needed / 8 + i], 0x5151515151515151ULL);
   }
+}
+
+TEST(ImproveMemory, NothingOutsideTheBlockIsWritten) {
+  expect_nothing_written_outside(small_car());
+  expect_nothing_written_outside(long_chain());
 }
 
 TEST(ImproveMisuse, WithoutRoomItIsRefusedAndThePlanStays) {

@@ -193,9 +193,9 @@ void print_improvement(const SearchResult& result, const SearchRequest& request)
   const auto& s = result.plan.statistics;
   const auto improvements = s.at("improvements").get<std::uint64_t>();
   if (improvements > 0) {
-    std::printf("improved %s: %.1f s became %.1f s, %.1f m became %.1f m\n", times(improvements).c_str(),
-                result.first.duration, s.at("plan_duration_s").get<double>(), result.first.length,
-                s.at("plan_length_m").get<double>());
+    std::printf("improved %s in %.4f s: %.1f s became %.1f s, %.1f m became %.1f m\n", times(improvements).c_str(),
+                s.at("improve_time_s").get<double>(), result.first.duration, s.at("plan_duration_s").get<double>(),
+                result.first.length, s.at("plan_length_m").get<double>());
   } else if (result.stopped) {
     std::printf("no better plan was found before you stopped it\n");
   } else if (result.late) {

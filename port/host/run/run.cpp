@@ -97,6 +97,17 @@ nlohmann::ordered_json statistics_json(const Statistics& s, double seconds) {
           {"hash", printed("%016llx", static_cast<unsigned long long>(s.hash))}};
 }
 
+// The counts of the search for the first plan, with the measures of the best one.
+Statistics with_plan_of(Statistics found, const Statistics& best) {
+  found.bytes_used = best.bytes_used;
+  found.plan_steps = best.plan_steps;
+  found.plan_length = best.plan_length;
+  found.plan_duration = best.plan_duration;
+  found.plan_end_speed = best.plan_end_speed;
+  found.hash = best.hash;
+  return found;
+}
+
 }  // namespace
 
 SceneBytes SceneBytes::read(const std::string& path) {
@@ -168,6 +179,7 @@ SearchResult run_search(const std::string& scene_path, const SceneBytes& bytes, 
   Company company(*session, request, watch, begin);
   search_to_end(*session, company);
   const Statistics found = session->statistics();
+  const double searched = since(begin);
   const PlanMeasure first{static_cast<double>(found.plan_length), static_cast<double>(found.plan_duration)};
   improve(*session, request, company);
   SearchResult result{session->query().form, session->query().asked, since(begin)};
@@ -176,10 +188,12 @@ SearchResult run_search(const std::string& scene_path, const SceneBytes& bytes, 
   result.late = company.late();
   result.plan.status = to_string(session->status());
   session->copy_plan(result.plan);
-  result.plan.statistics = statistics_json(session->statistics(), result.seconds);
+  const Statistics best = session->statistics();
+  result.plan.statistics = statistics_json(with_plan_of(found, best), searched);
   result.why = why_no_plan(*session, scene, request);
   if (request.improve > 0) {
-    result.plan.statistics["improvements"] = session->statistics().improvements;
+    result.plan.statistics["improvements"] = best.improvements;
+    result.plan.statistics["improve_time_s"] = result.seconds - searched;
     result.plan.statistics["first_plan_length_m"] = first.length;
     result.plan.statistics["first_plan_duration_s"] = first.duration;
   }

@@ -104,7 +104,7 @@ struct SearchWatch {
 struct SearchResult {
   PlanFile plan;
   Asked asked;                     // what the verifier holds it to, world coordinates
-  double seconds;                  // from opening the scene to the plan
+  double seconds;                  // from opening the scene to the best plan
   std::vector<std::string> why{};  // there is no plan, a line each
   PlanMeasure first{};             // of the first plan; zeros where there is none
   bool stopped = false;            // by SearchWatch::stop

@@ -77,7 +77,7 @@ std::string hash_of(const ordered_json& plan) {
 }
 
 std::string without_time(ordered_json plan) {
-  plan.at("statistics").erase("time_s");
+  for (const char* time : {"time_s", "improve_time_s"}) plan.at("statistics").erase(time);
   return plan.dump();
 }
 
@@ -199,7 +199,7 @@ TEST_F(CliPlan, SaysWhatImprovementMadeOfThePlan) {
     const std::string text = said({"--robot", robot, "--seed", "3"});
     const int count = json("plan.json").at("statistics").at("improvements");
     const std::string times = count == 1 ? "1 time" : std::to_string(count) + " times";
-    EXPECT_THAT(text, HasSubstr(count > 0 ? "\nimproved " + times + ": " : "\nno better plan was found in 10 times "));
+    EXPECT_THAT(text, HasSubstr(count > 0 ? "\nimproved " + times + " in " : "\nno better plan was found in 10 times "));
     all += count;
   }
   EXPECT_GT(all, 0);
