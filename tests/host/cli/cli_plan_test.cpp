@@ -187,6 +187,18 @@ TEST_F(CliPlan, ImprovesByTenTimesTheFirstPlansChecksUnlessAskedOtherwise) {
   }
 }
 
+// A long chain's plan is improved by searches, whose counts are not the first one's.
+TEST_F(CliPlan, CountsTheSearchForTheFirstPlanAlone) {
+  const ordered_json first = plan({"--robot", "snake:4", "--seed", "3", "--improve", "0"}).at("statistics");
+  const ordered_json better = plan({"--robot", "snake:4", "--seed", "3"}).at("statistics");
+  EXPECT_GT(better.at("improvements"), 0);
+  EXPECT_LT(better.at("plan_steps"), first.at("plan_steps"));
+  for (const char* count : {"iterations", "restarts", "vertices", "recycled", "collision_checks", "dijkstra_runs",
+                            "regions_repaired", "plans_refused"}) {
+    EXPECT_EQ(better.at(count), first.at(count)) << count;
+  }
+}
+
 TEST_F(CliPlan, SaysWhatImprovementMadeOfThePlan) {
   const auto said = [this](Arguments options) {
     options.insert(options.begin(), {"plan", "room.krait", "-o", "plan.json"});
