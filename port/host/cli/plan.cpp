@@ -162,8 +162,7 @@ double shortest_way_of(const SearchResult& result, const SearchRequest& request,
   const krait::Scene scene = open_scene(result.plan.scene, bytes);
   const auto position = [](const std::vector<float>& state) { return Vec2{state[0], state[1]}; };
   const float width = disc_width(request.robot) + 2 * request.parameters.clearance;
-  return shortest_way(scene, resolve_goal(scene, request), width, position(result.plan.states.front()),
-                      position(result.plan.states.back()));
+  return shortest_way(scene, width, position(result.plan.states.front()), position(result.plan.states.back()));
 }
 
 void print_quality(const SearchResult& result, const SearchRequest& request, const SceneBytes& bytes,

@@ -109,7 +109,7 @@ class Fitter {
     while (inside < scene.triangle_count() && !goal.covers(scene, inside)) ++inside;
     if (inside == scene.triangle_count()) return false;
     const auto width = static_cast<float>(2 * girth_.inner);
-    return !std::isnan(shortest_way(scene, goal, width, scene.start(0).position, scene.centroid(inside)));
+    return !std::isnan(shortest_way(scene, width, scene.start(0).position, scene.centroid(inside)));
   }
 
   const Workspace& workspace_;

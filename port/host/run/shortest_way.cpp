@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
+// Polyanya (Cui, Harabor and Grastien: Compromise-free Pathfinding on a Navigation Mesh, IJCAI 2017): A* over intervals
+// of portals, each of which is seen whole from its root, the place where the ways through it have bent last.
 #include "host/run/shortest_way.hpp"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
-#include <functional>
+#include <cstdint>
 #include <limits>
+#include <map>
 #include <queue>
+#include <tuple>
+#include <unordered_map>
 #include <vector>
 
 #include "decomposition/locate.hpp"
@@ -17,139 +24,193 @@ Point point(Vec2 p) { return {static_cast<double>(p.x), static_cast<double>(p.y)
 
 double distance(const Point& a, const Point& b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
-// Dijkstra over points on the portals, the ends among them: those of a triangle's portals see each other.
-class PortalPoints {
- public:
-  PortalPoints(const krait::Scene& scene, const krait::Goal& goal, float least_width)
-      : scene_(scene), goal_(goal), least_width_(least_width), nodes_(std::size_t{scene.portal_count()} * kPoints) {}
+// Positive where c lies to the left of the line from a to b: twice the area of the triangle.
+double area(const Point& a, const Point& b, const Point& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
 
-  // From `from` in `triangle` to `to` in the goal; empty where there is none.
-  std::vector<Point> way(Index triangle, const Point& from, const Point& to) {
-    if (goal_.covers(scene_, triangle)) return {from, to};
-    reach(triangle, from, 0, kFirst);
-    while (!queue_.empty()) {
-      const auto [length, node] = queue_.top();
-      queue_.pop();
-      if (node == kLast) return way_to_last(from, to);
-      if (length > nodes_[node].length) continue;
-      for (const Index next : nodes_[node].triangles) {
-        if (goal_.covers(scene_, next)) {
-          reach_last(length + distance(nodes_[node].at, to), node);
-        } else {
-          reach(next, nodes_[node].at, length, node);
-        }
-      }
+Point between(const Point& a, const Point& b, double share) {
+  return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
+}
+
+// Up to what share of the line from a to b a linear function is positive that does not grow from 0 and has these values
+// at its ends.
+double positive_share(double at_a, double at_b) {
+  if (at_b > 0) return 1;
+  return at_a > 0 ? at_a / (at_a - at_b) : 0;
+}
+
+class Polyanya {
+ public:
+  Polyanya(const krait::Scene& scene, float least_width) : scene_(scene), least_width_(least_width) { find_corners(); }
+
+  double length(Index begin, const Point& from, Index end, const Point& to) {
+    if (begin == end) return distance(from, to);
+    to_ = to;
+    for (int edge = 0; edge < 3; ++edge) {
+      const auto [left, right] = ends(begin, edge);
+      push({begin, edge, right, left, from, 0, 0});
     }
-    return {};
+    while (!queue_.empty()) {
+      const Node node = queue_.top();
+      queue_.pop();
+      if (node.triangle == end) return node.bound;
+      if (!outdated(node.root, node.length)) expand(node);
+    }
+    return std::numeric_limits<double>::quiet_NaN();
   }
 
  private:
-  static constexpr std::size_t kPoints = 7;  // on a portal
-  static constexpr std::size_t kFirst = SIZE_MAX;
-  static constexpr std::size_t kLast = SIZE_MAX - 1;
+  static constexpr double kRounding = 1e-9;  // metres, or square metres of an area
 
+  // Ways that go on into a triangle through an interval of its edge, seen from the root between left and right.
   struct Node {
-    double length = std::numeric_limits<double>::infinity();  // from the start
-    std::size_t before = kFirst;
-    Point at;
-    Index triangles[2] = {kNone, kNone};  // that meet there
+    Index triangle;
+    int edge;
+    Point left, right;
+    Point root;
+    double length;  // metres to the root
+    double bound;   // metres of the shortest way through the interval, if nothing were in its way afterwards
+
+    bool operator<(const Node& other) const { return bound > other.bound; }
   };
 
-  // All points of the triangle's portals, from one that is `length` from the start.
-  void reach(Index triangle, const Point& from, double length, std::size_t before) {
-    for (int edge = 0; edge < 3; ++edge) {
-      const Index other = scene_.neighbor(triangle, edge);
-      if (other == kNone || scene_.portal_width(scene_.portal(triangle, edge)) < least_width_) continue;
-      const Point a = point(scene_.corner(triangle, edge));
-      const Point b = point(scene_.corner(triangle, (edge + 1) % 3));
-      for (std::size_t i = 0; i < kPoints; ++i) {
-        // Counted from the same end by both triangles.
-        const double share = static_cast<double>(triangle < other ? i : kPoints - 1 - i) / (kPoints - 1);
-        const Point at{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
-        const std::size_t number = std::size_t{scene_.portal(triangle, edge)} * kPoints + i;
-        const double through = length + distance(from, at);
-        if (!(through < nodes_[number].length)) continue;
-        nodes_[number] = {through, before, at, {triangle, other}};
-        queue_.emplace(through, number);
+  static std::uint64_t key(const Point& p) {
+    const auto bits = [](double x) { return std::bit_cast<std::uint32_t>(static_cast<float>(x)); };
+    return std::uint64_t{bits(p.x)} << 32U | bits(p.y);
+  }
+
+  bool open(Index triangle, int edge) const {
+    return scene_.neighbor(triangle, edge) != kNone &&
+           scene_.portal_width(scene_.portal(triangle, edge)) >= least_width_;
+  }
+
+  // As one sees them who looks into the triangle.
+  std::pair<Point, Point> ends(Index triangle, int edge) const {
+    return {point(scene_.corner(triangle, edge)), point(scene_.corner(triangle, (edge + 1) % 3))};
+  }
+
+  // Shortest ways bend at vertices of closed edges only.
+  void find_corners() {
+    for (Index triangle = 0; triangle < scene_.triangle_count(); ++triangle) {
+      for (int edge = 0; edge < 3; ++edge) {
+        if (open(triangle, edge)) continue;
+        const auto [left, right] = ends(triangle, edge);
+        for (const Point& end : {left, right}) corners_.emplace(key(end), std::numeric_limits<double>::infinity());
       }
     }
   }
 
-  void reach_last(double length, std::size_t before) {
-    if (!(length < last_)) return;
-    last_ = length;
-    before_last_ = before;
-    queue_.emplace(length, kLast);
+  bool is_corner(const Point& p) const { return corners_.contains(key(p)); }
+
+  // Whether a shorter way to the root is known.
+  bool outdated(const Point& root, double length) const {
+    const auto corner = corners_.find(key(root));
+    return corner != corners_.end() && length > corner->second + kRounding;
   }
 
-  std::vector<Point> way_to_last(const Point& from, const Point& to) const {
-    std::vector<Point> way = {to};
-    for (std::size_t node = before_last_; node != kFirst; node = nodes_[node].before) way.push_back(nodes_[node].at);
-    way.push_back(from);
-    return way;
+  // Of a way from a through the interval to b, which may be on the same side: as in a mirror then.
+  static double through(const Point& a, const Point& left, const Point& right, const Point& b) {
+    const double width = distance(left, right);
+    if (!(width > 0)) return distance(a, left) + distance(left, b);
+    const auto along = [&](const Point& p) {
+      return ((p.x - left.x) * (right.x - left.x) + (p.y - left.y) * (right.y - left.y)) / width;
+    };
+    const double off_a = std::abs(area(left, right, a)) / width;
+    const double off_b = std::abs(area(left, right, b)) / width;
+    const double share = off_a + off_b > 0 ? off_a / (off_a + off_b) : 0;
+    const double at = std::clamp(along(a) + share * (along(b) - along(a)), 0.0, width);
+    const Point crossing = between(left, right, at / width);
+    return distance(a, crossing) + distance(crossing, b);
+  }
+
+  // The ways that leave the triangle of `node` through its edge, between left and right.
+  void push(const Node& node) {
+    if (!open(node.triangle, node.edge)) return;
+    Node next = node;
+    next.triangle = scene_.neighbor(node.triangle, node.edge);
+    next.edge = 0;
+    while (scene_.neighbor(next.triangle, next.edge) != node.triangle) ++next.edge;
+    next.bound = next.length + through(next.root, next.left, next.right, to_);
+    queue_.push(next);
+  }
+
+  // Ways that bend at an end of the interval, where that is a corner.
+  void push_bent(const Node& node, const Point& end, int edge, const Point& left, const Point& right) {
+    if (!is_corner(end) || !(distance(left, right) > kRounding)) return;
+    const double length = node.length + distance(node.root, end);
+    if (outdated(end, length)) return;
+    double& least = corners_[key(end)];
+    least = std::min(least, length);
+    push({node.triangle, edge, left, right, end, length, 0});
+  }
+
+  void expand(const Node& node) {
+    const auto [first, last] = ends(node.triangle, node.edge);
+    const Point top = point(scene_.corner(node.triangle, (node.edge + 2) % 3));
+    const int left_edge = (node.edge + 2) % 3;
+    const int right_edge = (node.edge + 1) % 3;
+    if (std::abs(area(node.left, node.right, node.root)) <= kRounding * (1 + distance(node.left, node.right))) {
+      expand_along(node, first, top, last);
+      return;
+    }
+    expand_edge(node, left_edge, first, top);
+    expand_edge(node, right_edge, top, last);
+  }
+
+  // Whether the triangle is entered for the first time beside this root, or on a shorter way: around a vertex that is
+  // no corner ways would go for ever.
+  bool first_around(const Node& node) {
+    const auto [before, first] = around_.emplace(std::tuple(key(node.root), node.triangle, node.edge), node.length);
+    if (!first && !(node.length < before->second)) return false;
+    before->second = node.length;
+    return true;
+  }
+
+  // The root lies on the line of the interval: from its nearest place all of the triangle is seen.
+  void expand_along(const Node& node, const Point& first, const Point& top, const Point& last) {
+    const bool left = distance(node.root, node.left) < distance(node.root, node.right);
+    const Point& nearest = left ? node.left : node.right;
+    const double apart = through(node.root, node.left, node.right, node.root) / 2;
+    if (apart <= kRounding) {
+      if (!first_around(node)) return;
+      push({node.triangle, (node.edge + 2) % 3, first, top, node.root, node.length, 0});
+      push({node.triangle, (node.edge + 1) % 3, top, last, node.root, node.length, 0});
+      return;
+    }
+    push_bent(node, nearest, (node.edge + 2) % 3, first, top);
+    push_bent(node, nearest, (node.edge + 1) % 3, top, last);
+  }
+
+  // What lies to the left of what the root sees through the interval, that itself, and what lies to its right.
+  void expand_edge(const Node& node, int edge, const Point& a, const Point& b) {
+    const auto beside = [&](const Point& end, const Point& p) { return area(node.root, end, p); };
+    const double begin = positive_share(beside(node.left, a), beside(node.left, b));
+    const double end = std::max(begin, positive_share(beside(node.right, a), beside(node.right, b)));
+    const Point left = begin <= 0 ? a : begin >= 1 ? b : between(a, b, begin);
+    const Point right = end <= 0 ? a : end >= 1 ? b : between(a, b, end);
+    if (begin > 0) push_bent(node, node.left, edge, a, left);
+    if (begin < end && distance(left, right) > kRounding) {
+      push({node.triangle, edge, left, right, node.root, node.length, 0});
+    }
+    if (end < 1) push_bent(node, node.right, edge, right, b);
   }
 
   const krait::Scene& scene_;
-  const krait::Goal& goal_;
   float least_width_;
-  std::vector<Node> nodes_;
-  double last_ = std::numeric_limits<double>::infinity();
-  std::size_t before_last_ = kFirst;
-  using Entry = std::pair<double, std::size_t>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
+  Point to_;
+  std::unordered_map<std::uint64_t, double> corners_;               // and the shortest known way to each
+  std::map<std::tuple<std::uint64_t, Index, int>, double> around_;  // lengths to roots beside entered edges
+  std::priority_queue<Node> queue_;
 };
-
-// False where the triangles share a portal that is narrower.
-bool wide_enough(const krait::Scene& scene, Index from, Index to, float least_width) {
-  for (int edge = 0; from != kNone && edge < 3; ++edge) {
-    if (scene.neighbor(from, edge) == to) return scene.portal_width(scene.portal(from, edge)) >= least_width;
-  }
-  return true;
-}
-
-// Whether the line lies in triangles and passes through wide portals, as far as points every 2 cm tell.
-bool sees(const krait::Scene& scene, float least_width, const Point& a, const Point& b) {
-  constexpr double kStep = 0.02;
-  const int steps = static_cast<int>(distance(a, b) / kStep) + 1;
-  Index before = kNone;
-  for (int i = 1; i < steps; ++i) {
-    const double share = static_cast<double>(i) / steps;
-    const Vec2 at{static_cast<float>(a.x + share * (b.x - a.x)), static_cast<float>(a.y + share * (b.y - a.y))};
-    const Index triangle = detail::locate(scene, at, before);
-    if (triangle == kNone || !wide_enough(scene, before, triangle, least_width)) return false;
-    before = triangle;
-  }
-  return true;
-}
-
-// Leaves out points whose neighbours see each other.
-void straighten(const krait::Scene& scene, float least_width, std::vector<Point>& way) {
-  for (std::size_t i = 1; i + 1 < way.size();) {
-    if (!sees(scene, least_width, way[i - 1], way[i + 1])) {
-      ++i;
-      continue;
-    }
-    way.erase(way.begin() + static_cast<std::ptrdiff_t>(i));
-    if (i > 1) --i;
-  }
-}
-
-double length_of(const std::vector<Point>& way) {
-  double length = 0;
-  for (std::size_t i = 1; i < way.size(); ++i) length += distance(way[i - 1], way[i]);
-  return length;
-}
 
 }  // namespace
 
-double shortest_way(const krait::Scene& scene, const krait::Goal& goal, float least_width, Vec2 from, Vec2 to) {
-  constexpr double kNoWay = std::numeric_limits<double>::quiet_NaN();
-  const Index triangle = detail::locate(scene, from);
-  if (triangle == kNone) return kNoWay;
-  std::vector<Point> way = PortalPoints(scene, goal, least_width).way(triangle, point(from), point(to));
-  if (way.empty()) return kNoWay;
-  straighten(scene, least_width, way);
-  return length_of(way);
+double shortest_way(const krait::Scene& scene, float least_width, Vec2 from, Vec2 to) {
+  const Index begin = detail::locate(scene, from);
+  const Index end = detail::locate(scene, to);
+  if (begin == kNone || end == kNone) return std::numeric_limits<double>::quiet_NaN();
+  return Polyanya(scene, least_width).length(begin, point(from), end, point(to));
 }
 
 }  // namespace krait::host

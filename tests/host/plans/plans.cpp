@@ -75,8 +75,14 @@ void plan(const Workspace& workspace, const SceneBytes& bytes, const SearchReque
 void plan_in_scene(std::uint64_t seed, std::uint64_t wanted, Tally& tally) {
   std::mt19937_64 random(seed);
   const Workspace workspace = random_workspace(random);
-  const CompiledScene scene = compile(workspace, {});
-  const SceneBytes bytes = SceneBytes::copy(scene.bytes.data(), scene.bytes.size());
+  SceneBytes bytes;
+  try {
+    const CompiledScene scene = compile(workspace, {});
+    bytes = SceneBytes::copy(scene.bytes.data(), scene.bytes.size());
+  } catch (const InputError&) {  // obstacles cover all of it
+    ++tally.ends["no free space"];
+    return;
+  }
   ++tally.scenes;
   for (int query = 0; query < kQueries && tally.solved + tally.failed < wanted; ++query) {
     const std::string label = "scene " + std::to_string(seed) + ", query " + std::to_string(query);

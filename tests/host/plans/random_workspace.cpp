@@ -106,6 +106,15 @@ RobotSpec any_robot(Draw& draw) {
   return draw.chance(0.5) ? of_own_size(robot, draw) : robot;
 }
 
+GoalFacing any_facing(Draw& draw) {
+  GoalFacing facing;
+  facing.heading = draw.angle();
+  facing.tolerance = draw.uniform(0.05, 0.5);
+  facing.either_way = draw.chance(0.3);
+  if (draw.chance(0.3)) facing.hitches = draw.uniform(0.2, 1);
+  return facing;
+}
+
 }  // namespace
 
 Workspace random_workspace(std::mt19937_64& random) {
@@ -135,6 +144,8 @@ SearchRequest random_request(const Workspace& workspace, std::mt19937_64& random
   request.seed = random();
   request.iterations = 5000;
   request.memory = 32U << 20U;
+  if (draw.chance(0.3)) request.facing = any_facing(draw);
+  if (draw.chance(0.5)) request.improve = draw.uniform(0.5, 5);
   return request;
 }
 
