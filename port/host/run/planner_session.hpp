@@ -13,7 +13,7 @@ namespace krait::host {
 
 // Throws InputError with one line for every status that is not an honest answer, a start in collision with what it lies
 // against.
-void refuse(const Failure& failure, const SearchRequest& request);
+void refuse(const Failure& failure, const krait::Scene& scene, const SearchRequest& request);
 [[noreturn]] void refuse(const Contact& at_start, const krait::Scene& scene, const SearchRequest& request);
 
 // Limits::way_legs: none where nothing is to be improved, else one a kilobyte of the block, up to those of long plans.
@@ -25,9 +25,9 @@ class PlannerSession : public Session {
   PlannerSession(const krait::Scene& scene, const SearchRequest& request, Block& block)
       : core_(request.robot), robot_(core_.view()), query_(resolve(scene, robot_, request)) {
     const Limits limits{.iterations = request.iterations, .way_legs = way_legs(request)};
-    refuse(planner_.init({block.data(), request.memory, &scene, robot_}, request.parameters, limits), request);
+    refuse(planner_.init({block.data(), request.memory, &scene, robot_}, request.parameters, limits), scene, request);
     (void)planner_.start({query_.start.data(), query_.goal, request.seed});
-    refuse(planner_.failure(), request);
+    refuse(planner_.failure(), scene, request);
     if (planner_.status() == Status::start_in_collision) refuse(planner_.contact(), scene, request);
   }
   // The planner points to the robot.
