@@ -47,7 +47,8 @@ void warn_of_name(const Source& source, const Format& format, Workspace& workspa
 // A map's author may have meant degrees; a map of others may also just count its turns.
 void warn_of_degrees(const std::string& file, Workspace& workspace) {
   const auto judge = [&](const std::string& place, double heading) {
-    if (is_over_a_turn(heading)) workspace.warnings.push_back(file + ": " + place + ": " + degrees_meant(heading));
+    if (is_over_a_turn(heading))
+      workspace.warnings.push_back(file + ": " + place + ": " + heading_over_a_turn(heading));
   };
   for (const Start& start : workspace.starts) judge("start \"" + start.name + "\"", start.heading);
   for (const Goal& goal : workspace.goals) {

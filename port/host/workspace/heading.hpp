@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Headings are radians, which people take for degrees.
+// Angles are radians, which people take for degrees.
 #pragma once
 
 #include <cmath>
@@ -13,18 +13,21 @@ namespace krait::host {
 
 inline constexpr double kLeastTolerance = 1e-4;  // radians, of headings
 
-inline bool is_over_a_turn(double heading) { return std::abs(heading) > 2 * std::numbers::pi; }
+inline bool is_over_a_turn(double angle) { return std::abs(angle) > 2 * std::numbers::pi; }
+
+// What to ask of such an angle.
+inline std::string degrees_meant(double angle) {
+  return printed("were degrees meant? %.6g degrees are %.4f radians", angle, angle * std::numbers::pi / 180);
+}
 
 // What to say of such a heading.
-inline std::string degrees_meant(double heading) {
-  return printed(
-      "a heading of %.6g radians is more than a whole turn; were degrees meant? %.6g degrees are %.4f radians", heading,
-      heading, heading * std::numbers::pi / 180);
+inline std::string heading_over_a_turn(double heading) {
+  return printed("a heading of %.6g radians is more than a whole turn; ", heading) + degrees_meant(heading);
 }
 
 // Throws InputError where the heading is more than a whole turn; `given` is what the line begins with.
 inline void check_heading(const std::string& given, double heading) {
-  if (is_over_a_turn(heading)) throw InputError(given + ": " + degrees_meant(heading));
+  if (is_over_a_turn(heading)) throw InputError(given + ": " + heading_over_a_turn(heading));
 }
 
 }  // namespace krait::host
