@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fault report of a Cortex-M (Armv7-M Architecture Reference Manual, B1.5.6 stack frame, B3.2.15 to B3.2.18 registers).
+// Fault report of a Cortex-M (Armv7-M Architecture Reference Manual, B1.5.6 stack frame, B3.2.15 to B3.2.18 registers,
+// which Armv6-M does not have).
 #include "bare_metal/main.hpp"
 #include "bare_metal/memory.hpp"
 
@@ -9,28 +10,35 @@ void krait_fault();
 }
 
 // Reads what the exception pushed, unless the stack has overflowed and nothing was; then takes the whole stack for the
-// report, since nothing returns.
+// report, since nothing returns. In instructions that Armv6-M has, too.
 __attribute__((naked)) void krait_fault() {
   __asm volatile(
-      "  tst lr, #4\n"
-      "  ite eq\n"
-      "  mrseq r0, msp\n"
-      "  mrsne r0, psp\n"
+      "  movs r0, #4\n"
+      "  mov r1, lr\n"
+      "  tst r1, r0\n"
+      "  mrs r0, msp\n"
+      "  beq 1f\n"
+      "  mrs r0, psp\n"
+      "1:\n"
       "  movs r1, #0\n"
       "  movs r2, #0\n"
       "  ldr r3, =krait_stack_limit\n"
       "  cmp r0, r3\n"
-      "  itt hi\n"
-      "  ldrhi r1, [r0, #24]\n"
-      "  ldrhi r2, [r0, #20]\n"
+      "  bls 2f\n"
+      "  ldr r1, [r0, #24]\n"
+      "  ldr r2, [r0, #20]\n"
+      "2:\n"
       "  ldr r3, =krait_stack_top\n"
       "  mov sp, r3\n"
-      "  b krait_report_fault\n"
+      "  bl krait_report_fault\n"
       "  .ltorg\n");
 }
 
 void krait_report_fault(std::uintptr_t frame, std::uintptr_t pc, std::uintptr_t lr) {
   using krait::bare_metal::NamedWord;
+  const bool overflow = frame <= reinterpret_cast<std::uintptr_t>(krait_stack_limit);
+  const char* const what = overflow ? "the stack overflowed" : "the processor faulted";
+#ifdef __thumb2__
   const auto at = [](std::uintptr_t address) { return *reinterpret_cast<volatile std::uint32_t*>(address); };
   const NamedWord words[] = {{"pc", pc},
                              {"lr", lr},
@@ -38,6 +46,9 @@ void krait_report_fault(std::uintptr_t frame, std::uintptr_t pc, std::uintptr_t 
                              {"hfsr", at(0xE000ED2C)},
                              {"mmfar", at(0xE000ED34)},
                              {"bfar", at(0xE000ED38)}};
-  const bool overflow = frame <= reinterpret_cast<std::uintptr_t>(krait_stack_limit);
-  krait::bare_metal::report_fault(overflow ? "the stack overflowed" : "the processor faulted", words, 6);
+  krait::bare_metal::report_fault(what, words, 6);
+#else
+  const NamedWord words[] = {{"pc", pc}, {"lr", lr}};
+  krait::bare_metal::report_fault(what, words, 2);
+#endif
 }

@@ -21,7 +21,10 @@ struct VectorTable {
   Handler handlers[15];  // exceptions 1 to 15
 };
 
-volatile std::uint32_t& at(std::uintptr_t address) { return *reinterpret_cast<volatile std::uint32_t*>(address); }
+// Not used where the core has a stack limit and no floating point.
+[[maybe_unused]] volatile std::uint32_t& at(std::uintptr_t address) {
+  return *reinterpret_cast<volatile std::uint32_t*>(address);
+}
 
 // Coprocessors 10 and 11, the floating-point unit, for everyone (B3.2.20).
 void enable_floating_point() {

@@ -29,9 +29,11 @@ __attribute__((naked, section(".start"), used)) void krait_reset() {
       "  la sp, krait_stack_top\n"
       "  la t0, krait_trap\n"
       "  csrw mtvec, t0\n"
+#ifdef __riscv_flen
       "  li t0, 0x2000\n"  // mstatus.FS: the floating-point unit is on
       "  csrs mstatus, t0\n"
       "  fscsr zero\n"
+#endif
       "  j krait_start\n");
 }
 

@@ -29,6 +29,8 @@ std::string complaint_of(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<CLI::App*> commands = app.get_subcommands();
   const std::string help = commands.empty() ? "krait --help" : "krait " + commands.front()->get_name() + " --help";
   const std::vector<std::string> strange = app.remaining(true);
+  if (strange.empty() && commands.empty() && error.get_name() == "RequiredError")
+    return "give a command (see " + help + ")";
   if (strange.empty()) return std::string(error.what()) + " (see " + help + ")";
   return (commands.empty() ? "no such command: " : "not expected here: ") + strange.front() + " (see " + help + ")";
 }

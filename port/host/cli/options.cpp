@@ -49,7 +49,9 @@ void parse_goal(const std::string& text, SearchRequest& request) {
   if (const auto disc = parse_numbers(text, {kMaxCoordinate, kMaxCoordinate, kMaxCoordinate}); disc && (*disc)[2] > 0) {
     request.goal = GoalDisc{{(*disc)[0], (*disc)[1]}, (*disc)[2]};
   } else if (text.find(',') != std::string::npos) {
-    throw InputError("--goal " + text + ": give X,Y,RADIUS (metres to 1e7, the radius above 0) or a goal's name");
+    throw InputError(
+        "--goal " + text +
+        ": give X,Y,RADIUS (metres to 1e7, the radius above 0) or a goal's name; --heading takes a heading");
   } else {
     request.goal_name = text;
   }

@@ -72,9 +72,14 @@ void print_verdict(const Verdict& verdict, bool all) {
     std::printf("as driven, it ends %.4g rad off the heading\n", verdict.heading_error);
 }
 
+// To a micrometre or microradian, since the plan's own numbers are floats: -4.34, not -4.340000153.
+double to_micro(double number) { return std::round(number * 1e6) / 1e6; }
+
 // What the plan was judged by though it was not asked for.
 void print_own(const VerifyOptions& options, const Workspace& workspace, const Asked& asked) {
-  std::printf("from %.10g,%.10g,%.10g%s\n", asked.start.position.x, asked.start.position.y, asked.start.heading,
+  const Start& start = asked.start;
+  std::printf("from %.14g,%.14g,%.14g%s\n", to_micro(start.position.x), to_micro(start.position.y),
+              to_micro(start.heading),
               options.query.start.empty() ? ", the plan's own start: --start asks for another" : "");
   const QueryOptions& query = options.query;
   if (query.asks_heading() || query.any_heading) return;

@@ -9,6 +9,7 @@
 #include "host/import/shift.hpp"
 #include "host/input/file.hpp"
 #include "host/input/json.hpp"
+#include "host/workspace/heading.hpp"
 
 namespace krait::host {
 namespace {
@@ -43,6 +44,19 @@ void warn_of_name(const Source& source, const Format& format, Workspace& workspa
   workspace.warnings.push_back(source.path + ": is read as " + format.name + ", which it is, whatever its name says");
 }
 
+// A map's author may have meant degrees; a map of others may also just count its turns.
+void warn_of_degrees(const std::string& file, Workspace& workspace) {
+  const auto judge = [&](const std::string& place, double heading) {
+    if (is_over_a_turn(heading))
+      workspace.warnings.push_back(file + ": " + place + ": " + heading_over_a_turn(heading));
+  };
+  for (const Start& start : workspace.starts) judge("start \"" + start.name + "\"", start.heading);
+  for (const Goal& goal : workspace.goals) {
+    if (goal.pose) judge("goal \"" + goal.name + "\"", goal.pose->facing.heading);
+  }
+  if (workspace.cells) judge("the origin's yaw", workspace.cells->yaw);
+}
+
 }  // namespace
 
 std::string map_formats() {
@@ -60,6 +74,7 @@ Workspace read_workspace(const Source& source, const ImportOptions& options) {
   if (format == nullptr) refuse(source);
   Workspace workspace = format->read(source, options);
   warn_of_name(source, *format, workspace);
+  warn_of_degrees(source.path, workspace);
   bring_near(source.path, workspace);
   workspace.files.push_back(source.path);
   for (std::string& warning : workspace.warnings) warning = safe_to_print(warning);

@@ -119,7 +119,8 @@ void warn(const std::string& file, const Counts& counts, const Rules& rules, Wor
   const CellMap& cells = *workspace.cells;
   if (counts.unknown > 0 && rules.unknown == Unknown::map) {
     workspace.warnings.push_back(file + ": " + share(counts.unknown, cells) +
-                                 " of the cells are unknown and count as obstacles; --unknown free makes them free");
+                                 " of the cells are unknown and count as obstacles; --unknown free makes them free" +
+                                 (rules.mode == Mode::raw ? "; mode raw knows pixels up to 100 only" : ""));
   }
   if (counts.unknown > 0 && rules.unknown == Unknown::free) {
     workspace.warnings.push_back(file + ": " + share(counts.unknown, cells) +

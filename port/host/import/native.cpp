@@ -69,6 +69,7 @@ Goal read_goal(const Field& field) {
   const bool circle = field.has("circle");
   const bool place = field.has("position") || field.has("radius");
   if (place && (region || circle)) field.fail("must have one of polygon, box, circle, and position with radius");
+  if (place && !field.has("heading")) field.fail("position and radius need a heading; without one, give a circle");
   if (region && field.has("heading")) {
     field.at("heading").fail("needs a circle, or position and radius: a polygon or box holds robots turned in any way");
   }

@@ -297,7 +297,8 @@ class Reader {
     const auto count = [&](std::size_t number, const std::string& what) {
       if (number > 0) warnings.push_back(file_ + ": " + std::to_string(number) + what);
     };
-    count(hollow_, " shapes without a fill are no obstacles");
+    count(hollow_,
+          " shapes without a fill are no obstacles, also where they have a stroke: draw walls as filled shapes");
     count(others_, " texts and images are not read");
     if (has_sheet_)
       warnings.push_back(file_ + ": style sheets are not read: shapes count as filled unless they say not");

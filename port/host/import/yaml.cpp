@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/import/yaml.hpp"
 
+#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
+#include <sstream>
 
 namespace krait::host {
 namespace {
@@ -27,6 +29,31 @@ void check_depth(const std::string& text, const std::string& file) {
     if (leading) indent += 1;
     if (brackets > kMaxDepth || indent > kMostIndent) fail_depth(file);
   }
+}
+
+// Passes over a document.
+class Passer : public YAML::EventHandler {
+ public:
+  void OnDocumentStart(const YAML::Mark&) override {}
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t, const std::string&) override {}
+  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {}
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {}
+  void OnMapEnd() override {}
+};
+
+// YAML::Load reads the first document alone, and what follows a line that begins further left than those before it is
+// another one to it.
+void require_one_document(const std::string& text, const std::string& file) {
+  std::istringstream stream(text);
+  YAML::Parser parser(stream);
+  Passer passer;
+  parser.HandleNextDocument(passer);
+  if (!parser) return;
+  throw InputError(file + ": is more than one YAML document; do all its lines begin in the same column?");
 }
 
 class Converter {
@@ -77,6 +104,7 @@ Json parse_yaml(const std::string& text, const std::string& file) {
   if (text.find('\0') != std::string::npos) throw InputError(file + ": is not YAML: it has zero bytes");
   check_depth(text, file);
   try {
+    require_one_document(text, file);
     return Converter(file, text.size() + 1).convert(YAML::Load(text), 0);
   } catch (const YAML::Exception& error) {
     throw InputError(file + ": is not valid YAML: " + cleaned_name(error.what()));

@@ -10,6 +10,7 @@
 
 #include "host/input/file.hpp"
 #include "host/robot_file/shipped.hpp"
+#include "host/workspace/heading.hpp"
 #include "host/workspace/printed.hpp"
 #include "host/workspace/ring.hpp"
 #include "krait/robots/all.hpp"
@@ -145,9 +146,11 @@ double read_parameter(const Field& field, const Parameter& parameter) {
   const double value = number ? field.value().get<double>() : std::nan("");
   const bool usable = value >= parameter.least && value <= parameter.most;
   if (usable && (!parameter.whole || value == std::floor(value))) return value;
+  const bool degrees = number && std::string(parameter.unit) == "radians" && is_over_a_turn(value);
   field.fail("must be " + std::string(parameter.whole ? "a whole number of " : "") + parameter.unit + " from " +
              shown(parameter.least) + " to " + shown(parameter.most) + ", is " +
-             (number ? shown(value) : std::string(field.value().type_name())));
+             (number ? shown(value) : std::string(field.value().type_name())) +
+             (degrees ? "; " + degrees_meant(value) : ""));
 }
 
 void read_parameters(const Field& field, const Model& model, std::map<std::string, double>& values) {
@@ -165,6 +168,24 @@ void read_parameters(const Field& field, const Model& model, std::map<std::strin
   if (least != values.end() && least->second > values.at("max_speed")) {
     field.fail("min_speed must be at most max_speed, which is " + shown(values.at("max_speed")));
   }
+}
+
+// A parameter beside "parameters" in place of in it.
+void refuse_stray_parameters(const Field& field) {
+  if (!field.value().is_object()) return;
+  for (const auto& item : field.value().items()) {
+    for (const Model& model : models()) {
+      if (find_parameter(model, item.key()) != nullptr)
+        field.fail("\"" + item.key() + "\" is a parameter: it goes into \"parameters\": {\"" + item.key() + "\": …}");
+    }
+  }
+}
+
+int read_links(const Field& field, const Model& model) {
+  if (model.most_links > 0) return static_cast<int>(field.at("links").integer(0, model.most_links));
+  if (field.has("links") && field.at("links").value() != 0)
+    field.at("links").fail("a " + std::string(model.name) + " has no trailers: leave it out");
+  return 0;
 }
 
 int parse_links(const std::string& text, const Model& model, const std::string& whole) {
@@ -281,14 +302,12 @@ std::vector<std::pair<std::string, double>> default_parameters(const std::string
 }
 
 RobotSpec read_robot(const Field& field) {
+  refuse_stray_parameters(field);
   field.keys({"about", "model", "links", "parameters", "bodies", "sources"});
   const Field name = field.at("model");
   const Model* model = find_model(name.text());
   if (model == nullptr) name.fail("unknown model \"" + cleaned_name(name.text()) + "\"; known are " + known_models());
-  const bool needs_links = model->most_links > 0;
-  const int links =
-      needs_links || field.has("links") ? static_cast<int>(field.at("links").integer(0, model->most_links)) : 0;
-  RobotSpec robot = default_robot(*model, links);
+  RobotSpec robot = default_robot(*model, read_links(field, *model));
   if (field.has("parameters")) read_parameters(field.at("parameters"), *model, robot.parameters);
   read_remarks(field, *model, robot);
   robot.bodies = default_bodies(robot);

@@ -13,7 +13,7 @@ namespace krait::host {
 
 // Throws InputError with one line for every status that is not an honest answer, a start in collision with what it lies
 // against.
-void refuse(const Failure& failure, const SearchRequest& request);
+void refuse(const Failure& failure, const krait::Scene& scene, const SearchRequest& request);
 [[noreturn]] void refuse(const Contact& at_start, const krait::Scene& scene, const SearchRequest& request);
 
 // Limits::way_legs: none where nothing is to be improved, else one a kilobyte of the block, up to those of long plans.
@@ -24,9 +24,9 @@ class PlannerSession : public Session {
  public:
   PlannerSession(const krait::Scene& scene, const SearchRequest& request, Block& block)
       : core_(request.robot), robot_(core_.view()), query_(resolve(scene, robot_, request)) {
-    refuse(set_up({block.data(), request.memory, &scene, robot_}, request), request);
+    refuse(set_up({block.data(), request.memory, &scene, robot_}, request), scene, request);
     (void)planner_.start({query_.start.data(), query_.goal, request.seed});
-    refuse(planner_.failure(), request);
+    refuse(planner_.failure(), scene, request);
     if (planner_.status() == Status::start_in_collision) refuse(planner_.contact(), scene, request);
   }
   // The planner points to the robot.

@@ -63,9 +63,9 @@ Start resolve_start(const krait::Scene& scene, const SearchRequest& request) {
     if (request.start_name == scene.start_name(i)) return scene_start(scene, i, request.robot.links);
   }
   const std::string known = listed(scene.start_count(), [&](Index i) { return scene.start_name(i); });
-  throw InputError(request.start_name.empty()
-                       ? "the scene has no start: give --start X,Y,HEADING"
-                       : "the scene has no start '" + request.start_name + "' (it has: " + known + ")");
+  throw InputError(request.start_name.empty() ? "the scene has no start: give --start X,Y,HEADING"
+                                              : "the scene has no start '" + request.start_name +
+                                                    "' (it has: " + known + "; or give --start X,Y,HEADING)");
 }
 
 krait::Goal resolve_goal(const krait::Scene& scene, const SearchRequest& request) {
@@ -79,9 +79,9 @@ krait::Goal resolve_goal(const krait::Scene& scene, const SearchRequest& request
   const Index index = scene.find_goal(request.goal_name.c_str());
   if (index != kNone) return krait::Goal::named(index);
   const std::string known = listed(scene.goal_count(), [&](Index i) { return scene.goal_name(i); });
-  throw InputError(request.goal_name.empty()
-                       ? "the scene has no goal: give --goal X,Y,RADIUS"
-                       : "the scene has no goal '" + request.goal_name + "' (it has: " + known + ")");
+  throw InputError(request.goal_name.empty() ? "the scene has no goal: give --goal X,Y,RADIUS"
+                                             : "the scene has no goal '" + request.goal_name + "' (it has: " + known +
+                                                   "; or give --goal X,Y,RADIUS)");
 }
 
 Asked asked_of(const krait::Scene& scene, const SearchRequest& request, const Start& start, const krait::Goal& goal) {

@@ -21,7 +21,15 @@ std::string longest_dt(double seconds) {
                  milliseconds / 1000);
 }
 
-std::string explanation(const Failure& failure, const SearchRequest& request) {
+// That it is outside, and of what.
+std::string outside(const char* what, const krait::Scene& scene) {
+  const format::Header& header = scene.header();
+  const Point low = world_of(scene, {header.bounds_min_x, header.bounds_min_y});
+  const Point high = world_of(scene, {header.bounds_max_x, header.bounds_max_y});
+  return printed("%s lies outside the bounds, %.8g,%.8g to %.8g,%.8g m", what, low.x, low.y, high.x, high.y);
+}
+
+std::string explanation(const Failure& failure, const krait::Scene& scene, const SearchRequest& request) {
   const std::string argument = to_string(static_cast<Argument>(failure.element));
   switch (failure.status) {
     case Status::arena_too_small:
@@ -29,13 +37,13 @@ std::string explanation(const Failure& failure, const SearchRequest& request) {
              " bytes is too little: this scene and robot need at least " + std::to_string(failure.bytes_needed) +
              " bytes";
     case Status::start_outside:
-      return "the start lies outside the workspace's bounds";
+      return outside("the start", scene);
     case Status::goal_in_obstacle:
       return "no free part of the goal is left: it lies in obstacles or outside";
     case Status::bad_robot:
       return argument + " cannot be used";
     case Status::bad_argument:
-      if (argument == to_string(Argument::goal)) return "the goal's centre lies outside the workspace's bounds";
+      if (argument == to_string(Argument::goal)) return outside("the goal's centre", scene);
       if (failure.most > 0) return longest_dt(static_cast<double>(failure.most));
       return argument +
              " is not finite or out of its range (numbers in metres, seconds and radians; krait plan --help)";
@@ -67,9 +75,9 @@ bool passes(Status status) {
 
 }  // namespace
 
-void refuse(const Failure& failure, const SearchRequest& request) {
+void refuse(const Failure& failure, const krait::Scene& scene, const SearchRequest& request) {
   if (passes(failure.status)) return;
-  const std::string line = std::string(to_string(failure.status)) + ": " + explanation(failure, request);
+  const std::string line = std::string(to_string(failure.status)) + ": " + explanation(failure, scene, request);
   if (failure.status == Status::goal_in_obstacle) throw InObstacle(line);
   throw InputError(line);
 }

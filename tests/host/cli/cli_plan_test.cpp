@@ -512,6 +512,10 @@ TEST_F(CliPlan, VerifyBeginsWhereThePlanDoesUnlessAskedOtherwise) {
   const Outcome own = krait({"verify", "room.json", "plan.json", "--robot", "truck:2"});
   EXPECT_EQ(own.code, 0);
   EXPECT_THAT(own.output, HasSubstr("from 3,8,-0.5, the plan's own start"));
+  plan({"--robot", "truck:2", "--start", "3.3,8.1,-0.4"});
+  const Outcome odd = krait({"verify", "room.json", "plan.json", "--robot", "truck:2"});
+  EXPECT_THAT(odd.output, HasSubstr("from 3.3,8.1,-0.4, the plan's own start"));  // not 3.299999952
+  plan({"--robot", "truck:2", "--start", "north"});
   const Outcome asked = krait({"verify", "room.json", "plan.json", "--robot", "truck:2", "--start", "west"});
   EXPECT_EQ(asked.code, 1);
   EXPECT_THAT(asked.output, testing::StartsWith("start: state 0 lies 3 m from the start asked for\n"));

@@ -64,6 +64,13 @@ TEST_F(BadInputTest, AliasesThatMultiplyEndInALine) {
   EXPECT_NE(error("a.yaml", "environment: &a [*a]\n"), "");
 }
 
+TEST_F(BadInputTest, OfMoreThanOneYamlDocumentNoneIsRead) {
+  const std::string more = "is more than one YAML document; do all its lines begin in the same column?";
+  EXPECT_THAT(error("a.yaml", "environment:\n  a: 1\n---\nb: 2\n"), HasSubstr(more));
+  EXPECT_THAT(error("a.yaml", " image: a.pgm\nresolution: 1\n"), HasSubstr(more));
+  EXPECT_THAT(error("a.yaml", "---\nresolution: 1\n...\n"), HasSubstr("occupied_thresh: is missing"));
+}
+
 TEST_F(BadInputTest, BrokenYamlEndsInALine) {
   for (const char* text : {"environment: [", "environment: \"", "environment: *none", "image: {a", "image: m\n\tb: 1",
                            "environment: 1\n---\n}", "environment:\n- a\nb: c", "image: !!", "image: @x"}) {

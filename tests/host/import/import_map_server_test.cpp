@@ -66,6 +66,15 @@ TEST_F(MapServerTest, TheThresholdsThemselvesAreUnknown) {
   EXPECT_THAT(cells({101, 153, 154}, rules, Unknown::map), ElementsAre(1, 1, 0));
 }
 
+TEST_F(MapServerTest, WarnsOfAYawThatMayBeDegreesAndOfPixelsThatModeRawDoesNotKnow) {
+  write("m.pgm", "P2 2 1 255\n0 254");
+  const Workspace w =
+      import_workspace(write("m.yaml", "image: m.pgm\nresolution: 0.5\norigin: [1, 2, 90]\nmode: raw\n" + kUsual), {});
+  EXPECT_THAT(w.warnings, ElementsAre(testing::EndsWith("--unknown free makes them free; mode raw knows pixels up to "
+                                                        "100 only"),
+                                      HasSubstr("m.yaml: the origin's yaw: a heading of 90 radians is more than")));
+}
+
 TEST_F(MapServerTest, NegateSwapsBlackAndWhite) {
   const std::string rules = "negate: 1\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
   EXPECT_THAT(cells({0, 49, 50, 165, 166, 255}, rules), ElementsAre(0, 0, 1, 1, 1, 1));

@@ -47,6 +47,17 @@ TEST_F(NativeTest, TakesItsNameFromTheFileIfItHasNone) {
   EXPECT_EQ(read(R"("name": "yard")").name, "yard");
 }
 
+TEST_F(NativeTest, WarnsOfHeadingsThatMayBeDegrees) {
+  const std::string goal = R"("goals": [{"name": "g", "position": [5, 5], "radius": 1, "heading": )";
+  const std::string start = R"(}], "starts": [{"name": "s", "position": [1, 1], "heading": )";
+  EXPECT_THAT(read(goal + "-6.28" + start + "6.28}]").warnings, testing::IsEmpty());
+  const std::string meant = " radians is more than a whole turn; were degrees meant? ";
+  EXPECT_THAT(read(goal + "-45" + start + "90}]").warnings,
+              testing::ElementsAre(
+                  path("s.json") + ": start \"s\": a heading of 90" + meant + "90 degrees are 1.5708 radians",
+                  path("s.json") + ": goal \"g\": a heading of -45" + meant + "-45 degrees are -0.7854 radians"));
+}
+
 TEST_F(NativeTest, TakesNamesWithoutControlCharactersOnly) {
   const std::string file = path("s.json");
   const std::string expected = ": must be a name of 1 to 200 bytes without control characters, is \"a\\u202eb\"";
@@ -154,7 +165,8 @@ TEST_F(NativeTest, AHeadingThatCannotBeUsedIsRefused) {
   };
   const std::string circle = R"("circle": {"center": [5, 5], "radius": 1}, )";
   const std::string pose = R"("position": [5, 5], "radius": 1, "heading": 1, )";
-  EXPECT_THAT(refused(R"("position": [5, 5], "radius": 1)"), HasSubstr("goals[0].heading: is missing"));
+  EXPECT_THAT(refused(R"("position": [5, 5], "radius": 1)"),
+              HasSubstr("goals[0]: position and radius need a heading; without one, give a circle"));
   EXPECT_THAT(refused(R"("position": [5, 5], "heading": 1)"), HasSubstr("goals[0].radius: is missing"));
   EXPECT_THAT(refused(R"("radius": 1, "heading": 1)"), HasSubstr("goals[0].position: is missing"));
   EXPECT_THAT(refused(pose + R"("polygon": [[1, 1], [2, 1], [2, 2]])"),

@@ -257,8 +257,9 @@ TEST_F(SvgTest, OnlyWhatIsFilledAndSeenIsAnObstacle) {
     <rect width="1" height="1" display="none"/><g visibility="hidden"><rect width="1" height="1"/></g>
     <defs><rect width="1" height="1"/></defs><text>a</text><rect width="0" height="1"/><circle r="0"/>)");
   EXPECT_EQ(w.obstacles.size(), 1U);
-  EXPECT_THAT(w.warnings, ElementsAre(HasSubstr("2 shapes without a fill are no obstacles"),
-                                      HasSubstr("1 texts and images are not read")));
+  EXPECT_THAT(w.warnings,
+              ElementsAre(HasSubstr("2 shapes without a fill are no obstacles, also where they have a stroke"),
+                          HasSubstr("1 texts and images are not read")));
   EXPECT_THAT(shapes("<style>rect{fill:none}</style>").warnings, ElementsAre(HasSubstr("style sheets are not read")));
 }
 

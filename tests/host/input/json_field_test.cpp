@@ -44,6 +44,17 @@ TEST(Field, NamesThePlaceOfAWrongNumber) {
   EXPECT_EQ(field_error(R"({"a": [0, {"c": 1}]})", read), "f.json: a[1].b: is missing");
 }
 
+TEST(Field, NamesTheKeyThatMayBeTheMissingOneMisspelt) {
+  const auto read = [](const Field& f) { f.at("radius").number(0, 10); };
+  for (const char* key : {"radus", "radiuss", "radios", "raidus", "adius", "radiu", "Radius", "aradius", "rdaius"}) {
+    EXPECT_EQ(field_error(R"({"name": 1, ")" + std::string(key) + R"(": 2})", read),
+              "f.json: radius: is missing; is \"" + std::string(key) + "\" it, misspelt?");
+  }
+  for (const char* key : {"raddiuss", "diameter", "r", "", "radiusab", "rad", "suidar"}) {
+    EXPECT_EQ(field_error(R"({")" + std::string(key) + R"(": 2})", read), "f.json: radius: is missing") << key;
+  }
+}
+
 TEST(Field, NamesTheUnitOfAWrongNumber) {
   EXPECT_EQ(field_error(R"({"dt": 11})", [](const Field& f) { f.at("dt").number(0, 10, "seconds"); }),
             "f.json: dt: must be a number from 0 to 10 seconds, is 11");

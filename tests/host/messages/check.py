@@ -12,6 +12,7 @@ import difflib
 import json
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -39,9 +40,9 @@ def dock(**changes):
     return {"name": "dock", "position": [17, 5], "radius": 0.5, "heading": 1.5, **changes}
 
 
-def map_server(resolution):
+def map_server(resolution, key="resolution", indent=""):
     """A map_server map whose image is missing."""
-    return (f"image: gone.pgm\nresolution: {resolution}\norigin: [0, 0, 0]\n"
+    return (f"{indent}image: gone.pgm\n{key}: {resolution}\norigin: [0, 0, 0]\n"
             "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.2\n")
 
 
@@ -58,6 +59,8 @@ FILES = {
     "two.json": room(starts=[{"name": "a", "position": [3, 5], "heading": 0}] * 2),
     "nostart.json": room(starts=[]),
     "nogoal.json": room(goals=[]),
+    "degrees.json": room(starts=[{"name": "west", "position": [3, 5], "heading": 90}]),
+    "point.json": room(goals=[{"name": "dock", "position": [17, 5], "radius": 0.5}]),
     "pose.json": room(goals=[dock()]),
     "loose.json": room(goals=[{"name": "east", **box(17, 5, 2, 2), "either_way": True}]),
     "turned.json": room(goals=[{"name": "east", **box(17, 5, 2, 2), "heading": 1}]),
@@ -73,6 +76,8 @@ TEXTS = {
     "empty.json": "",
     "map.yaml": map_server(0.05),
     "scale.yaml": map_server(0),
+    "typo.yaml": map_server(0.05, key="resolutoin"),
+    "indent.yaml": map_server(0.05, indent=" "),
     "cut.map": "type octile\nheight 3\nwidth 3\nmap\n...\n.@.\n",
     "rooms.map": "type octile\nheight 9\nwidth 9\nmap\n" + "....@....\n" * 4 + ".........\n" + "....@....\n" * 4,
     "drawing.svg": "<svg><rect x='1'",
@@ -101,6 +106,13 @@ def read_table():
         yield (first[2:], rest) if first.startswith("$ ") else (None, block.split("\n"))
 
 
+def require_programs(programs, path):
+    wanted = {command.split()[0] for command, _ in read_table() if command}
+    absent = sorted(program for program in wanted if shutil.which(program, path=path) is None)
+    if absent:
+        sys.exit(f"{programs} has no {', '.join(absent)}: build it first (bash port/host/build --tests host)")
+
+
 def answer(command, folder, environment):
     done = subprocess.run(["bash", "-c", "set -o pipefail; " + command], cwd=folder, env=environment, timeout=120,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
@@ -110,6 +122,7 @@ def answer(command, folder, environment):
 def main():
     programs = pathlib.Path(sys.argv[1]).resolve()
     environment = {**os.environ, "PATH": f"{programs}:{os.environ['PATH']}"}
+    require_programs(programs, environment["PATH"])
     blocks, wrong = [], 0
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)

@@ -159,6 +159,9 @@ TEST(Robot, ParametersOutOfRangeAreNamed) {
   };
   EXPECT_THAT(error(R"("max_steering": 1.5708)"),
               HasSubstr("parameters.max_steering: must be radians from 0.001 to 1.57, is 1.5708"));
+  EXPECT_THAT(error(R"("max_steering": 1.5708)"), testing::Not(HasSubstr("degrees")));
+  EXPECT_THAT(error(R"("max_steering": 30)"), HasSubstr("is 30; were degrees meant? 30 degrees are 0.5236 radians"));
+  EXPECT_THAT(error(R"("max_speed": 1e9)"), testing::Not(HasSubstr("degrees")));
   EXPECT_THAT(error(R"("body_width": 0)"), HasSubstr("parameters.body_width"));
   EXPECT_THAT(error(R"("body_width": -1)"), HasSubstr("parameters.body_width"));
   EXPECT_THAT(error(R"("wheelbase": 1e300)"), HasSubstr("parameters.wheelbase"));
@@ -167,6 +170,19 @@ TEST(Robot, ParametersOutOfRangeAreNamed) {
   EXPECT_THAT(error(R"("max_speed": null)"), HasSubstr("is null"));
   EXPECT_THAT(error(R"("max_sped": 1)"), HasSubstr("unknown parameter \"max_sped\"; a car has body_length, "));
   EXPECT_EQ(error(R"("min_speed": -1)"), "");
+}
+
+TEST(Robot, AParameterBesideTheParametersIsToldItsPlace) {
+  EXPECT_THAT(read_error(R"({"model": "car", "body_width": 1})"),
+              HasSubstr("\"body_width\" is a parameter: it goes into \"parameters\": {\"body_width\": …}"));
+  EXPECT_THAT(read_error(R"({"model": "car", "wheel_radius": 1})"), HasSubstr("\"wheel_radius\" is a parameter"));
+  EXPECT_THAT(read_error(R"({"model": "car", "colour": 1})"), HasSubstr("unknown key \"colour\""));
+}
+
+TEST(Robot, OfAModelWithoutTrailersHasNoLinks) {
+  EXPECT_THAT(read_error(R"({"model": "car", "links": 2})"), HasSubstr("links: a car has no trailers: leave it out"));
+  EXPECT_THAT(read_error(R"({"model": "unicycle", "links": null})"), HasSubstr("links: a unicycle has no trailers"));
+  EXPECT_EQ(read_error(R"({"model": "car", "links": 0})"), "");
 }
 
 TEST(Robot, AUnicyclesLeastSpeedIsAtMostItsTopSpeed) {

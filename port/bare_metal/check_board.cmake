@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: Apache-2.0
+# krait_check_board(BOARD): stops with one sentence where what krait_board was given, parsed into arg_…, is no board.
+function(krait_check_board board)
+  macro(refuse complaint)
+    message(FATAL_ERROR "krait_board(${board} …): ${complaint}")
+  endmacro()
+
+  if(arg_UNPARSED_ARGUMENTS)
+    refuse("\"${arg_UNPARSED_ARGUMENTS}\" is nothing that it knows; FLASH, SCENE, RAM, COUNTER, STACK and CONSOLE are.")
+  endif()
+  foreach(region FLASH SCENE RAM)
+    if(NOT "${arg_${region}}" MATCHES "^(0x[0-9A-Fa-f]+|[0-9]+)[KM]?;(0x[0-9A-Fa-f]+|[0-9]+)[KM]?$")
+      refuse("give ${region} an address and a length, as ${region} 0x08000000 512K, not \"${arg_${region}}\".")
+    endif()
+  endforeach()
+  if(NOT "${arg_COUNTER}" MATCHES "^[1-9][0-9]*$")
+    refuse("give COUNTER the processor clock's frequency in hertz, as COUNTER 168000000, not \"${arg_COUNTER}\".")
+  endif()
+  if(arg_STACK AND NOT "${arg_STACK}" MATCHES "^(0x[0-9A-Fa-f]+|[0-9]+)[KM]?$")
+    refuse("give STACK a length, as STACK 8K, not \"${arg_STACK}\".")
+  endif()
+endfunction()
