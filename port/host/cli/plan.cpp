@@ -19,11 +19,9 @@
 #include "host/picture/picture.hpp"
 #include "host/run/query.hpp"
 #include "host/run/robot_facts.hpp"
-#include "host/run/shortest_way.hpp"
 #include "host/verify/verify.hpp"
 #include "host/workspace/printed.hpp"
 #include "host/workspace/ring.hpp"
-#include "robot/shape.hpp"
 
 namespace krait::host {
 namespace {
@@ -41,6 +39,7 @@ struct PlanOptions {
   std::uint64_t iterations = 1'000'000;
   std::optional<double> time_limit;
   std::optional<double> improve;
+  double stop_within = 0;
   std::optional<double> alpha;
   std::optional<double> beta;
   std::optional<double> gamma;
@@ -80,6 +79,7 @@ SearchRequest request_of(const PlanOptions& options) {
   request.iterations = options.iterations;
   request.time_limit = options.time_limit;
   request.improve = options.improve.value_or(usual_improvement(request, options.paper));
+  request.stop_within = options.stop_within;
   Parameters& p = request.parameters;
   if (options.alpha) p.tuning.alpha = static_cast<float>(*options.alpha);
   if (options.beta) p.tuning.beta = static_cast<float>(*options.beta);
@@ -149,22 +149,6 @@ void draw(const SearchRequest& request, const SceneBytes& bytes, const SearchRes
   progress.end();
 }
 
-// Metres: the width of the largest disc around the middle of body 0 that lies in it.
-float disc_width(const RobotSpec& robot) {
-  std::vector<Vec2> corners;
-  for (const Point& p : robot.bodies[0]) corners.push_back({static_cast<float>(p.x), static_cast<float>(p.y)});
-  const Polygon body{corners.data(), static_cast<int>(corners.size())};
-  return 2 * detail::inner_radius(body, detail::middle(body));
-}
-
-// Metres, from the plan's start to its end; NaN where the regions know none.
-double shortest_way_of(const SearchResult& result, const SearchRequest& request, const SceneBytes& bytes) {
-  const krait::Scene scene = open_scene(result.plan.scene, bytes);
-  const auto position = [](const std::vector<float>& state) { return Vec2{state[0], state[1]}; };
-  const float width = disc_width(request.robot) + 2 * request.parameters.clearance;
-  return shortest_way(scene, width, position(result.plan.states.front()), position(result.plan.states.back()));
-}
-
 void print_quality(const SearchResult& result, const SearchRequest& request, const SceneBytes& bytes,
                    const Verdict& verdict) {
   const bool far = verdict.clearance >= kLargestClearance;
@@ -175,7 +159,7 @@ void print_quality(const SearchResult& result, const SearchRequest& request, con
     std::printf("speed at the end %.3g m/s", verdict.end_speed);
   }
   if (!std::isnan(verdict.heading_error)) std::printf(", %.3g rad off the heading", verdict.heading_error);
-  const double shortest = shortest_way_of(result, request, bytes);
+  const double shortest = shortest_way_of(result.plan, request, open_scene(result.plan.scene, bytes));
   const double length = result.plan.statistics.at("plan_length_m").get<double>();
   if (shortest > 0.1)
     std::printf(", %.2f times the shortest way that is wide enough (%.1f m)", length / shortest, shortest);
@@ -187,6 +171,9 @@ std::string times(std::uint64_t count) {
   return printed("%llu time%s", static_cast<unsigned long long>(count), count == 1 ? "" : "s");
 }
 
+// "1 body", "3 bodies"
+std::string bodies(std::size_t count) { return count == 1 ? "1 body" : printed("%zu bodies", count); }
+
 // What improvement made of the first plan.
 void print_improvement(const SearchResult& result, const SearchRequest& request) {
   const auto& s = result.plan.statistics;
@@ -195,6 +182,8 @@ void print_improvement(const SearchResult& result, const SearchRequest& request)
     std::printf("improved %s in %.4f s: %.1f s became %.1f s, %.1f m became %.1f m\n", times(improvements).c_str(),
                 s.at("improve_time_s").get<double>(), result.first.duration, s.at("plan_duration_s").get<double>(),
                 result.first.length, s.at("plan_length_m").get<double>());
+  } else if (result.near_shortest) {
+    std::printf("the first plan was not improved\n");
   } else if (result.stopped) {
     std::printf("no better plan was found before you stopped it\n");
   } else if (result.late) {
@@ -202,15 +191,20 @@ void print_improvement(const SearchResult& result, const SearchRequest& request)
   } else {
     std::printf("no better plan was found in %.7g times the first plan's collision checks\n", request.improve);
   }
+  if (result.near_shortest) {
+    std::printf("  longer than the shortest way by less than %.7g %%, as asked (--stop-within)\n",
+                100 * request.stop_within);
+  }
 }
 
-// "goal 'dock': within 0.1 m of 18,2, heading 1.57 rad, within 0.1 rad"
-std::string pose_text(const SearchRequest& request) {
-  const GoalFacing& facing = *request.facing;
+// "goal 'dock': within 0.1 m of 18,2, heading 1.57 rad, within 0.1 rad"; "goal: within 1 m of 18,2, any heading"
+std::string goal_text(const SearchRequest& request) {
   const GoalDisc& goal = *request.goal;
   std::string text = request.goal_name.empty() ? "goal" : "goal '" + request.goal_name + "'";
-  text += printed(": within %.6g m of %.10g,%.10g, heading %.6g rad", goal.radius, goal.center.x, goal.center.y,
-                  facing.heading);
+  text += printed(": within %.6g m of %.10g,%.10g, ", goal.radius, goal.center.x, goal.center.y);
+  if (!request.facing) return text + "any heading";
+  const GoalFacing& facing = *request.facing;
+  text += printed("heading %.6g rad", facing.heading);
   if (facing.either_way) text += " or the opposite one";
   text += printed(", within %.6g rad", facing.tolerance);
   if (facing.hitches) text += printed(", hitches straight within %.6g rad", *facing.hitches);
@@ -221,13 +215,13 @@ void print_summary(const SearchResult& result, const SearchRequest& request, con
                    const PlanOptions& options, const std::optional<Clearance>& clearance) {
   const PlanFile& plan = result.plan;
   const auto& s = plan.statistics;
-  std::printf("%s: %s (%zu bodies) in %s, seed %llu: %.4f s, %llu iterations, %llu vertices\n", plan.status.c_str(),
-              plan.robot.model.c_str(), plan.robot.bodies.size(), plan.scene.c_str(),
+  std::printf("%s: %s (%s) in %s, seed %llu: %.4f s, %llu iterations, %llu vertices\n", plan.status.c_str(),
+              plan.robot.model.c_str(), bodies(plan.robot.bodies.size()).c_str(), plan.scene.c_str(),
               static_cast<unsigned long long>(plan.seed), s.at("time_s").get<double>(),
               s.at("iterations").get<unsigned long long>(), s.at("vertices").get<unsigned long long>());
-  if (request.facing) {
-    const char* hint = options.query.heading ? "" : " (--any-heading asks for the place alone)";
-    std::printf("  %s%s\n", pose_text(request).c_str(), hint);
+  if (request.goal) {
+    const bool of_map = request.facing && !options.query.heading;
+    std::printf("  %s%s\n", goal_text(request).c_str(), of_map ? " (--any-heading asks for the place alone)" : "");
   }
   if (result.stopped) {
     std::printf("stopped by you after %llu iterations%s\n", s.at("iterations").get<unsigned long long>(),
@@ -289,10 +283,11 @@ std::vector<std::string> inputs_of(const PlanOptions& options) {
 }
 
 // `tolerance` as the option's value; empty: the compiler's default.
-SceneBytes compiled(const PlanOptions& options, const std::string& tolerance) {
+SceneBytes compiled(const PlanOptions& options, const std::string& tolerance, bool again = false) {
   std::vector<std::string> arguments = options.map.arguments();
   arguments.emplace_back("--any-heading");  // the request has those of the goals
   if (!tolerance.empty()) arguments.insert(arguments.end(), {"--tolerance", tolerance});
+  if (again) arguments.emplace_back("--quiet");  // it has warned
   const std::string scene = run_compiler(options.compiler, options.scene, arguments);
   return SceneBytes::copy(scene.data(), scene.size());
 }
@@ -359,9 +354,20 @@ Answer search_in(Ground& ground, const PlanOptions& options, SearchRequest& requ
   } catch (const InObstacle&) {
     progress.end();
   }
-  ground.scene = compiled(options, "0");
+  ground.scene = compiled(options, "0", true);
   ground.grown = growth;
   return search_clear(open_scene(options.scene, ground.scene), ground, options, request, block, progress);
+}
+
+// Says whose start or goal is refused where nobody named the robot.
+Answer search_for(Ground& ground, const PlanOptions& options, SearchRequest& request, Progress& progress) {
+  try {
+    return search_in(ground, options, request, progress);
+  } catch (const InObstacle& error) {
+    if (options.query.robot_given()) throw;
+    throw InObstacle(std::string(error.what()) + " (the robot is " + options.query.robot +
+                     ": --robot asks for another)");
+  }
 }
 
 void plan(const PlanOptions& options) {
@@ -370,7 +376,7 @@ void plan(const PlanOptions& options) {
   warn_of_axle(options, request.robot);
   Progress progress("krait");
   Ground ground = read_ground(options, request, progress);
-  auto [result, clearance] = search_in(ground, options, request, progress);
+  auto [result, clearance] = search_for(ground, options, request, progress);
   Verdict verdict;
   const int code = judge(result, ground, request, options, verdict, progress);
   if (!options.json.empty()) write_file(options.json, to_json(result.plan).dump() + "\n");
@@ -443,6 +449,11 @@ void add_plan(CLI::App& app, const char* program) {
                       "under %s)",
                       kImprove, kRoomToImprove))
       ->check(number_in(0, 1e6, "times the first plan's checks"));
+  command
+      ->add_option("--stop-within", o->stop_within,
+                   "improve no further where the plan is longer than the shortest way by this share at most, as 0.05\n"
+                   "(default: never)")
+      ->check(number_in(1e-6, 1e6, "a share of the shortest way"));
   const auto search = [&](const char* name, auto& value, const char* text, Argument argument, auto normal) {
     const std::string about = printed("%s (default %.7g)", with_range(text, argument).c_str(), decimal(normal));
     return command->add_option(name, value, about);

@@ -49,6 +49,7 @@ struct Arguments {
   ImportOptions map;
   double tolerance = -1;
   bool any_heading = false;
+  bool quiet = false;
   ReductionOptions reduction;
 };
 
@@ -70,7 +71,9 @@ void run(const Arguments& arguments, Progress& progress) {
   const CompiledScene scene = arguments.reduction.compiled(workspace, robot, options, report);
   write_file(arguments.output, std::string(scene.bytes.begin(), scene.bytes.end()));
   progress.end();
-  const auto warn = [](const std::string& text) { std::fprintf(stderr, "krait-compile: warning: %s\n", text.c_str()); };
+  const auto warn = [&](const std::string& text) {
+    if (!arguments.quiet) std::fprintf(stderr, "krait-compile: warning: %s\n", text.c_str());
+  };
   std::for_each(workspace.warnings.begin(), workspace.warnings.end(), warn);
   const std::string lost = arguments.any_heading ? "" : lost_headings(workspace.goals);
   if (!lost.empty()) warn(lost);
@@ -93,6 +96,7 @@ int main(int argc, char** argv) {
   app.add_option("--goal", arguments.goal, "X,Y,RADIUS: a further goal named 'goal', inside this disc");
   app.add_flag("--any-heading", arguments.any_heading,
                "no warning of goals whose headings the map has and a scene file has no place for");
+  app.add_flag("--quiet", arguments.quiet, "no warnings");
   const std::map<std::string, Unknown> names{
       {"free", Unknown::free}, {"occupied", Unknown::occupied}, {"map", Unknown::map}};
   app.add_option("--unknown", arguments.map.unknown,

@@ -4,11 +4,14 @@
 #include <chrono>
 #include <cstring>
 #include <memory>
+#include <optional>
 
 #include "host/input/file.hpp"
 #include "host/run/session.hpp"
+#include "host/run/shortest_way.hpp"
 #include "host/run/why.hpp"
 #include "host/workspace/printed.hpp"
+#include "robot/shape.hpp"
 
 namespace krait::host {
 namespace {
@@ -66,16 +69,38 @@ void search_to_end(Session& session, Company& company) {
   }
 }
 
+// Metres: the width of the largest disc around the middle of body 0 that lies in it.
+float disc_width(const RobotSpec& robot) {
+  std::vector<Vec2> corners;
+  for (const Point& p : robot.bodies[0]) corners.push_back({static_cast<float>(p.x), static_cast<float>(p.y)});
+  const Polygon body{corners.data(), static_cast<int>(corners.size())};
+  return 2 * detail::inner_radius(body, detail::middle(body));
+}
+
+bool near_shortest(const Session& session, const SearchRequest& request, const krait::Scene& scene) {
+  PlanFile plan;
+  session.copy_plan(plan);
+  const auto length = static_cast<double>(session.statistics().plan_length);
+  return length <= (1 + request.stop_within) * shortest_way_of(plan, request, scene);
+}
+
 // By collision checks, so that the result does not depend on the machine; without a time limit. An iteration that
 // checks nothing counts as a quarter of a check, so that it ends.
-void improve(Session& session, const SearchRequest& request, Company& company) {
+// Returns whether the plan became as short as asked.
+bool improve(Session& session, const SearchRequest& request, const krait::Scene& scene, Company& company) {
   const std::uint64_t first = session.statistics().collision_checks;
   const double checks = request.improve * static_cast<double>(first);
   double idle = 0;
   const auto done = [&] { return static_cast<double>(session.statistics().collision_checks - first) + idle; };
-  for (; done() < checks && session.improve(1) == Status::solved; idle += 0.25) {
-    if (company.ends()) return;
+  std::optional<std::uint64_t> judged;  // by its number, the plan whose length was
+  for (; done() < checks; idle += 0.25) {
+    if (request.stop_within > 0 && judged != session.statistics().improvements) {
+      judged = session.statistics().improvements;
+      if (near_shortest(session, request, scene)) return true;
+    }
+    if (session.improve(1) != Status::solved || company.ends()) break;
   }
+  return false;
 }
 
 nlohmann::ordered_json statistics_json(const Statistics& s, double seconds) {
@@ -165,6 +190,12 @@ krait::Scene open_scene(const std::string& path, const SceneBytes& bytes) {
   return scene;
 }
 
+double shortest_way_of(const PlanFile& plan, const SearchRequest& request, const krait::Scene& scene) {
+  const auto position = [](const std::vector<float>& state) { return Vec2{state[0], state[1]}; };
+  const float width = disc_width(request.robot) + 2 * request.parameters.clearance;
+  return shortest_way(scene, width, position(plan.states.front()), position(plan.states.back()));
+}
+
 SearchResult run_search(const std::string& scene_path, const SceneBytes& bytes, const SearchRequest& request,
                         const SearchWatch& watch) {
   Block block = block_of(request);
@@ -181,11 +212,12 @@ SearchResult run_search(const std::string& scene_path, const SceneBytes& bytes, 
   const Statistics found = session->statistics();
   const double searched = since(begin);
   const PlanMeasure first{static_cast<double>(found.plan_length), static_cast<double>(found.plan_duration)};
-  improve(*session, request, company);
+  const bool near_shortest = improve(*session, request, scene, company);
   SearchResult result{session->query().form, session->query().asked, since(begin)};
   result.first = first;
   result.stopped = company.stopped();
   result.late = company.late();
+  result.near_shortest = near_shortest;
   result.plan.status = to_string(session->status());
   session->copy_plan(result.plan);
   const Statistics best = session->statistics();

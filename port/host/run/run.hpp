@@ -41,7 +41,8 @@ struct SearchRequest {
   std::uint64_t memory = std::uint64_t{64} << 20U;  // bytes of the block
   std::uint64_t iterations = 1'000'000;
   std::optional<double> time_limit;  // seconds
-  double improve = 0;  // multiples of the first plan's collision checks that a better one is looked for by
+  double improve = 0;      // multiples of the first plan's collision checks that a better one is looked for by
+  double stop_within = 0;  // ends that where the plan is longer than the shortest way by this share at most; 0: never
   Parameters parameters;
 
   // m/s: how fast the plan may end; absent: at any speed. Only the adaptive search is asked to brake.
@@ -109,12 +110,17 @@ struct SearchResult {
   PlanMeasure first{};             // of the first plan; zeros where there is none
   bool stopped = false;            // by SearchWatch::stop
   bool late = false;               // SearchRequest::time_limit ended it
+  bool near_shortest = false;      // SearchRequest::stop_within ended its improvement
 };
 
 // Opens, plans, and takes the plan out. Every end of a search (Status) that is an honest answer comes back in
 // plan.status; arguments that cannot be used throw InputError.
 SearchResult run_search(const std::string& scene_path, const SceneBytes& bytes, const SearchRequest& request,
                         const SearchWatch& watch);
+
+// Metres, from where the plan begins to where it ends: no way of the reference point through passages that are wide
+// enough for a disc in body 0 and the clearance is shorter. NaN where the regions know none.
+double shortest_way_of(const PlanFile& plan, const SearchRequest& request, const krait::Scene& scene);
 
 // The same search again, watched: the workspace, its regions, the costs as they changed, the tree as it grew.
 Picture watch_search(const std::string& scene_path, const SceneBytes& bytes, const SearchRequest& request,

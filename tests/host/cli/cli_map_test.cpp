@@ -119,7 +119,7 @@ TEST_F(CliMap, TakesEveryFormatOfCompile) {
         "robots:\n  - {type: unicycle1_v0, start: [2, 4, 0], goal: [9, 4, 0]}\n  - {start: [2, 2, 0]}\n");
   const Outcome outcome = krait({"plan", "bench.yaml", "--robot", "unicycle"});
   EXPECT_EQ(outcome.code, 0) << outcome.errors;
-  EXPECT_THAT(outcome.output, HasSubstr("solved: unicycle (1 bodies) in bench"));
+  EXPECT_THAT(outcome.output, HasSubstr("solved: unicycle (1 body) in bench"));
   EXPECT_THAT(outcome.errors, testing::StartsWith("krait-compile: warning: bench.yaml: robots: only the first one's"));
   EXPECT_THAT(outcome.output, HasSubstr("goal 'goal': within 0.1 m of 9,4, heading 0 rad, within 0.1 rad"));
 }

@@ -95,7 +95,7 @@ TEST_F(CliNames, OfFilesAreEscapedWhereAllIsWell) {
       "goals": [{"name": "goal", "box": {"center": [17, 5], "size": [2, 2]}}],
       "starts": [{"name": "start", "position": [3, 5], "heading": 0}]})");
   expect_harmless({"plan", bad + ".json", "--robot", "car", "-o", "plan.json", "--svg", "plan.svg"}, 0,
-                  "solved: car (1 bodies) in " + shown + ", seed 1");
+                  "solved: car (1 body) in " + shown + ", seed 1");
   EXPECT_EQ(json("plan.json").at("scene"), shown);
   EXPECT_TRUE(is_harmless(read_text(path("plan.svg"))));
   expect_harmless({"compile", bad + ".json", "-o", "x.krait"}, 0, "");

@@ -187,6 +187,24 @@ TEST_F(CliPlan, ImprovesByTenTimesTheFirstPlansChecksUnlessAskedOtherwise) {
   }
 }
 
+TEST_F(CliPlan, ImprovesNoFurtherThanAsked) {
+  const Arguments options = {"--robot", "car", "--seed", "3"};
+  const auto with = [&](const Arguments& more) {
+    Arguments all = options;
+    all.insert(all.end(), more.begin(), more.end());
+    return plan(all);
+  };
+  const ordered_json first = with({"--improve", "0"});
+  const ordered_json better = with({"--improve", "30"});
+  ASSERT_LT(better.at("statistics").at("plan_length_m"), first.at("statistics").at("plan_length_m"));
+  const ordered_json far = with({"--improve", "30", "--stop-within", "1e-6"});
+  EXPECT_EQ(far.at("statistics").at("hash"), better.at("statistics").at("hash"));
+  const ordered_json near = with({"--improve", "30", "--stop-within", "100"});
+  EXPECT_EQ(near.at("statistics").at("hash"), first.at("statistics").at("hash"));
+  EXPECT_THAT(krait({"plan", "room.krait", "--robot", "car", "--stop-within", "100"}).output,
+              HasSubstr("\nthe first plan was not improved\n  longer than the shortest way by less than 10000 %, as"));
+}
+
 // A long chain's plan is improved by searches, whose counts are not the first one's.
 TEST_F(CliPlan, CountsTheSearchForTheFirstPlanAlone) {
   const ordered_json first = plan({"--robot", "snake:4", "--seed", "3", "--improve", "0"}).at("statistics");
@@ -211,7 +229,8 @@ TEST_F(CliPlan, SaysWhatImprovementMadeOfThePlan) {
     const std::string text = said({"--robot", robot, "--seed", "3"});
     const int count = json("plan.json").at("statistics").at("improvements");
     const std::string times = count == 1 ? "1 time" : std::to_string(count) + " times";
-    EXPECT_THAT(text, HasSubstr(count > 0 ? "\nimproved " + times + " in " : "\nno better plan was found in 10 times "));
+    EXPECT_THAT(text,
+                HasSubstr(count > 0 ? "\nimproved " + times + " in " : "\nno better plan was found in 10 times "));
     all += count;
   }
   EXPECT_GT(all, 0);
