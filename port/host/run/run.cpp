@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "firmware/improvement.hpp"
 #include "host/input/file.hpp"
 #include "host/run/session.hpp"
 #include "host/run/shortest_way.hpp"
@@ -84,23 +85,19 @@ bool near_shortest(const Session& session, const SearchRequest& request, const k
   return length <= (1 + request.stop_within) * shortest_way_of(plan, request, scene);
 }
 
-// By collision checks, so that the result does not depend on the machine; without a time limit. An iteration that
-// checks nothing counts as a quarter of a check, so that it ends.
-// Returns whether the plan became as short as asked.
+// By collision checks, so that the result does not depend on the machine; without a time limit. Returns whether the plan
+// became as short as asked.
 bool improve(Session& session, const SearchRequest& request, const krait::Scene& scene, Company& company) {
-  const std::uint64_t first = session.statistics().collision_checks;
-  const double checks = request.improve * static_cast<double>(first);
-  double idle = 0;
-  const auto done = [&] { return static_cast<double>(session.statistics().collision_checks - first) + idle; };
   std::optional<std::uint64_t> judged;  // by its number, the plan whose length was
-  for (; done() < checks; idle += 0.25) {
+  bool near = false;
+  firmware::improve(session, request.improve, [&] {
     if (request.stop_within > 0 && judged != session.statistics().improvements) {
       judged = session.statistics().improvements;
-      if (near_shortest(session, request, scene)) return true;
+      near = near_shortest(session, request, scene);
     }
-    if (session.improve(1) != Status::solved || company.ends()) break;
-  }
-  return false;
+    return !near && session.improve(1) == Status::solved && !company.ends();
+  });
+  return near;
 }
 
 nlohmann::ordered_json statistics_json(const Statistics& s, double seconds) {
