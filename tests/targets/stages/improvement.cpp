@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Plans that are improved: the counts and the best plan after every iteration.
 #include "krait/krait.hpp"
-#include "krait/robots/defaults.hpp"
 #include "stages.hpp"
 
 namespace krait::stages {
@@ -11,13 +10,12 @@ constexpr std::uint64_t kBlock = 256 * 1024;
 constexpr Limits kLimits{.iterations = 500, .way_legs = 128};
 constexpr int kIterations = 96;
 
-template <RobotModel R>
-void improve(const firmware::Board& board, const Scene& scene, const char* name, const R& robot) {
+void improve(const firmware::Board& board, const Scene& scene, const char* name, const Robot& robot) {
   static Planner planner;
   Hash hash;
-  float start[R::kMaxState];
+  float start[kMaxState];
   const ScenePose pose = scene.start(0);
-  (void)detail::rest(robot, pose.position, pose.heading, pose.angles, pose.angle_count, start);
+  (void)robot.rest(pose.position, pose.heading, pose.angles, pose.angle_count, start);
   const bool ready = planner.init({board.arena, kBlock, &scene, robot}, {}, kLimits).ok();
   hash.add(std::uint32_t{ready});
   (void)planner.start({start, Goal::named(0), 1});
@@ -37,7 +35,7 @@ void improve(const firmware::Board& board, const Scene& scene, const char* name,
 }  // namespace
 
 void improvements(const firmware::Board& board, const Scene& scene) {
-  for_each_robot([&](const char* name, const auto& robot) { improve(board, scene, name, robot); });
+  for_each_robot([&](const char* name, const auto& robot) { improve(board, scene, name, Robot(robot)); });
 }
 
 }  // namespace krait::stages
