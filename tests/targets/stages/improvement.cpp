@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::uint64_t kBlock = 256 * 1024;
 constexpr Limits kLimits{.iterations = 500, .way_legs = 128};
-constexpr int kIterations = 96;
+constexpr int kIterations = 64;
 
 void improve(const firmware::Board& board, const Scene& scene, const char* name, const Robot& robot) {
   static Planner planner;
