@@ -72,8 +72,8 @@ TEST_F(CompiledFirmware, AsksForTheMemoryThatImprovementTakes) {
   EXPECT_EQ(refused.code, 2);
   const auto answer = nlohmann::json::parse(refused.output.substr(refused.output.find('{')));
   const auto needed = answer.at("bytes_needed").get<std::uint64_t>();
-  EXPECT_NE(firmware({"--memory", std::to_string(needed), "--improve", "1"}).code, 2);
-  EXPECT_EQ(firmware({"--memory", std::to_string(needed - 8), "--improve", "1"}).code, 2);
+  EXPECT_NE(firmware({"--memory", std::to_string(needed), "--iterations", "9", "--improve", "1"}).code, 2);
+  EXPECT_EQ(firmware({"--memory", std::to_string(needed - 8), "--iterations", "9", "--improve", "1"}).code, 2);
 }
 
 TEST_F(CompiledFirmware, IsBuiltWithoutImprovementToo) {
