@@ -86,10 +86,9 @@ Parameters parameters_of(const Request& request) {
 // Looks for better plans than the first.
 void look_on(Planner& planner, const Request& request, Stopwatch& watch, Report& report) {
   Improvement& improvement = report.improvement;
-  const Statistics first = planner.statistics();
-  improvement.first_steps = first.plan_steps;
-  improvement.first_length = first.plan_length;
-  improvement.first_duration = first.plan_duration;
+  improvement.first_steps = report.statistics.plan_steps;
+  improvement.first_length = report.statistics.plan_length;
+  improvement.first_duration = report.statistics.plan_duration;
   improve(planner, request.improve, [&] {
     const bool goes_on = planner.improve(1) == Status::solved;
     const std::uint64_t lap = watch.lap();
@@ -98,8 +97,8 @@ void look_on(Planner& planner, const Request& request, Stopwatch& watch, Report&
     if (lap > improvement.slowest) improvement.slowest = lap;
     return goes_on;
   });
-  report.nanoseconds += improvement.nanoseconds;
   report.failure = planner.failure();
+  report.statistics = with_plan_of(report.statistics, planner.statistics());
 }
 
 void plan(const Board& board, const Request& request, Report& report) {
@@ -116,9 +115,9 @@ void plan(const Board& board, const Request& request, Report& report) {
     report.nanoseconds += lap;
     if (lap > report.slowest) report.slowest = lap;
   }
+  report.statistics = planner.statistics();
   if (kImproves && report.failure.status == Status::solved) look_on(planner, request, watch, report);
   if (report.failure.status != Status::bad_scene) report.scene = scene.name();
-  report.statistics = planner.statistics();
 }
 
 }  // namespace

@@ -45,4 +45,17 @@ void improve(const P& planner, double multiples, Iterate iterate) {
   while (done() < checks && iterate()) idle += 0.25;
 }
 
+// The counts of the search for the first plan, with the measures of the best one.
+inline Statistics with_plan_of(const Statistics& found, const Statistics& best) {
+  Statistics both = found;
+  both.bytes_used = best.bytes_used;
+  both.improvements = best.improvements;
+  both.plan_steps = best.plan_steps;
+  both.plan_length = best.plan_length;
+  both.plan_duration = best.plan_duration;
+  both.plan_end_speed = best.plan_end_speed;
+  both.hash = best.hash;
+  return both;
+}
+
 }  // namespace krait::firmware

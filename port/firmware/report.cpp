@@ -92,7 +92,8 @@ void add_statistics(JsonLine& line, const Report& report) {
 void add_improvement(JsonLine& line, const Report& report) {
   const Improvement& improvement = report.improvement;
   line.add("improvements", report.statistics.improvements)
-      .add("iterations_improve", improvement.iterations)
+      .add_seconds("improve_time_s", improvement.nanoseconds)
+      .add("improve_iterations", improvement.iterations)
       .add("first_plan_steps", std::uint64_t{improvement.first_steps})
       .add_decimal("first_plan_length_m", improvement.first_length)
       .add_decimal("first_plan_duration_s", improvement.first_duration);

@@ -32,8 +32,8 @@ struct Improvement {
 struct Report {
   Failure failure;
   const char* scene = "";         // its name
-  Statistics statistics;          // of the search
-  std::uint64_t nanoseconds = 0;  // from opening the scene to the last plan
+  Statistics statistics;          // of the search, but of the best plan
+  std::uint64_t nanoseconds = 0;  // from opening the scene to the first plan
   std::uint64_t setup = 0;        // nanoseconds of those before the first expansion
   std::uint64_t slowest = 0;      // nanoseconds of the longest expansion
   Improvement improvement;

@@ -119,17 +119,6 @@ nlohmann::ordered_json statistics_json(const Statistics& s, double seconds) {
           {"hash", printed("%016llx", static_cast<unsigned long long>(s.hash))}};
 }
 
-// The counts of the search for the first plan, with the measures of the best one.
-Statistics with_plan_of(Statistics found, const Statistics& best) {
-  found.bytes_used = best.bytes_used;
-  found.plan_steps = best.plan_steps;
-  found.plan_length = best.plan_length;
-  found.plan_duration = best.plan_duration;
-  found.plan_end_speed = best.plan_end_speed;
-  found.hash = best.hash;
-  return found;
-}
-
 }  // namespace
 
 SceneBytes SceneBytes::read(const std::string& path) {
@@ -218,7 +207,7 @@ SearchResult run_search(const std::string& scene_path, const SceneBytes& bytes, 
   result.plan.status = to_string(session->status());
   session->copy_plan(result.plan);
   const Statistics best = session->statistics();
-  result.plan.statistics = statistics_json(with_plan_of(found, best), searched);
+  result.plan.statistics = statistics_json(firmware::with_plan_of(found, best), searched);
   result.why = why_no_plan(*session, scene, request);
   if (request.improve > 0) {
     result.plan.statistics["improvements"] = best.improvements;
