@@ -182,9 +182,10 @@ def improve_report(folder):
         rows.append([m["robot"], f"{m['iterations']:,}", pair((m["iteration_median"], m["iteration_worst"])),
                      kilo(bound_of_improve(build, m)), kilo(m["search"] / m["searches"]), kilo(m["improve"] / m["solved"]),
                      f"{100 * (1 - m['steps_best'] / m['steps_first']):.0f} %"])
-    head = [f"`improve` in {first['block'] // 1024}K, {build.core}, {build.option}, median / worst", "iterations",
-            "`improve(1)`", "its bound", "search, mean", "improvement, mean", "fewer steps"]
-    return [f"Thousands of instructions ({first['searches']} searches, each plan improved by ten times its collision "
+    head = ["median / worst", "iterations", "`improve(1)`", "its bound", "search, mean", "improvement, mean",
+            "fewer steps"]
+    return [f"Improvement in {first['block'] // 1024}K on the model of an STM32F405 ({build.core}, {build.option}), "
+            f"thousands of instructions ({first['searches']} searches, each plan improved by ten times its collision "
             "checks):", ""] + table(head, rows)
 
 
