@@ -24,38 +24,38 @@ constexpr double kMultiples = 10;  // as krait plan improves
 struct Costs {
   std::uint64_t searches = 0;
   std::uint64_t solved = 0;
-  std::uint64_t improved = 0;    // plans that became better
-  std::uint64_t first = 0;       // steps of all plans, and
-  std::uint64_t best = 0;        // when they were improved
-  std::uint64_t search = 0;      // instructions until those were found, and
-  std::uint64_t improve = 0;     // of improving them
-  std::uint64_t start = 0;       // the dearest start: it holds a Dijkstra
-  std::uint64_t placement = 0;   // the dearest of an iteration's placements on average, all in
-  std::uint64_t idle_worst = 0;  // the dearest iteration without any
-  Median<6> iteration;
+  std::uint64_t steps = 0;        // of all plans, and
+  std::uint64_t best = 0;         // when they were improved
+  std::uint64_t search = 0;       // instructions until those were found, and
+  std::uint64_t improve = 0;      // of improving them
+  std::uint64_t start = 0;        // the dearest start: it holds a Dijkstra
+  std::uint64_t placement = 0;    // the dearest of an iteration's placements on average, all in
+  std::uint64_t first_worst = 0;  // the dearest first iteration: it holds a Dijkstra
+  Median<6> iteration;            // the others
 };
 
 // Improves a plan that was found.
 void improve(const Board& board, Planner& planner, Costs& costs) {
   std::uint64_t placements = planner.statistics().collision_checks;
   std::uint64_t begin = instructions(board);
-  costs.first += planner.statistics().plan_steps;
+  bool first = true;
+  costs.steps += planner.statistics().plan_steps;
   firmware::improve(planner, kMultiples, [&] {
     const std::uint64_t cost = instructions(board) - begin;
     const std::uint64_t placed = planner.statistics().collision_checks - placements;
     costs.improve += cost;
-    costs.iteration.add(static_cast<std::uint32_t>(cost));
-    if (placed == 0) {
-      costs.idle_worst = std::max(costs.idle_worst, cost);
+    if (first) {
+      costs.first_worst = std::max(costs.first_worst, cost);
     } else {
-      costs.placement = std::max(costs.placement, cost / placed);
+      costs.iteration.add(static_cast<std::uint32_t>(cost));
     }
+    first = false;
+    if (placed > 0) costs.placement = std::max(costs.placement, cost / placed);
     placements += placed;
     begin = instructions(board);
     return false;
   });
   costs.best += planner.statistics().plan_steps;
-  if (planner.statistics().improvements > 0) ++costs.improved;
 }
 
 void improve_everywhere(const Board& board, const Robot& robot, Costs& costs) {
@@ -90,15 +90,14 @@ void measure(const Board& board, const char* name, const Robot& robot) {
       .add("block", kBlock)
       .add("searches", costs.searches)
       .add("solved", costs.solved)
-      .add("improved", costs.improved)
-      .add("steps_first", costs.first)
+      .add("steps_first", costs.steps)
       .add("steps_best", costs.best)
       .add("search", costs.search)
       .add("improve", costs.improve)
       .add("iterations", costs.iteration.count())
       .add("iteration_median", std::uint64_t{costs.iteration.median()})
       .add("iteration_worst", std::uint64_t{costs.iteration.worst()})
-      .add("idle_worst", costs.idle_worst)
+      .add("first_worst", costs.first_worst)
       .add("start_worst", costs.start)
       .add("placement_worst", costs.placement);
   board.port.log(board.port.context, line->end());
