@@ -6,6 +6,7 @@
 #include "firmware/application.hpp"
 #include "firmware/line.hpp"
 #include "firmware/scene_pack.hpp"
+#include "instructions.hpp"
 #include "quantile.hpp"
 #include "search/adaptive_search.hpp"
 
@@ -19,30 +20,10 @@ constexpr std::uint64_t kBlock = 416 * 1024;
 constexpr std::uint64_t kSeeds = 10;
 constexpr std::uint32_t kSteps = 256;
 
-// Instructions so far, under an emulator that counts them: exactly on RISC-V, else to within a tick of the clock.
-std::uint64_t instructions([[maybe_unused]] const Board& board) {
-#if defined(__riscv) && __riscv_xlen == 64
-  std::uint64_t count = 0;
-  __asm volatile("csrr %0, minstret" : "=r"(count));
-  return count;
-#elif defined(__riscv)
-  std::uint32_t low = 0;
-  std::uint32_t high = 0;
-  std::uint32_t again = 0;
-  do {
-    __asm volatile("csrr %0, minstreth\n csrr %1, minstret\n csrr %2, minstreth"
-                   : "=&r"(high), "=&r"(low), "=&r"(again));
-  } while (high != again);
-  return (std::uint64_t{high} << 32U) | low;
-#else
-  return board.port.clock(board.port.context);
-#endif
-}
-
 struct Costs {
   std::uint64_t runge_kutta = 0;
-  Median vertex;
-  Median advance;          // the calls that leave the search going on
+  Median<8> vertex;
+  Median<8> advance;       // the calls that leave the search going on
   std::uint64_t last = 0;  // the dearest call that ended one: it replays the plan
   std::uint64_t searches = 0;
   std::uint64_t solved = 0;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The table of bench/targets/run: python3 bench/targets/table.py FOLDER [--print] [BUILD…]
+"""The tables of bench/targets/run: python3 bench/targets/table.py FOLDER [--print] [--improve] [BUILD…]
 
 FOLDER holds `scenes`, the scenes of the measurement one behind the other; the builds go there too."""
 
@@ -16,7 +16,8 @@ sys.path.insert(0, str(ROOT / "tests/targets"))
 from flash import planner_flash  # noqa: E402
 
 PAGE = ROOT / "bench/targets/RESULTS.md"
-BEGIN, END = "<!-- targets -->", "<!-- end of targets -->"
+MARKS = ("<!-- targets -->", "<!-- end of targets -->")
+IMPROVE_MARKS = ("<!-- improve -->", "<!-- end of improve -->")
 
 CORES = {  # preset: what the table calls it, the machine that the presets' tests run on, prefix of its tools
     "cortex-m3": ("Cortex-M3, soft float", "mps2-an385", "arm-none-eabi-"),
@@ -31,6 +32,7 @@ BUILDS = [f"{preset}-Os" for preset in CORES] + ["cortex-m4f-O2", "cortex-m7-O2"
 ROBOTS = ["snake:5", "snake:15"]
 BLOCKS = {"snake:5": "96K", "snake:15": "224K"}  # whose pools are shown
 CHAIN_OF = "cortex-m7-Os"
+IMPROVE_BUILD, IMPROVE_MACHINE = "cortex-m4f-Os", "netduinoplus2"  # improve_meter is for this machine
 
 
 def run(*command, **options):
@@ -41,7 +43,7 @@ def run(*command, **options):
 
 
 class Build:
-    """The firmware for snakes and the meter, of one core at one optimisation."""
+    """Programs of one core at one optimisation."""
 
     def __init__(self, name, folder):
         preset, _, option = name.rpartition("-")
@@ -49,11 +51,24 @@ class Build:
         self.name, self.option = name, f"-{option}"
         self.folder, self.scenes = folder / name, folder / "scenes"
         self.firmware = self.folder / "bin" / f"{self.machine}-snake.elf"
-        environment = dict(os.environ, CXXFLAGS=f"-{option} -DNDEBUG -fcallgraph-info=su", LDFLAGS="-Wl,-Map=bin")
+        self.environment = dict(os.environ, CXXFLAGS=f"-{option} -DNDEBUG -fcallgraph-info=su", LDFLAGS="-Wl,-Map=bin")
+
+    def make(self, *targets, improve="ON"):
+        preset = self.name.rpartition("-")[0]
         # ccache does not know of the files that -fcallgraph-info writes.
         run("cmake", "--preset", preset, "-B", self.folder, "-DCMAKE_BUILD_TYPE=None", "-DCMAKE_CXX_COMPILER_LAUNCHER=",
-            env=environment)
-        run("cmake", "--build", self.folder, "--target", f"{self.machine}-snake", "meter")
+            f"-DKRAIT_IMPROVE={improve}", env=self.environment)
+        run("cmake", "--build", self.folder, "--target", *targets)
+
+    def make_snake(self):
+        """The firmware for snakes and the meter, after the firmware that does not improve plans was measured."""
+        self.make(f"{self.machine}-snake", improve="OFF")
+        self.first_only = self.firmware_sizes()
+        self.make(f"{self.machine}-snake", "meter")
+
+    def firmware_sizes(self):
+        """Bytes of flash: the firmware's, and the planner's in it."""
+        return self.flash(self.firmware), planner_flash(self.firmware)
 
     def flash(self, *files):
         """Bytes of code, constants and initial values."""
@@ -71,11 +86,14 @@ class Build:
         rows = run(self.tools + "size", "-A", self.firmware).splitlines()
         return sum(int(row.split()[1]) for row in rows if re.match(r"\.s?(data|bss)\b", row))
 
-    def meter(self, robot):
-        command = f'source port/machines; find_machine {self.machine}; run_machine 900 "$@"'
-        lines = run("bash", "-c", command, "meter", self.folder / "bin" / "meter.elf", self.scenes, "--robot", robot,
-                    "--memory", BLOCKS[robot]).splitlines()
+    def answers(self, machine, program, *words):
+        """The lines of JSON that a program prints."""
+        command = f'source port/machines; find_machine {machine}; run_machine 900 "$@"'
+        lines = run("bash", "-c", command, "meter", self.folder / "bin" / program, self.scenes, *words).splitlines()
         return [json.loads(line) for line in lines if line.startswith("{")]
+
+    def meter(self, robot):
+        return self.answers(self.machine, "meter.elf", "--robot", robot, "--memory", BLOCKS[robot])
 
 
 def most_placements(scenes, robot):
@@ -108,9 +126,10 @@ def size_table(builds):
     rows = []
     for build in builds:
         rows.append([f"{build.core}, {build.option}"] + [f"{count:,}" for count in (
-            build.library_flash(), build.flash(build.firmware), planner_flash(build.firmware), build.static_bytes(),
+            build.library_flash(), *build.firmware_sizes(), *build.first_only, build.static_bytes(),
             build.stack()["bytes"])])
-    return table(["bytes", "library, all of it", "firmware", "planner in it", "static RAM", "worst-case stack"], rows)
+    return table(["bytes", "library, all of it", "firmware", "planner in it", "firmware without `improve`",
+                  "planner in it", "static RAM", "worst-case stack"], rows)
 
 
 def cost_tables(builds, meters):
@@ -144,7 +163,35 @@ def chain(builds):
             f"and {stack['interrupt']} for an interrupt."]
 
 
+def bound_of_improve(build, meter):
+    """Instructions: the most placements of an iteration, each as dear as the dearest seen, and two Dijkstras."""
+    bound = most_placements(build.scenes, meter["robot"]) * meter["placement_worst"] + 2 * meter["start_worst"]
+    if max(meter["iteration_worst"], meter["first_worst"]) > bound:
+        sys.exit(f"bench/targets: {meter['robot']}: an iteration took {meter['iteration_worst']} instructions, above {bound}")
+    return bound
+
+
+def improve_report(folder):
+    """The table of improvement, of one build."""
+    build = Build(IMPROVE_BUILD, folder)
+    build.make("improve_meter")
+    meters = build.answers(IMPROVE_MACHINE, "improve_meter.elf")
+    first = meters[0]
+    rows = []
+    for m in meters:
+        rows.append([m["robot"], f"{m['iterations']:,}", pair((m["iteration_median"], m["iteration_worst"])),
+                     kilo(bound_of_improve(build, m)), kilo(m["first_worst"]), kilo(m["search"] / m["searches"]),
+                     kilo(m["improve"] / m["solved"]), f"{100 * (1 - m['steps_best'] / m['steps_first']):.0f} %"])
+    head = ["median / worst", "iterations", "`improve(1)`", "its bound", "the first call", "search, mean",
+            "improvement, mean", "fewer steps"]
+    return [f"Improvement in {first['block'] // 1024}K on the model of an STM32F405 ({build.core}, {build.option}), "
+            f"thousands of instructions ({first['searches']} searches, each plan improved by ten times its collision "
+            "checks):", ""] + table(head, rows)
+
+
 def report(builds):
+    for build in builds:
+        build.make_snake()
     meters = {(build.name, robot): build.meter(robot) for build in builds for robot in ROBOTS}
     for robot in ROBOTS:
         if len({meters[build.name, robot][0]["vertices"] for build in builds}) > 1:
@@ -154,14 +201,15 @@ def report(builds):
     return lines
 
 
-def write_page(lines):
+def write_page(marks, lines):
+    begin, end = marks
     text = PAGE.read_text()
-    if BEGIN not in text or END not in text:
-        sys.exit(f"bench/targets/RESULTS.md lacks the marks {BEGIN} and {END}")
-    before, rest = text.split(BEGIN, 1)
-    after = rest.split(END, 1)[1]
+    if begin not in text or end not in text:
+        sys.exit(f"bench/targets/RESULTS.md lacks the marks {begin} and {end}")
+    before, rest = text.split(begin, 1)
+    after = rest.split(end, 1)[1]
     part = PAGE.with_suffix(".part")
-    part.write_text(before + BEGIN + "\n" + "\n".join(lines) + "\n" + END + after)
+    part.write_text(before + begin + "\n" + "\n".join(lines) + "\n" + end + after)
     part.replace(PAGE)
 
 
@@ -169,15 +217,21 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("--print", action="store_true", dest="only_print")
+    parser.add_argument("--improve", action="store_true", help="the table of improvement only")
     parser.add_argument("builds", nargs="*", metavar="BUILD", help=", ".join(BUILDS))
     arguments = parser.parse_intermixed_args()
     for name in arguments.builds:
         if name.rpartition("-")[0] not in CORES:
             parser.error(f"'{name}' is no build: {', '.join(BUILDS)}")
-    lines = report([Build(name, arguments.folder) for name in arguments.builds or BUILDS])
-    print("\n".join(lines))
-    if not arguments.only_print:
-        write_page(lines)
+    parts = {}
+    if not arguments.improve:
+        parts[MARKS] = report([Build(name, arguments.folder) for name in arguments.builds or BUILDS])
+    if arguments.improve or not arguments.builds:
+        parts[IMPROVE_MARKS] = improve_report(arguments.folder)
+    for marks, lines in parts.items():
+        print("\n".join(lines))
+        if not arguments.only_print:
+            write_page(marks, lines)
 
 
 if __name__ == "__main__":

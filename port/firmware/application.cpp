@@ -4,8 +4,16 @@
 #include <cstddef>
 #include <cstring>
 
+#include "firmware/improvement.hpp"
+
 namespace krait::firmware {
 namespace {
+
+#ifdef KRAIT_NO_IMPROVEMENT
+constexpr bool kImproves = false;
+#else
+constexpr bool kImproves = true;
+#endif
 
 // Nanoseconds since it was made or last asked.
 class Stopwatch {
@@ -68,11 +76,29 @@ Parameters parameters_of(const Request& request) {
   if (!placed.ok()) return placed;
   const std::uint64_t bytes = block_bytes(board, request, robot);
   if (bytes > board.arena_room) return {Status::arena_too_small, 0, 0, bytes};
-  const Failure ready =
-      planner.init({board.arena, bytes, &scene, robot}, parameters_of(request), {.iterations = request.iterations});
+  const Failure ready = init_with_room(planner, {board.arena, bytes, &scene, robot}, parameters_of(request),
+                                       request.iterations, request.improve);
   if (!ready.ok()) return ready;
   (void)planner.start({state, goal_of(scene, request), request.seed});
   return planner.failure();
+}
+
+// Looks for better plans than the first.
+void look_on(Planner& planner, const Request& request, Stopwatch& watch, Report& report) {
+  Improvement& improvement = report.improvement;
+  improvement.first_steps = report.statistics.plan_steps;
+  improvement.first_length = report.statistics.plan_length;
+  improvement.first_duration = report.statistics.plan_duration;
+  improve(planner, request.improve, [&] {
+    const bool goes_on = planner.improve(1) == Status::solved;
+    const std::uint64_t lap = watch.lap();
+    ++improvement.iterations;
+    improvement.nanoseconds += lap;
+    if (lap > improvement.slowest) improvement.slowest = lap;
+    return goes_on;
+  });
+  report.failure = planner.failure();
+  report.statistics = with_plan_of(report.statistics, planner.statistics());
 }
 
 void plan(const Board& board, const Request& request, Report& report) {
@@ -89,8 +115,9 @@ void plan(const Board& board, const Request& request, Report& report) {
     report.nanoseconds += lap;
     if (lap > report.slowest) report.slowest = lap;
   }
-  if (report.failure.status != Status::bad_scene) report.scene = scene.name();
   report.statistics = planner.statistics();
+  if (kImproves && report.failure.status == Status::solved) look_on(planner, request, watch, report);
+  if (report.failure.status != Status::bad_scene) report.scene = scene.name();
 }
 
 }  // namespace
@@ -122,6 +149,8 @@ int run(const Board& board, int count, const char* const* words) {
   Request request;
   const char* const complaint = parse(count, words, kModel, kHasTrailers, request);
   if (complaint != nullptr) return refuse(board, complaint);
+  if (!kImproves && request.improve > 0.0)
+    return refuse(board, "--improve: this firmware is built with KRAIT_IMPROVE=OFF");
   Report report;
   plan(board, request, report);
   return write(board, request, report);

@@ -20,7 +20,7 @@ class Line {
   const char* end();
 
  private:
-  static constexpr std::size_t kRoom = 1024;
+  static constexpr std::size_t kRoom = 1280;
   char text_[kRoom + 2];  // and line feed, NUL
   std::size_t length_ = 0;
 };

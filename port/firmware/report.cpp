@@ -89,6 +89,16 @@ void add_statistics(JsonLine& line, const Report& report) {
       .add_hash("hash", s.hash);
 }
 
+void add_improvement(JsonLine& line, const Report& report) {
+  const Improvement& improvement = report.improvement;
+  line.add("improvements", report.statistics.improvements)
+      .add_seconds("improve_time_s", improvement.nanoseconds)
+      .add("improve_iterations", improvement.iterations)
+      .add("first_plan_steps", std::uint64_t{improvement.first_steps})
+      .add_decimal("first_plan_length_m", improvement.first_length)
+      .add_decimal("first_plan_duration_s", improvement.first_duration);
+}
+
 // A number that the machine may not have.
 void add_known(JsonLine& line, const char* name, bool known, std::uint64_t number) {
   if (known) {
@@ -103,6 +113,10 @@ void add_machine(JsonLine& line, const Board& board, const Request& request, con
   add_known(line, "instructions", counts, report.nanoseconds);
   add_known(line, "instructions_setup", counts, report.setup);
   add_known(line, "instructions_worst_expansion", counts, report.slowest);
+  if (request.improve > 0.0) {
+    add_known(line, "instructions_improve", counts, report.improvement.nanoseconds);
+    add_known(line, "instructions_worst_improvement", counts, report.improvement.slowest);
+  }
   add_known(line, "stack_bytes", board.stack_bytes != nullptr, board.stack_bytes != nullptr ? board.stack_bytes() : 0);
   add_known(line, "flash_bytes", board.flash_bytes > 0, board.flash_bytes);
   add_known(line, "ram_bytes", board.ram_bytes > 0, board.ram_bytes + report.statistics.bytes_given);
@@ -144,6 +158,7 @@ int write(const Board& board, const Request& request, const Report& report) {
       .add("seed", request.seed);
   add_failure(line, report.failure);
   add_statistics(line, report);
+  if (request.improve > 0.0) add_improvement(line, report);
   add_machine(line, board, request, report);
   say(board, line.end());
   if (code == kOwnBug) board.port.fault(board.port.context, "the planner contradicted itself");

@@ -19,13 +19,24 @@ inline constexpr int kOwnBug = 3;
 
 int exit_code(Status status);
 
+// What was made of the first plan.
+struct Improvement {
+  std::uint32_t first_steps = 0;
+  float first_length = 0.0F;      // metres
+  float first_duration = 0.0F;    // seconds
+  std::uint64_t iterations = 0;   // of looking for better ones
+  std::uint64_t nanoseconds = 0;  // of all iterations
+  std::uint64_t slowest = 0;      // of the longest one
+};
+
 struct Report {
   Failure failure;
   const char* scene = "";         // its name
-  Statistics statistics;          // of the search
-  std::uint64_t nanoseconds = 0;  // from opening the scene to the plan
+  Statistics statistics;          // of the search, but of the best plan
+  std::uint64_t nanoseconds = 0;  // from opening the scene to the first plan
   std::uint64_t setup = 0;        // nanoseconds of those before the first expansion
   std::uint64_t slowest = 0;      // nanoseconds of the longest expansion
+  Improvement improvement;
 };
 
 // Says in one line why a request is refused, if it is, then writes the line of JSON. Gives the exit code.

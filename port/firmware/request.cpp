@@ -11,6 +11,7 @@ namespace krait::firmware {
 namespace {
 
 constexpr int kDefaultTrailers = 15;
+constexpr double kMostImprove = 1e6;
 constexpr double kTurn = 6.283185307179586;  // radians: a larger heading was meant in degrees
 
 bool same(const char* a, const char* b) { return std::strcmp(a, b) == 0; }
@@ -46,8 +47,8 @@ const char* parse_parameter(const char* option, const char* value, Request& requ
     request.has_dt = true;
     return parse_decimal(value, request.dt) ? nullptr : "--dt: give seconds, as 0.05";
   }
-  return "unknown option: --robot, --seed, --memory, --iterations, --start, --goal, --heading, --heading-tolerance, "
-         "--clearance, --dt and --icount are known";
+  return "unknown option: --robot, --seed, --memory, --iterations, --improve, --start, --goal, --heading, "
+         "--heading-tolerance, --clearance, --dt and --icount are known";
 }
 
 const char* parse_query(const char* option, const char* value, Request& request) {
@@ -97,6 +98,11 @@ const char* parse_option(const char* option, const char* value, const char* mode
   }
   if (same(option, "--iterations")) {
     return parse_number(value, request.iterations) ? nullptr : "--iterations: give a whole number";
+  }
+  if (same(option, "--improve")) {
+    const bool good =
+        parse_decimal(value, request.improve) && request.improve >= 0.0 && request.improve <= kMostImprove;
+    return good ? nullptr : "--improve: give multiples of the first plan's collision checks, 0 to 1000000, as 3 or 0.5";
   }
   return parse_query(option, value, request);
 }

@@ -19,6 +19,7 @@ struct Request {
   std::uint64_t seed = 1;                  //
   std::uint64_t memory = 0;                // bytes of the planner's block; 0: by the robot's size, as much as there is
   std::uint64_t iterations = 1'000'000;    // expansions, at most
+  double improve = 0.0;                    // multiples of the first plan's collision checks to improve it by
   bool clock_counts_instructions = false;  // under an emulator whose clock advances 1 ns an instruction
   bool has_start = false;
   bool has_goal = false;
@@ -34,9 +35,9 @@ struct Request {
   double dt = 0.0;                 // seconds, a time step; likewise
 };
 
-// Reads `--robot MODEL[:N] --seed S --memory B[K|M] --iterations N --start X,Y,HEADING --goal X,Y,RADIUS --heading H
-// --heading-tolerance T --clearance C --dt S --icount` for a program that plans for `model`, which has a number of
-// trailers to ask for or not. Returns null, or what is wrong. The words must stay.
+// Reads `--robot MODEL[:N] --seed S --memory B[K|M] --iterations N --improve N --start X,Y,HEADING --goal X,Y,RADIUS
+// --heading H --heading-tolerance T --clearance C --dt S --icount` for a program that plans for `model`, which has a
+// number of trailers to ask for or not. Returns null, or what is wrong. The words must stay.
 const char* parse(int count, const char* const* words, const char* model, bool has_trailers, Request& request);
 
 }  // namespace krait::firmware

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "decomposition/regions.hpp"
+#include "firmware/improvement.hpp"
 #include "host/run/session.hpp"
 #include "search/adaptive_search.hpp"
 
@@ -16,15 +17,14 @@ namespace krait::host {
 void refuse(const Failure& failure, const krait::Scene& scene, const SearchRequest& request);
 [[noreturn]] void refuse(const Contact& at_start, const krait::Scene& scene, const SearchRequest& request);
 
-// Limits::way_legs: none where nothing is to be improved, else one a kilobyte of the block, up to those of long plans.
-std::uint32_t way_legs(const SearchRequest& request);
-
 template <class P>
 class PlannerSession : public Session {
  public:
   PlannerSession(const krait::Scene& scene, const SearchRequest& request, Block& block)
       : core_(request.robot), robot_(core_.view()), query_(resolve(scene, robot_, request)) {
-    refuse(set_up({block.data(), request.memory, &scene, robot_}, request), scene, request);
+    const Setup setup{block.data(), request.memory, &scene, robot_};
+    refuse(firmware::init_with_room(planner_, setup, request.parameters, request.iterations, request.improve), scene,
+           request);
     (void)planner_.start({query_.start.data(), query_.goal, request.seed});
     refuse(planner_.failure(), scene, request);
     if (planner_.status() == Status::start_in_collision) refuse(planner_.contact(), scene, request);
@@ -78,20 +78,6 @@ class PlannerSession : public Session {
   const ResolvedQuery& query() const override { return query_; }
 
  private:
-  // Where the block is too small, bytes_needed is enough for the room of improvement too, which grows with the block.
-  Failure set_up(const Setup& setup, SearchRequest request) {
-    const auto init = [&] {
-      const Limits limits{.iterations = request.iterations, .way_legs = way_legs(request)};
-      return planner_.init(setup, request.parameters, limits);
-    };
-    Failure ready = init();
-    while (ready.status == Status::arena_too_small && ready.bytes_needed > request.memory) {
-      request.memory = ready.bytes_needed;
-      ready = init();
-    }
-    return ready;
-  }
-
   CoreRobot core_;
   Robot robot_;
   ResolvedQuery query_;

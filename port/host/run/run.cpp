@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "firmware/improvement.hpp"
 #include "host/input/file.hpp"
 #include "host/run/session.hpp"
 #include "host/run/shortest_way.hpp"
@@ -84,23 +85,19 @@ bool near_shortest(const Session& session, const SearchRequest& request, const k
   return length <= (1 + request.stop_within) * shortest_way_of(plan, request, scene);
 }
 
-// By collision checks, so that the result does not depend on the machine; without a time limit. An iteration that
-// checks nothing counts as a quarter of a check, so that it ends.
-// Returns whether the plan became as short as asked.
+// By collision checks, so that the result does not depend on the machine; without a time limit. Returns whether the plan
+// became as short as asked.
 bool improve(Session& session, const SearchRequest& request, const krait::Scene& scene, Company& company) {
-  const std::uint64_t first = session.statistics().collision_checks;
-  const double checks = request.improve * static_cast<double>(first);
-  double idle = 0;
-  const auto done = [&] { return static_cast<double>(session.statistics().collision_checks - first) + idle; };
   std::optional<std::uint64_t> judged;  // by its number, the plan whose length was
-  for (; done() < checks; idle += 0.25) {
+  bool near = false;
+  firmware::improve(session, request.improve, [&] {
     if (request.stop_within > 0 && judged != session.statistics().improvements) {
       judged = session.statistics().improvements;
-      if (near_shortest(session, request, scene)) return true;
+      near = near_shortest(session, request, scene);
     }
-    if (session.improve(1) != Status::solved || company.ends()) break;
-  }
-  return false;
+    return !near && session.improve(1) == Status::solved && !company.ends();
+  });
+  return near;
 }
 
 nlohmann::ordered_json statistics_json(const Statistics& s, double seconds) {
@@ -120,17 +117,6 @@ nlohmann::ordered_json statistics_json(const Statistics& s, double seconds) {
           {"plan_duration_s", static_cast<double>(s.plan_duration)},
           {"plan_end_speed_m_s", static_cast<double>(s.plan_end_speed)},
           {"hash", printed("%016llx", static_cast<unsigned long long>(s.hash))}};
-}
-
-// The counts of the search for the first plan, with the measures of the best one.
-Statistics with_plan_of(Statistics found, const Statistics& best) {
-  found.bytes_used = best.bytes_used;
-  found.plan_steps = best.plan_steps;
-  found.plan_length = best.plan_length;
-  found.plan_duration = best.plan_duration;
-  found.plan_end_speed = best.plan_end_speed;
-  found.hash = best.hash;
-  return found;
 }
 
 }  // namespace
@@ -221,7 +207,7 @@ SearchResult run_search(const std::string& scene_path, const SceneBytes& bytes, 
   result.plan.status = to_string(session->status());
   session->copy_plan(result.plan);
   const Statistics best = session->statistics();
-  result.plan.statistics = statistics_json(with_plan_of(found, best), searched);
+  result.plan.statistics = statistics_json(firmware::with_plan_of(found, best), searched);
   result.why = why_no_plan(*session, scene, request);
   if (request.improve > 0) {
     result.plan.statistics["improvements"] = best.improvements;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/run/session.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "host/rivals/plain.hpp"
@@ -84,11 +83,6 @@ void refuse(const Failure& failure, const krait::Scene& scene, const SearchReque
 
 void refuse(const Contact& at_start, const krait::Scene& scene, const SearchRequest& request) {
   throw InObstacle(std::string(to_string(Status::start_in_collision)) + ": " + why_not_there(at_start, scene, request));
-}
-
-std::uint32_t way_legs(const SearchRequest& request) {
-  if (!(request.improve > 0)) return 0;
-  return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(request.memory / 1024, 16, 4096));
 }
 
 std::unique_ptr<Session> start_session(const krait::Scene& scene, const SearchRequest& request, Block& block) {

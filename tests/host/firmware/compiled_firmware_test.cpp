@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The firmware of a ROBOT.json finds the first plan of krait plan, and says in one line what it does not plan.
+// The firmware of a ROBOT.json finds the plan of krait plan, improved or not, and says in one line what it does not
+// plan.
 #include <nlohmann/json.hpp>
 
 #include "host/cli/program.hpp"
@@ -20,20 +21,20 @@ class CompiledFirmware : public CliTest {
     return run_program(KRAIT_BIN_DIR "/firmware_van", arguments, directory());
   }
 
-  // Both find the same plan, by that query and with those parameters.
-  void expect_same_plan(const Arguments& query) const {
-    Arguments arguments = {"plan", "room.krait", "--robot", kVan, "--memory",
-                           "1M",   "--improve",  "0",       "-o", "plan.json"};
-    arguments.insert(arguments.end(), query.begin(), query.end());
-    expect_done(arguments);
-    Arguments words = {"--memory", "1M"};
+  // Both find the same plan, by that query and with those parameters. Returns the firmware's answer.
+  nlohmann::json expect_same_plan(const Arguments& query, const std::string& improve = "0") const {
+    Arguments words = {"--memory", "1M", "--improve", improve};
     words.insert(words.end(), query.begin(), query.end());
+    Arguments arguments = {"plan", "room.krait", "--robot", kVan, "-o", "plan.json"};
+    arguments.insert(arguments.end(), words.begin(), words.end());
+    expect_done(arguments);
     const Outcome outcome = firmware(words);
-    ASSERT_EQ(outcome.code, 0) << outcome.output << outcome.errors;
-    const nlohmann::json answer = nlohmann::json::parse(outcome.output);
+    EXPECT_EQ(outcome.code, 0) << outcome.output << outcome.errors;
+    nlohmann::json answer = nlohmann::json::parse(outcome.output);
     EXPECT_EQ(answer.at("status"), "solved");
     EXPECT_EQ(answer.at("robot"), "van");
     EXPECT_EQ(answer.at("hash"), json("plan.json").at("statistics").at("hash"));
+    return answer;
   }
 
   void expect_firmware_refuses(const Arguments& arguments, const std::string& line,
@@ -50,6 +51,39 @@ TEST_F(CompiledFirmware, KeepsTheClearanceAndTheTimeStepThatAreAskedFor) {
   expect_same_plan({"--clearance", "0.15"});
   expect_same_plan({"--clearance", "0.05", "--dt", "0.06", "--seed", "3"});
   expect_same_plan({"--clearance", "0.001", "--start", "3,8,0.5", "--goal", "16,2.5,0.75", "--heading", "-0.4"});
+}
+
+TEST_F(CompiledFirmware, ImprovesItsPlanAsTheWorkstationDoes) {
+  const nlohmann::json first = expect_same_plan({"--clearance", "0.001"});
+  EXPECT_FALSE(first.contains("improvements"));
+  const nlohmann::json improved = expect_same_plan({"--clearance", "0.001"}, "2.5");
+  const nlohmann::json host = json("plan.json").at("statistics");
+  EXPECT_GE(improved.at("improvements"), 1);
+  EXPECT_EQ(improved.at("improvements"), host.at("improvements"));
+  EXPECT_EQ(improved.at("collision_checks"), host.at("collision_checks"));
+  EXPECT_EQ(improved.at("first_plan_steps"), first.at("plan_steps"));
+  EXPECT_EQ(improved.at("first_plan_length_m"), first.at("plan_length_m"));
+  EXPECT_EQ(improved.at("first_plan_duration_s"), first.at("plan_duration_s"));
+  EXPECT_LT(improved.at("plan_steps"), first.at("plan_steps"));
+}
+
+TEST_F(CompiledFirmware, AsksForTheMemoryThatImprovementTakes) {
+  const Outcome refused = firmware({"--memory", "8K", "--improve", "1"});
+  EXPECT_EQ(refused.code, 2);
+  const auto answer = nlohmann::json::parse(refused.output.substr(refused.output.find('{')));
+  const auto needed = answer.at("bytes_needed").get<std::uint64_t>();
+  EXPECT_NE(firmware({"--memory", std::to_string(needed), "--iterations", "9", "--improve", "1"}).code, 2);
+  EXPECT_EQ(firmware({"--memory", std::to_string(needed - 8), "--iterations", "9", "--improve", "1"}).code, 2);
+}
+
+TEST_F(CompiledFirmware, IsBuiltWithoutImprovementToo) {
+  const auto ask = [&](const std::string& improve) {
+    return run_program(KRAIT_BIN_DIR "/firmware_van_first", {"--scene", "room.krait", "--improve", improve},
+                       directory());
+  };
+  EXPECT_EQ(ask("0").code, 0);
+  EXPECT_EQ(ask("1").code, 2);
+  EXPECT_EQ(ask("1").output, "krait: --improve: this firmware is built with KRAIT_IMPROVE=OFF\n");
 }
 
 TEST_F(CompiledFirmware, PlansForItsRobotOnly) {

@@ -81,6 +81,19 @@ TEST(FirmwareRequest, ReadsClearanceAndTimeStep) {
   EXPECT_EQ(request.dt, 0.02);
 }
 
+TEST(FirmwareRequest, ReadsHowMuchToImprove) {
+  Request request;
+  for (const auto& [text, multiples] : {std::pair{"0", 0.0}, {"3", 3.0}, {"0.25", 0.25}}) {
+    ASSERT_EQ(parse_words({"--improve", text}, request), nullptr) << text;
+    EXPECT_EQ(request.improve, multiples) << text;
+  }
+  ASSERT_EQ(parse_words({}, request), nullptr);
+  EXPECT_EQ(request.improve, 0.0);
+  for (const char* text : {"-1", "1000001", "much", "1x", ""}) {
+    EXPECT_EQ(complaint({"--improve", text}).rfind("--improve: give multiples", 0), 0U) << text;
+  }
+}
+
 TEST(FirmwareRequest, AsksForTheScenesOwnWithoutThem) {
   Request request;
   ASSERT_EQ(parse_words({}, request), nullptr);

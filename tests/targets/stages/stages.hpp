@@ -48,6 +48,7 @@ void motion(const firmware::Board& board);
 void distances(const firmware::Board& board);
 void decomposition(const firmware::Board& board, const Scene& scene);
 void searches(const firmware::Board& board, const Scene& scene);
+void improvements(const firmware::Board& board, const Scene& scene);
 
 // Uniform in [-most, most).
 inline float spread(detail::Random& random, float most) { return most * (2.0F * random.unit() - 1.0F); }
