@@ -37,10 +37,11 @@ struct Costs {
 // Improves a plan that was found.
 void improve(const Board& board, Planner& planner, Costs& costs) {
   std::uint64_t placements = planner.statistics().collision_checks;
-  std::uint64_t begin = instructions(board);
   bool first = true;
   costs.steps += planner.statistics().plan_steps;
   firmware::improve(planner, kMultiples, [&] {
+    const std::uint64_t begin = instructions(board);
+    const bool goes_on = planner.improve(1) == Status::solved;
     const std::uint64_t cost = instructions(board) - begin;
     const std::uint64_t placed = planner.statistics().collision_checks - placements;
     costs.improve += cost;
@@ -52,8 +53,7 @@ void improve(const Board& board, Planner& planner, Costs& costs) {
     first = false;
     if (placed > 0) costs.placement = std::max(costs.placement, cost / placed);
     placements += placed;
-    begin = instructions(board);
-    return false;
+    return goes_on;
   });
   costs.best += planner.statistics().plan_steps;
 }

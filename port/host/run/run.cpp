@@ -85,8 +85,8 @@ bool near_shortest(const Session& session, const SearchRequest& request, const k
   return length <= (1 + request.stop_within) * shortest_way_of(plan, request, scene);
 }
 
-// By collision checks, so that the result does not depend on the machine; without a time limit. Returns whether the plan
-// became as short as asked.
+// By collision checks, so that the result does not depend on the machine; without a time limit. Returns whether the
+// plan became as short as asked.
 bool improve(Session& session, const SearchRequest& request, const krait::Scene& scene, Company& company) {
   std::optional<std::uint64_t> judged;  // by its number, the plan whose length was
   bool near = false;
