@@ -17,6 +17,11 @@ def cells():
     return [Cell(scene, ROBOT, "adaptive") for scene in SCENES]
 
 
+def missing(results):
+    """The scenes without a solved run, of which the table has no row."""
+    return [cell.problem for cell in cells() if all(run["status"] != "solved" for run in results.runs(cell))]
+
+
 def _row(results, cell):
     runs = results.runs(cell)
     solved = [run for run in runs if run["status"] == "solved"]

@@ -614,6 +614,10 @@ class Written(unittest.TestCase):
         self.assertIn("| rooms | 1 | 1 | 500.0 | 500.0 | 500 | 500 | 1.0e-04 | 1.0 | 10.0 | 30.0 |\n", text)
         self.assertNotIn("old", text)
 
+    def test_the_readmes_table_is_of_all_scenes_or_none(self):
+        self.assertEqual(readme.missing(self.results({cell: 0.5 for cell in readme.cells()})), [])
+        self.assertEqual(readme.missing(self.results({cell: 0.5 for cell in readme.cells()[2:]})), ["openings", "gates"])
+
 
 class Prose(unittest.TestCase):
     def test_is_wrapped_and_nothing_else(self):
