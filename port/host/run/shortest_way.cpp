@@ -4,6 +4,7 @@
 #include "host/run/shortest_way.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -75,6 +76,12 @@ class Polyanya {
     bool operator<(const Node& other) const { return bound > other.bound; }
   };
 
+  // A part of an edge of a triangle, from left to right as one sees it from inside.
+  struct Side {
+    int edge;
+    Point left, right;
+  };
+
   static std::uint64_t key(const Point& p) {
     const auto bits = [](double x) { return std::bit_cast<std::uint32_t>(static_cast<float>(x)); };
     return std::uint64_t{bits(p.x)} << 32U | bits(p.y);
@@ -136,26 +143,13 @@ class Polyanya {
   }
 
   // Ways that bend at an end of the interval, where that is a corner.
-  void push_bent(const Node& node, const Point& end, int edge, const Point& left, const Point& right) {
-    if (!is_corner(end) || !(distance(left, right) > kRounding)) return;
+  void push_bent(const Node& node, const Point& end, const Side& side) {
+    if (!is_corner(end) || !(distance(side.left, side.right) > kRounding)) return;
     const double length = node.length + distance(node.root, end);
     if (outdated(end, length)) return;
     double& least = corners_[key(end)];
     least = std::min(least, length);
-    push({node.triangle, edge, left, right, end, length, 0});
-  }
-
-  void expand(const Node& node) {
-    const auto [first, last] = ends(node.triangle, node.edge);
-    const Point top = point(scene_.corner(node.triangle, (node.edge + 2) % 3));
-    const int left_edge = (node.edge + 2) % 3;
-    const int right_edge = (node.edge + 1) % 3;
-    if (std::abs(area(node.left, node.right, node.root)) <= kRounding * (1 + distance(node.left, node.right))) {
-      expand_along(node, first, top, last);
-      return;
-    }
-    expand_edge(node, left_edge, first, top);
-    expand_edge(node, right_edge, top, last);
+    push({node.triangle, side.edge, side.left, side.right, end, length, 0});
   }
 
   // Whether the triangle is entered for the first time beside this root, or on a shorter way: around a vertex that is
@@ -167,33 +161,46 @@ class Polyanya {
     return true;
   }
 
+  // The other two edges of the node's triangle, in the order in which one sees them who comes in.
+  std::array<Side, 2> sides(const Node& node) const {
+    const auto [first, last] = ends(node.triangle, node.edge);
+    const Point top = point(scene_.corner(node.triangle, (node.edge + 2) % 3));
+    return {Side{(node.edge + 2) % 3, first, top}, Side{(node.edge + 1) % 3, top, last}};
+  }
+
+  void expand(const Node& node) {
+    const double twice = area(node.left, node.right, node.root);
+    if (std::abs(twice) <= kRounding * (1 + distance(node.left, node.right))) return expand_along(node);
+    for (const Side& side : sides(node)) expand_side(node, side);
+  }
+
   // The root lies on the line of the interval: from its nearest place all of the triangle is seen.
-  void expand_along(const Node& node, const Point& first, const Point& top, const Point& last) {
+  void expand_along(const Node& node) {
     const bool left = distance(node.root, node.left) < distance(node.root, node.right);
-    const Point& nearest = left ? node.left : node.right;
     const double apart = through(node.root, node.left, node.right, node.root) / 2;
-    if (apart <= kRounding) {
-      if (!first_around(node)) return;
-      push({node.triangle, (node.edge + 2) % 3, first, top, node.root, node.length, 0});
-      push({node.triangle, (node.edge + 1) % 3, top, last, node.root, node.length, 0});
-      return;
+    if (apart <= kRounding && !first_around(node)) return;
+    for (const Side& side : sides(node)) {
+      if (apart <= kRounding) {
+        push({node.triangle, side.edge, side.left, side.right, node.root, node.length, 0});
+      } else {
+        push_bent(node, left ? node.left : node.right, side);
+      }
     }
-    push_bent(node, nearest, (node.edge + 2) % 3, first, top);
-    push_bent(node, nearest, (node.edge + 1) % 3, top, last);
   }
 
   // What lies to the left of what the root sees through the interval, that itself, and what lies to its right.
-  void expand_edge(const Node& node, int edge, const Point& a, const Point& b) {
+  void expand_side(const Node& node, const Side& side) {
+    const auto& [edge, a, b] = side;
     const auto beside = [&](const Point& end, const Point& p) { return area(node.root, end, p); };
     const double begin = positive_share(beside(node.left, a), beside(node.left, b));
     const double end = std::max(begin, positive_share(beside(node.right, a), beside(node.right, b)));
     const Point left = begin <= 0 ? a : begin >= 1 ? b : between(a, b, begin);
     const Point right = end <= 0 ? a : end >= 1 ? b : between(a, b, end);
-    if (begin > 0) push_bent(node, node.left, edge, a, left);
+    if (begin > 0) push_bent(node, node.left, {edge, a, left});
     if (begin < end && distance(left, right) > kRounding) {
       push({node.triangle, edge, left, right, node.root, node.length, 0});
     }
-    if (end < 1) push_bent(node, node.right, edge, right, b);
+    if (end < 1) push_bent(node, node.right, {edge, right, b});
   }
 
   const krait::Scene& scene_;
