@@ -536,9 +536,10 @@ KRAIT_NODISCARD krait_status krait_advance(krait_planner* planner, uint64_t iter
     begins again with its first state. The plan does not depend on how the iterations are cut into calls. KRAIT_SOLVED;
     where there is no plan, the search's status; KRAIT_BAD_ARGUMENT where krait_limits has no way_legs. Where the robot
     is a chain of four bodies or more, most iterations are those of searches that begin anew: their work is that of
-    krait_advance's, they count in krait_statistics and krait_limits as its do, and each begins and ends with a
-    Dijkstra. Work of any other: at most max_steps steps, near a pose with the choice of lines as in krait_advance, and
-    16 legs' steps that are not proven, or O(way_legs); the first call after krait_start begins with a Dijkstra. */
+    krait_advance's, they count in krait_statistics and krait_limits as its do, each begins with a Dijkstra, and the
+    last of a series ends with one. Work of any other: at most max_steps steps, near a pose with the choice of lines as
+    in krait_advance, and 16 legs' steps that are not proven, or O(way_legs); the first call after krait_start begins
+    with a Dijkstra. */
 KRAIT_NODISCARD krait_status krait_improve(krait_planner* planner, uint64_t iterations);
 
 /** Ends a search as KRAIT_TIME_USED, for a program whose clock says so. No effect once it has ended. O(1). */

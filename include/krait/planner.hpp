@@ -141,12 +141,12 @@ class Planner {
   /// At most `iterations` more of looking for a plan of fewer steps; plan() and Statistics::plan_steps, plan_length,
   /// plan_duration and hash are then those of the best so far, which was driven and proven as the first one was. Where
   /// the robot is a chain of four bodies or more, most iterations are those of searches that begin anew, in the same
-  /// tree; their work is that of an iteration of advance, they count in Statistics and Limits as its do, and each
-  /// begins and ends with a Dijkstra. Work of any other: at most max_steps steps, near a pose with the choice of lines
-  /// as in advance at every third at most, and 16 legs' steps that are not proven, or O(way_legs); the first call after
-  /// start begins with one Dijkstra. The result does not depend on how the iterations are cut into calls. Plans and
-  /// their cursors from before the call end with it. Returns status() and does nothing where that is not solved or the
-  /// plan has no steps; bad_argument where Limits::way_legs is 0.
+  /// tree; their work is that of an iteration of advance, they count in Statistics and Limits as its do, each begins
+  /// with a Dijkstra, and the last of a series ends with one. Work of any other: at most max_steps steps, near a pose
+  /// with the choice of lines as in advance at every third at most, and 16 legs' steps that are not proven, or
+  /// O(way_legs); the first call after start begins with one Dijkstra. The result does not depend on how the iterations
+  /// are cut into calls. Plans and their cursors from before the call end with it. Returns status() and does nothing
+  /// where that is not solved or the plan has no steps; bad_argument where Limits::way_legs is 0.
   [[nodiscard]] Status improve(std::uint64_t iterations);
 
   /// Ends the search as time_used, for a port whose clock says so. No effect once it has ended. O(1).

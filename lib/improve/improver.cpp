@@ -138,7 +138,7 @@ void Improver::aim_aside(const Pose& pose, bool left) {
 }
 
 void Improver::begin_round() {
-  if (searched_ < searches_) {
+  if (searches_anew_again()) {
     ++searched_;
     stage_ = Stage::anew;
   } else {

@@ -34,9 +34,11 @@ class Improver {
   // the regions from the start to the goal. Returns whether there is a better plan now. Not while it searches_anew.
   bool iterate();
 
-  // Whether this round is a search for a plan of fewer steps, until search_over. It may change the tree, and the
-  // regions if they are in the end as they were.
+  // Whether this round is a search for a plan of fewer steps, until search_over. It may change the tree and the
+  // regions.
   bool searches_anew() const { return stage_ == Stage::anew; }
+  // Whether the round after it is one, too. Where it is not, search_over must find the regions as begin does.
+  bool searches_anew_again() const { return searched_ < searches_; }
   void search_over() { begin_round(); }
 
   // Whether the way has fewer steps than the best plan so far, and there is room for its legs. O(legs).

@@ -37,7 +37,7 @@ Status AdaptiveSearch::advance(std::uint64_t iterations, const Watch& watch) {
 }
 
 Status AdaptiveSearch::improve(std::uint64_t iterations) {
-  return improve_by(iterations, [&] { search_anew(); });
+  return improve_by(iterations, true, [&] { search_anew(); });
 }
 
 void AdaptiveSearch::search_anew() {

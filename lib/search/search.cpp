@@ -279,7 +279,7 @@ void Search::refuse_plan() {
   restarts_.end_try();
 }
 
-void Search::begin_to_improve() {
+void Search::begin_to_improve(bool anew) {
   improving_ = true;
   anew_ = false;
   find_paths();
@@ -287,7 +287,7 @@ void Search::begin_to_improve() {
   LastMetres* const last_metres = shoots() ? &expander_.last_metres() : nullptr;
   const WayTools tools{robot_, scene_,   &parameters_, &check_,     &expander_.drive(), &expander_.brake(),
                        grid,   &ending_, last_metres,  goal_depth_, tree_.state(kRoot)};
-  improver_.begin(tools, proof_, regions_, found_path(), end_depth_, random_, searches_anew_);
+  improver_.begin(tools, proof_, regions_, found_path(), end_depth_, random_, anew);
   random_ = Random(random_.bits());  // searches anew draw other numbers than the improver
 }
 
@@ -319,7 +319,7 @@ void Search::pause_anew() {
   anew_ = goes_on;
   if (goes_on) return;
   driven_ = kNone;
-  find_paths();
+  if (!improver_.searches_anew_again()) find_paths();  // which the next search would do once more
   improver_.search_over();
 }
 

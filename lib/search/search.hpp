@@ -39,7 +39,7 @@ class Search {
 
   // Does what Planner::improve does, for a planner that does not search anew.
   [[nodiscard]] Status improve(std::uint64_t iterations) {
-    return improve_by(iterations, [] {});
+    return improve_by(iterations, false, [] {});
   }
 
   // What init cut the block into: Arena::needed(Pool) bytes a pool.
@@ -117,12 +117,13 @@ class Search {
     return status();
   }
 
-  // Improves the plan by so many iterations: calls search_anew() for one of a search anew.
+  // Improves the plan by so many iterations: calls search_anew() for one of a search anew, if `anew` says that there
+  // may be such.
   template <class SearchAnew>
-  Status improve_by(std::uint64_t iterations, SearchAnew search_anew) {
+  Status improve_by(std::uint64_t iterations, bool anew, SearchAnew search_anew) {
     if (status() != Status::solved || path_ == kNone) return status();
     if (limits_.way_legs == 0) return Status::bad_argument;
-    if (!improving_) begin_to_improve();
+    if (!improving_) begin_to_improve(anew);
     for (; iterations > 0 && status() == Status::solved; --iterations) {
       if (improver_.searches_anew()) {
         search_anew();
@@ -164,8 +165,7 @@ class Search {
   Status finish(Status status);
 
   bool shoots_at_poses_ = true;
-  bool searches_anew_ = true;  // whether plans of long chains are improved by searches, too
-  bool shortcuts_ = true;      // the plan is the same without, which tests and measurements of them search
+  bool shortcuts_ = true;  // the plan is the same without, which tests and measurements of them search
   Robot robot_;
   const Scene* scene_ = nullptr;
   Parameters parameters_ = kDefaults;
@@ -239,7 +239,7 @@ class Search {
   // Goes on with the search; with its next try, since other ways to the goal would mostly begin as this one did.
   void refuse_plan();
 
-  void begin_to_improve();
+  void begin_to_improve(bool anew);
 
   void improve_along_line();
 

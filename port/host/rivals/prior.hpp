@@ -20,10 +20,7 @@ struct PriorParameters {
 // beta^selections. h_min is the goal's 0, and 1 - epsilon is 1 in float: Eqn 7 with another epsilon.
 class PriorPlanner : public GroupedSearch {
  public:
-  explicit PriorPlanner(const PriorParameters& prior = {}) : prior_(prior) {
-    shoots_at_poses_ = false;
-    searches_anew_ = false;
-  }
+  explicit PriorPlanner(const PriorParameters& prior = {}) : prior_(prior) { shoots_at_poses_ = false; }
 
   static std::uint64_t bytes_required(const Scene& scene, const Robot& robot, const Limits& limits);
 

@@ -17,10 +17,7 @@ struct RrtParameters {
 // Used as krait::Planner is. The regions tell whether there is a route at all, and guide nothing.
 class RrtPlanner : public Search {
  public:
-  explicit RrtPlanner(const RrtParameters& rrt = {}) : rrt_(rrt) {
-    shoots_at_poses_ = false;
-    searches_anew_ = false;
-  }
+  explicit RrtPlanner(const RrtParameters& rrt = {}) : rrt_(rrt) { shoots_at_poses_ = false; }
 
   static std::uint64_t bytes_required(const Scene& scene, const Robot& robot, const Limits& limits);
 
