@@ -15,6 +15,7 @@ from harness.experiments import (
     SCALED_SCENE,
     SCALES,
     SCENES,
+    STREETS,
     scaled,
 )
 from harness.results import time, time_a_step, vertices
@@ -116,7 +117,7 @@ def _spread(results, cells):
 
 def _solved(results):
     found = []
-    for scene in SCENES:
+    for scene in (*SCENES, STREETS):
         for robot in (ROBOT, LONG_CHAIN):
             found += _within_a_second(results, Cell(scene, robot, "adaptive"))
     return found

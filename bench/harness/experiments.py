@@ -142,6 +142,8 @@ def goals():
     cells = [Cell(scene, ROBOT, planner) for scene in SCENES for planner in ("adaptive", "prior")]
     cells += [Cell(scaled(scene, SCALES[-1]), ROBOT, "adaptive") for scene in SCENES]
     cells += [Cell(scene, LONG_CHAIN, "adaptive") for scene in SCENES]
+    cells += [Cell(STREETS, robot, "adaptive") for robot in (ROBOT, LONG_CHAIN)]
+    cells += [Cell(problem, robot, "adaptive") for problem, robot in FAR_ONES]
     return cells + [Cell(problem, robot, planner) for problem, robot in FOREIGN for planner in ("adaptive", "prior")]
 
 
