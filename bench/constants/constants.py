@@ -63,19 +63,19 @@ CONSTANTS = {
     "straight": {"lib/last_metres/last_metres.cpp": {"kHitchLeads": ()}},
     "improve": {
         "lib/improve/improver.hpp": {
-            "kHold": (), "kPatience": (), "kPolish": (), "kNearer": (), "kAsNear": (), "kTakenAsNear": (),
-            "kRounded": (0.5, 1.5), "kWorthProof": (0.94, 1.03), "kRunUp": (), "kTurning": (), "kMeasured": (),
+            "kHold": (), "kAgain": (), "kTries": (), "kMostTries": (), "kPast": (), "kAhead": (), "kAskew": (),
+            "kPatience": (), "kNearer": (), "kAsNear": (), "kTakenAsNear": (),
+            "kRounded": (0.5, 1.5), "kRunUp": (), "kTurning": (), "kMeasured": (),
             "kReach": (), "kSpacing": (), "kLeastDisc": (0.9, 1.3), "kMoreDisc": (), "kPullStep": (),
             "kBeforeFailure": (), "kAroundFailure": (), "kNearFailure": (), "kSpread": (), "kFar": ()},
         "lib/improve/taut_line.hpp": {"kPasses": ()},
         "lib/improve/way_drive.hpp": {
-            "kMostStuck": (), "kFurther": (), "kLater": (), "kLeastShare": (0.94, 1.03)},
+            "kMostStuck": (), "kFurther": (), "kLeastShare": (0.94, 1.03)},
         "lib/improve/corners.hpp": {"kShare": (0.5, 0.75)},
         "lib/improve/corners.cpp": {
             "kLooks": (), "kCornerLooks": (), "kCircleLooks": (), "kLooksBefore": (), "kOutward": (), "kMostCut": (),
             "kSharpest": (), "kTurns": (0.5, 0.75), "kRound": (0.5, 1.3), "kVary": (0.8, 1.1), "kLeaveOut": (0.9, 1.1),
-            "kInsert": (0.9, 1.2), "kWithNext": (), "kBeside": (), "kLittle": (), "kMuch": (), "kTogether": (),
-            "kVaryMoved": ()}},
+            "kInsert": (0.9, 1.2), "kWithNext": (), "kBeside": (), "kLittle": (), "kMuch": (), "kVaryMoved": ()}},
     "improve to poses": {"lib/improve/improver.hpp": {"kBraking": ()}},
     "improve by turns": {
         "lib/improve/improver.hpp": {"kWorthBackwards": (), "kBackwards": (), "kNoShots": (), "kVaryShots": ()}},

@@ -17,16 +17,15 @@ constexpr Span kOutward = {-0.2F, 1.1F};       // of what the circle cuts off: h
 constexpr float kMostCut = 1.8F;               // units: what counts as cut off at most
 constexpr float kSharpest = 0.5F;              // share of the turns at random that are the sharpest; the others are
 constexpr Span kTurns = {0.2F, 1.0F};          // so much of it
-constexpr float kRound = 0.35F;                // a number from 0 to 1 below this: a corner is rounded; else, below
-constexpr float kVary = 0.48F;                 // this: a via is driven to otherwise,
-constexpr float kLeaveOut = 0.54F;             // this: it is left out,
-constexpr float kInsert = 0.64F;               // this: one is added; else it is moved
+constexpr float kLeaveOut = 0.06F;             // a number from 0 to 1 below this: a via is left out; else, below
+constexpr float kInsert = 0.16F;               // this: one is added; else it changes. A number from 0 to 1 below
+constexpr float kRound = 0.3F;                 // this: its corner is rounded; else, below
+constexpr float kVary = 0.5F;                  // this: it is driven to otherwise; else it is moved
 constexpr float kWithNext = 0.5F;   // share of rounded corners after which the next via is driven to likewise
 constexpr float kBeside = 0.35F;    // units: standard deviation of an added via from the line
 constexpr float kLittle = 0.15F;    // units: and of a moved one from its place, or, of half of them,
 constexpr float kMuch = 0.5F;       // units
-constexpr float kTogether = 0.3F;   // share of moved vias with which the next one moves
-constexpr float kVaryMoved = 0.2F;  // share of moved vias that are driven to otherwise, too
+constexpr float kVaryMoved = 0.5F;  // share of moved vias that are driven to otherwise, too
 
 float between(Span span, Random& random) { return span.low + (span.high - span.low) * random.unit(); }
 
@@ -34,6 +33,11 @@ Vec2 normal_vector(float deviation, Random& random) {
   const float x = normal(random);
   const float y = normal(random);
   return deviation * Vec2{x, y};
+}
+
+void drive_likewise(Via& via, const Via& as) {
+  via.look = as.look;
+  via.turn = as.turn;
 }
 
 }  // namespace
@@ -70,23 +74,26 @@ void round_corner(Vec2 before, Via& via, Vec2 after, const Turns& turns, Random&
   if (scale > 1e-3F) via.at = via.at + (cut * between(kOutward, random) / scale) * outward;
 }
 
-void change(Route& route, std::uint32_t i, const Turns& turns, Random& random) {
-  const std::uint32_t count = route.count();
-  const bool last = i + 1 == count;
+void change_via(Route& route, std::uint32_t i, const Turns& turns, Random& random) {
+  const bool last = i + 1 == route.count();
   const float kind = random.unit();
   if (kind < kRound && !last) {
     round_corner(route[i - 1].at, route[i], route[i + 1].at, turns, random);
-    if (random.unit() < kWithNext) {
-      route[i + 1].look = route[i].look;
-      route[i + 1].turn = route[i].turn;
-    }
+    if (random.unit() < kWithNext) drive_likewise(route[i + 1], route[i]);
   } else if (kind < kVary) {
     vary(route[i], turns, random);
-    if (!last) {
-      route[i + 1].look = route[i].look;
-      route[i + 1].turn = route[i].turn;
-    }
-  } else if (kind < kLeaveOut && count > 3 && !last) {
+    if (!last) drive_likewise(route[i + 1], route[i]);
+  } else {
+    const float deviation = (random.unit() < 0.5F ? kLittle : kMuch) * turns.unit;
+    route[i].at = route[i].at + normal_vector(deviation, random);
+    if (random.unit() < kVaryMoved) vary(route[i], turns, random);
+  }
+}
+
+void change(Route& route, std::uint32_t i, const Turns& turns, Random& random) {
+  const std::uint32_t count = route.count();
+  const float kind = random.unit();
+  if (kind < kLeaveOut && count > 3 && i + 1 < count) {
     route.remove(i);
   } else if (kind < kInsert && !route.full()) {
     Via via = route[i];
@@ -94,11 +101,7 @@ void change(Route& route, std::uint32_t i, const Turns& turns, Random& random) {
     via.at = via.at + normal_vector(kBeside * turns.unit, random);
     route.insert(i, via);
   } else {
-    const float deviation = (random.unit() < 0.5F ? kLittle : kMuch) * turns.unit;
-    const Vec2 move = normal_vector(deviation, random);
-    route[i].at = route[i].at + move;
-    if (random.unit() < kTogether && i + 2 < count) route[i + 1].at = route[i + 1].at + move;
-    if (random.unit() < kVaryMoved) vary(route[i], turns, random);
+    change_via(route, i, turns, random);
   }
 }
 

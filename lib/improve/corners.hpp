@@ -28,7 +28,10 @@ void vary(Via& via, const Turns& turns, Random& random);
 void round_corner(Vec2 before, Via& via, Vec2 after, const Turns& turns, Random& random);
 
 // Makes a random change at via i, 1 … count - 1, of an unmeasured copy of a route: rounds the corner anew, drives to it
-// otherwise, leaves it out, adds one before it, or moves it. The first via stays.
+// otherwise, or moves it.
+void change_via(Route& route, std::uint32_t i, const Turns& turns, Random& random);
+
+// The same, or leaves the via out, or adds one before it.
 void change(Route& route, std::uint32_t i, const Turns& turns, Random& random);
 
 }  // namespace krait::detail

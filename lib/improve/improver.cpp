@@ -19,7 +19,9 @@ Improver::Improver() = default;
 void Improver::allocate(Arena& arena, std::uint32_t legs, int state_size) {
   for (Way& way : ways_) way.allocate(arena, legs, state_size);
   best_.allocate(arena, legs, 0);
-  for (Route& route : routes_) route.allocate(arena, std::max(legs / 4, kLeastVias));
+  const std::uint32_t vias = std::max(legs / 4, kLeastVias);
+  for (Route& route : routes_) route.allocate(arena, vias);
+  best_route_.allocate(arena, vias);
   line_.allocate(arena, std::max(legs, kLeastPoints));
 }
 
@@ -37,6 +39,7 @@ void Improver::begin(const WayTools& tools, PlanProof& proof, const Regions& reg
   stride_ = 0.0F;
   share_ = 0;
   round_ = 0;
+  best_route_.clear();
   searches_ = 0;
   searched_ = 0;
   if (anew && tools.robot.body_count() >= kLongChain && size(plan).legs <= best_.capacity()) {
@@ -91,6 +94,7 @@ void Improver::take_found(const PlanPath& found) {
   best_.clear();
   for (Index leg = found.first(); leg != kNone; leg = found.next(leg)) best_.add(found.packed(leg), found.steps(leg));
   take_plan(PlanPath(best_, tools_.grid));
+  best_route_.clear();
 }
 
 float Improver::step_in_void(Pose& after) {
@@ -148,6 +152,10 @@ void Improver::begin_round() {
 }
 
 void Improver::begin_line() {
+  if (best_route_.count() > 0 && random_.unit() < kAgain) {
+    route().copy(best_route_);
+    return begin_search();
+  }
   ++round_;
   line_.clear(kSpacing * turns_.unit);
   if (round_ % 2 == 1 && trace_regions()) return begin_pull();
@@ -254,45 +262,91 @@ bool Improver::saves_turns_backwards() const {
 
 void Improver::begin_search() {
   current().clear();
-  reaches_ = false;
-  left_ = kInfinity;
-  vain_ = 0;
   const std::uint32_t room = current().capacity() / (tools_.last_metres == nullptr ? 1 : 2);
   const std::uint32_t hold = std::max(plan_steps_ / room + 1, kHold);
   const float near = 0.5F * regions_->goal().size(*tools_.scene);
   drives_.assign(tools_, {hold, stride_, kReach * turns_.unit, near});
-  changed().copy(route());
-  begin_drive(0);
+  repairing_ = false;
+  corner_ = 0;
+  next_corner();
 }
 
-void Improver::begin_drive(std::uint32_t leg) {
+void Improver::begin_drive(std::uint32_t leg, float until) {
   const Parameters& parameters = *tools_.parameters;
   tools_.check->keep(parameters.clearance + kTreeSlack * robot_length_, longest_tree_step(tools_.robot, parameters.dt));
-  drives_.begin(trial(), current(), leg, changed(), reaches_ ? current().steps() + 1 : plan_steps_);
+  drives_.begin(trial(), current(), leg, changed(), plan_steps_, until);
   stage_ = Stage::driving;
 }
 
 void Improver::drive() {
   const Outcome outcome = drives_.advance(tools_.parameters->tuning.max_steps);
   if (outcome == Outcome::drives) return;
-  ++vain_;
   if (outcome == Outcome::reached) {
-    learn_reached();
-  } else if (outcome == Outcome::blocked && !reaches_) {
-    learn_blocked();
+    accept();
+    return begin_proof();
   }
-  if (reaches_ && worth_proof()) return begin_proof();
-  go_on();
+  if (!repairing_) return learn_corner(outcome);
+  ++vain_;
+  if (outcome == Outcome::blocked) learn_blocked();
+  repair();
 }
 
-void Improver::learn_reached() {
-  if (!reaches_ || trial().steps() < current().steps()) {
-    reaches_ = true;
-    vain_ = 0;
-    accept();
-  } else if (trial().length() < current().length()) {
-    accept();
+void Improver::next_corner() {
+  ++corner_;
+  tries_ = 0;
+  promised_ = kInfinity;
+  from_leg_ = current().count() > 0 ? current().count() - 1 : 0;
+  changed().copy(route());
+  drive_corner();
+}
+
+void Improver::drive_corner() {
+  float until = kInfinity;
+  if (corner_ + 1 < changed().count()) {
+    const float at = changed()[corner_].arc;
+    until = at + std::min(kPast * turns_.unit, 0.5F * (changed()[corner_ + 1].arc - at));
   }
+  begin_drive(from_leg_, until);
+}
+
+void Improver::learn_corner(Outcome outcome) {
+  ++tries_;
+  if (outcome == Outcome::passed) learn_passed();
+  const bool passed = promised_ < kInfinity;
+  const std::uint32_t enough = best_route_.count() > 0 ? kTries : 1;
+  if (tries_ < (passed ? enough : kMostTries)) return try_corner();
+  if (passed) return next_corner();
+  if (outcome != Outcome::blocked) return begin_round();
+  repairing_ = true;
+  vain_ = 0;
+  left_ = kInfinity;
+  learn_blocked();
+  repair();
+}
+
+void Improver::learn_passed() {
+  const float promise = this->promise();
+  if (!(promise < promised_)) return;
+  promised_ = promise;
+  accept();
+}
+
+float Improver::promise() {
+  const float ahead = kAhead * turns_.unit;
+  const Pose& pose = tools_.check->poses()[0];
+  const Vec2 next = changed().point(drives_.arc() + ahead);
+  const float way = length(next - pose.position);
+  const float aside = way > 0.0F ? 1.0F - changed().gear() * cosine(pose.heading, pose.position, next) : 0.0F;
+  const float rest = std::max(changed().length() - drives_.arc() - ahead, 0.0F);
+  return static_cast<float>(trial().steps()) + (way + rest + kAskew * turns_.unit * aside) / stride_;
+}
+
+void Improver::try_corner() {
+  changed().copy(route());
+  change_via(changed(), corner_, turns_, random_);
+  keep_end();
+  if (chooses_shots() && corner_ + 1 == changed().count()) change_shots(changed());
+  drive_corner();
 }
 
 void Improver::learn_blocked() {
@@ -312,29 +366,24 @@ void Improver::accept() {
   here_of_routes_ = 1 - here_of_routes_;
 }
 
-bool Improver::worth_proof() {
-  const std::uint32_t steps = current().steps();
-  if (vain_ >= kPolish) return steps < plan_steps_;
-  return static_cast<float>(steps) < kWorthProof * static_cast<float>(plan_steps_);
-}
-
-void Improver::go_on() {
-  const bool hopeless = !reaches_ && left_ == kInfinity;
-  if (hopeless || vain_ >= (reaches_ ? kPolish : kPatience)) return begin_round();
+void Improver::repair() {
+  if (vain_ >= kPatience) return begin_round();
   changed().copy(route());
-  const std::uint32_t i = spread_around(reaches_ ? 1 + random_.below(route().count() - 1) : via_near_failure());
+  const std::uint32_t i = spread_around(via_near_failure());
   float from = changed()[i - 1].arc;
   if (chooses_shots() && (i + 1 == changed().count() || random_.unit() < kVaryShots)) {
     from = std::min(from, change_shots(changed()));
   }
   const std::uint32_t leg = first_that_sees(from);
   change(changed(), i, turns_, random_);
+  keep_end();
+  begin_drive(leg, kInfinity);
+}
+
+void Improver::keep_end() {
   const bool ends_in_goal = regions_->goal().contains(*tools_.scene, changed().last().at, 0.0F);
   if (!ends_in_goal) changed()[changed().count() - 1].at = route().last().at;
   changed().measure();
-  begin_drive(leg);
-  const std::uint32_t after = i + 2 < changed().count() ? i + 2 : changed().count() - 1;
-  if (reaches_) drives_.race(current(), route().length(), changed()[after].arc);
 }
 
 std::uint32_t Improver::via_near_failure() {
@@ -404,12 +453,9 @@ bool Improver::finish_proof() {
     measures_ = proof_->measures();
     best_.copy(current(), current().count());
     take_plan(PlanPath(best_, tools_.grid));
+    best_route_.copy(route());
   }
-  if (holds && vain_ < kPolish) {
-    go_on();
-  } else {
-    begin_round();
-  }
+  begin_round();
   return holds;
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Looks for ways of fewer steps than a plan has. In rounds: a line to the goal, along the shortest path of regions or
-// along the plan, is pulled taut; its corners are rounded by what the robot can turn; it is driven, and changed at
-// random around the place where that fails until the goal is reached, then anywhere as long as that saves steps. What
-// is better than the plan is driven once more and proven as the plan was, and only then takes its place. A long chain
-// seldom gets along such a line: most of its rounds are searches anew, which the planner makes.
+// along the plan, is pulled taut, and its corners are rounded by what the robot can turn; or the route of the best way
+// so far is taken up. It is driven corner by corner: once there is a better way, each is passed some times, with random
+// changes, and the quickest time is kept. Where none gets past a corner, the route is changed around the place of the
+// failure. What is better than the plan is driven once more and proven as the plan was, and only then takes its place.
+// A long chain seldom gets along such a line: most of its rounds are searches anew, which the planner makes.
 #pragma once
 
 #include "decomposition/locate.hpp"
@@ -60,34 +61,38 @@ class Improver {
   static constexpr std::uint32_t kLeastVias = 64;
   static constexpr std::uint32_t kLeastPoints = 256;
   // Measured: bench/ABLATIONS.md, "Constants".
-  static constexpr int kLongChain = 4;            // bodies of a chain whose plans are searched for anew, and
-  static constexpr std::uint32_t kSearches = 7;   // such rounds before each one along a line
-  static constexpr std::uint32_t kHold = 3;       // steps of a leg, or more where a way would not have room
-  static constexpr std::uint32_t kPatience = 20;  // changes in vain while the goal is not reached, and
-  static constexpr std::uint32_t kPolish = 30;    // afterwards, that end a round
-  static constexpr float kNearer = 0.06F;         // units of the route: a way that ends so much nearer is better
-  static constexpr float kAsNear = 0.025F;        // units: one that ends no further than this is as near,
-  static constexpr float kTakenAsNear = 0.3F;     // and how often it is taken
-  static constexpr float kRounded = 0.6F;         // how often the corners of a new route are rounded
-  static constexpr float kWorthBackwards = 0.3F;  // sum of cosines: how far away from its ends a robot must face, and
-  static constexpr float kBackwards = 0.5F;       // how often it then drives a route backwards
-  static constexpr float kNoShots = 0.3F;         // routes without shots before their end, for each that has some
-  static constexpr float kVaryShots = 0.1F;       // of changes, that draw anew where shots begin
-  static constexpr float kWorthProof = 0.97F;     // of the plan's steps: a way so short is proven at once
-  static constexpr std::uint32_t kRunUp = 15;     // steps straight on before a turn is measured,
-  static constexpr std::uint32_t kTurning = 30;   // steps of the turn,
-  static constexpr std::uint32_t kMeasured = 15;  // the last ones of which are measured
-  static constexpr float kBraking = 0.3F;         // of the sharpest: how shots brake
-  static constexpr float kReach = 2.4F;           // units: how far on along a route the robot's place is looked for
-  static constexpr float kSpacing = 0.5F;         // units between the points of a line that is pulled taut
-  static constexpr float kLeastDisc = 1.15F;      // of body 0's half width: what a line is pulled taut for, and
-  static constexpr float kMoreDisc = 1.1F;        // as much more at most
-  static constexpr float kPullStep = 0.5F;        // of body 0's half width: of looks along a line of sight
-  static constexpr float kBeforeFailure = 6.0F;   // units before the place of a failure, at most, a via is changed, of
-  static constexpr float kAroundFailure = 8.0F;   // as many units of the route around it; a new via there is
-  static constexpr float kNearFailure = 2.0F;     // units from others
-  static constexpr float kSpread = 4.0F;          // units around a change, outside of which the route stays where vias
-  static constexpr float kFar = 1.5F;             // as many times as far away are the nearest
+  static constexpr int kLongChain = 4;             // bodies of a chain whose plans are searched for anew, and
+  static constexpr std::uint32_t kSearches = 7;    // such rounds before each one along a line
+  static constexpr std::uint32_t kHold = 3;        // steps of a leg, or more where a way would not have room
+  static constexpr float kAgain = 0.5F;            // how often a round takes up the best way's route, once it has one
+  static constexpr std::uint32_t kTries = 6;       // drives past a corner, once it has a way, and
+  static constexpr std::uint32_t kMostTries = 12;  // at most, where none gets past it
+  static constexpr float kPast = 0.7F;             // units after a corner, or half way to the next one: there they end,
+  static constexpr float kAhead = 2.0F;            // and so far on, in units, the robot should look,
+  static constexpr float kAskew = 1.0F;            // units that it loses where it looks aside
+  static constexpr std::uint32_t kPatience = 12;   // changes in vain around a failure that end a round
+  static constexpr float kNearer = 0.06F;          // units of the route: a way that ends so much nearer is better
+  static constexpr float kAsNear = 0.025F;         // units: one that ends no further than this is as near,
+  static constexpr float kTakenAsNear = 0.3F;      // and how often it is taken
+  static constexpr float kRounded = 0.6F;          // how often the corners of a new route are rounded
+  static constexpr float kWorthBackwards = 0.3F;   // sum of cosines: how far away from its ends a robot must face, and
+  static constexpr float kBackwards = 0.5F;        // how often it then drives a route backwards
+  static constexpr float kNoShots = 0.3F;          // routes without shots before their end, for each that has some
+  static constexpr float kVaryShots = 0.1F;        // of changes, that draw anew where shots begin
+  static constexpr std::uint32_t kRunUp = 15;      // steps straight on before a turn is measured,
+  static constexpr std::uint32_t kTurning = 30;    // steps of the turn,
+  static constexpr std::uint32_t kMeasured = 15;   // the last ones of which are measured
+  static constexpr float kBraking = 0.3F;          // of the sharpest: how shots brake
+  static constexpr float kReach = 2.4F;            // units: how far on along a route the robot's place is looked for
+  static constexpr float kSpacing = 0.5F;          // units between the points of a line that is pulled taut
+  static constexpr float kLeastDisc = 1.15F;       // of body 0's half width: what a line is pulled taut for, and
+  static constexpr float kMoreDisc = 1.1F;         // as much more at most
+  static constexpr float kPullStep = 0.5F;         // of body 0's half width: of looks along a line of sight
+  static constexpr float kBeforeFailure = 6.0F;    // units before the place of a failure, at most, a via is changed, of
+  static constexpr float kAroundFailure = 8.0F;    // as many units of the route around it; a new via there is
+  static constexpr float kNearFailure = 2.0F;      // units from others
+  static constexpr float kSpread = 4.0F;           // units around a change, outside of which the route stays where vias
+  static constexpr float kFar = 1.5F;              // as many times as far away are the nearest
 
   Way& current() { return ways_[here_]; }
   Way& trial() { return ways_[1 - here_]; }
@@ -137,24 +142,42 @@ class Improver {
   // Draws anew where a measured route's shots begin. Returns from where on along the route that matters.
   float change_shots(Route& route);
 
+  // Drives the route from its begin on.
   void begin_search();
 
-  // Drives the changed route from the leg on.
-  void begin_drive(std::uint32_t leg);
+  // Drives the changed route from the leg on, until it has come so far.
+  void begin_drive(std::uint32_t leg, float until);
 
   void drive();
 
-  void learn_reached();
+  // Goes on to the next corner of the route.
+  void next_corner();
+
+  // Drives the changed route past the corner, or to its end after the last one.
+  void drive_corner();
+
+  // Learns from a drive that has not reached the goal.
+  void learn_corner(Outcome outcome);
+
+  // A corner that was passed the quicker is kept.
+  void learn_passed();
+
+  // Steps that the driven way would take to the goal at best.
+  float promise();
+
+  // Drives past the corner with a random change at it.
+  void try_corner();
 
   // A way that comes nearer to the goal is better; of those that come as near another one is taken now and then.
   void learn_blocked();
 
   void accept();
 
-  bool worth_proof();
+  // Changes the route around the failure, or ends the round.
+  void repair();
 
-  // The next change, or the next round.
-  void go_on();
+  // The changed route, measured, ends in the goal: as before where a change has moved it out of there.
+  void keep_end();
 
   // A via of the changed route from a little before the place where the current way failed to a little after, a new one
   // if there is none.
@@ -198,10 +221,15 @@ class Improver {
   Route routes_[2];  // that those ways follow
   int here_of_routes_ = 0;
   WayDrive drives_;
-  bool reaches_ = false;    // whether the current way reaches the goal
-  float left_ = kInfinity;  // metres of the route where it does not
-  float failed_ = 0.0F;     // metres along the route where it ends
-  std::uint32_t vain_ = 0;  // changes since the last that helped
+  Route best_route_;        // that the best way follows; of no vias where it follows none
+  std::uint32_t corner_;    // the via that is passed,
+  std::uint32_t tries_;     // how often it was driven to,
+  std::uint32_t from_leg_;  // from which leg on,
+  float promised_;          // and the least steps that a way past it promises
+  bool repairing_;          // whether no way got past it
+  float left_;              // metres of the route where the current way fails,
+  float failed_;            // metres along the route to there,
+  std::uint32_t vain_;      // and changes since the last that helped
   Index leg_ = 0;           // that is traced or proven next, and
   std::uint32_t step_ = 0;  // how many of its steps are
 };

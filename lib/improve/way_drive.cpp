@@ -9,10 +9,12 @@ void WayDrive::assign(const WayTools& tools, const Manner& manner) {
   step_ = ProvenStep(tools.robot, *tools.scene, *tools.parameters, *tools.check);
 }
 
-void WayDrive::begin(Way& way, const Way& from, std::uint32_t legs, const Route& route, std::uint32_t bound) {
+void WayDrive::begin(Way& way, const Way& from, std::uint32_t legs, const Route& route, std::uint32_t bound,
+                     float until) {
   way_ = &way;
   route_ = &route;
   bound_ = bound;
+  until_ = until;
   const std::uint32_t first = legs - legs % Way::kLegsAState;
   const bool known = first < from.count();
   tools_->drive->begin(known ? from.state(first) : tools_->start);
@@ -25,15 +27,6 @@ void WayDrive::begin(Way& way, const Way& from, std::uint32_t legs, const Route&
   left_ = 0;
   braking_ = false;
   shooting_ = false;
-  rival_ = nullptr;
-}
-
-void WayDrive::race(const Way& rival, float length, float from) {
-  rival_ = &rival;
-  rival_length_ = length;
-  rival_leg_ = 0;
-  rival_steps_ = 0;
-  from_ = from;
 }
 
 WayDrive::Outcome WayDrive::advance(std::uint32_t steps) {
@@ -161,6 +154,7 @@ WayDrive::Outcome WayDrive::begin_leg() {
   if (way_->full()) return Outcome::full;
   const float* const state = tools_->drive->state();
   arc_ = route_->project({state[0], state[1]}, arc_, manner_.reach);
+  if (arc_ >= until_) return Outcome::passed;
   if (arc_ > furthest_ + kFurther * manner_.reach) {
     furthest_ = arc_;
     stuck_ = 0;
@@ -168,7 +162,6 @@ WayDrive::Outcome WayDrive::begin_leg() {
     return Outcome::blocked;
   }
   if (too_long(route_->length() - arc_)) return Outcome::too_long;
-  if (rival_ != nullptr && arc_ > from_ && later()) return Outcome::too_long;
   const Via& via = (*route_)[route_->stretch(arc_)];
   Target target;
   target.point = route_->point(arc_ + via.look);
@@ -184,18 +177,6 @@ WayDrive::Outcome WayDrive::begin_leg() {
 bool WayDrive::too_long(float left) const {
   const float rest = kLeastShare * (left - manner_.near) / manner_.stride;
   return static_cast<float>(way_->steps()) + rest >= static_cast<float>(bound_);
-}
-
-bool WayDrive::later() {
-  const float arc = rival_length_ - (route_->length() - arc_);
-  const Way& rival = *rival_;
-  while (rival_leg_ + 1 < rival.count() && rival[rival_leg_ + 1].arc <= arc) rival_steps_ += rival[rival_leg_++].steps;
-  const Leg& leg = rival[rival_leg_];
-  if (rival_leg_ + 1 == rival.count()) return false;
-  const float whole = rival[rival_leg_ + 1].arc - leg.arc;
-  const float share = whole > 0.0F ? (arc - leg.arc) / whole : 0.0F;
-  const float steps = static_cast<float>(rival_steps_) + share * static_cast<float>(leg.steps);
-  return static_cast<float>(way_->steps()) > steps + kLater;
 }
 
 }  // namespace krait::detail

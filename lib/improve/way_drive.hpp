@@ -31,6 +31,7 @@ class WayDrive {
   enum class Outcome {
     drives,    // has not ended
     reached,   // the way ends the plan
+    passed,    // the next leg would begin behind the place on the route that was asked for
     blocked,   // a step is not free, or the robot gets no further
     too_long,  // it would not have fewer steps than asked for
     full       // the way has no room for more legs
@@ -49,24 +50,20 @@ class WayDrive {
   void assign(const WayTools& tools, const Manner& manner);
 
   // Makes `way` the first `legs` legs of `from`, or of none, and drives on from there along the measured route, while
-  // it may have fewer than `bound` steps. Drives at most Way::kLegsAState of the legs again.
-  void begin(Way& way, const Way& from, std::uint32_t legs, const Route& route, std::uint32_t bound);
-
-  // Ends the way as too long where it is later than a rival at any place from `from` metres along the route on. The
-  // rival reached the end of a route of `length` metres, which goes on as this one does from there.
-  void race(const Way& rival, float length, float from);
+  // it may have fewer than `bound` steps and has not come `until` metres along it. Drives at most Way::kLegsAState of
+  // the legs again.
+  void begin(Way& way, const Way& from, std::uint32_t legs, const Route& route, std::uint32_t bound, float until);
 
   // Drives at most `steps` steps more.
   Outcome advance(std::uint32_t steps);
 
-  // Metres along the route that the last leg begins at.
+  // Metres along the route that the last leg begins at, or the next one would.
   float arc() const { return arc_; }
 
  private:
   // Measured: bench/ABLATIONS.md, "Constants".
   static constexpr std::uint32_t kMostStuck = 12;  // legs that get no further along the route
   static constexpr float kFurther = 0.025F;        // of `reach`: what counts as further
-  static constexpr float kLater = 0.5F;            // steps
   static constexpr float kLeastShare = 0.97F;      // of the route or line that is left, below which no way on is
 
   // The same bits as when the leg was driven first.
@@ -101,15 +98,13 @@ class WayDrive {
   // Whether the way would not have fewer steps than asked for, with so many metres left.
   bool too_long(float left) const;
 
-  // Whether the rival came to where as much of its route is left in fewer steps.
-  bool later();
-
   const WayTools* tools_;
   Manner manner_;
   ProvenStep step_;
   Way* way_;
   const Route* route_;
   std::uint32_t bound_;
+  float until_;
   float arc_;
   float furthest_;  // of arc_, from where on it counted as further
   std::uint32_t stuck_;
@@ -118,11 +113,6 @@ class WayDrive {
   bool shooting_;            // whether the last legs are a shot's,
   std::uint32_t shot_;       // the first of them,
   std::uint32_t leg_steps_;  // and the steps of the last
-  const Way* rival_;
-  float rival_length_;
-  float from_;
-  std::uint32_t rival_leg_;    // that the rival was in where as much of its route was left, and
-  std::uint32_t rival_steps_;  // its steps before that
 };
 
 }  // namespace krait::detail
