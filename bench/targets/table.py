@@ -12,8 +12,9 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tests/targets"))
+sys.path[:0] = [str(ROOT / "tests/targets"), str(ROOT / "bench")]
 from flash import planner_flash  # noqa: E402
+from harness.prose import wrapped  # noqa: E402
 
 PAGE = ROOT / "bench/targets/RESULTS.md"
 MARKS = ("<!-- targets -->", "<!-- end of targets -->")
@@ -209,7 +210,7 @@ def write_page(marks, lines):
     before, rest = text.split(begin, 1)
     after = rest.split(end, 1)[1]
     part = PAGE.with_suffix(".part")
-    part.write_text(before + begin + "\n" + "\n".join(lines) + "\n" + end + after)
+    part.write_text(before + begin + "\n" + wrapped("\n".join(lines)) + "\n" + end + after)
     part.replace(PAGE)
 
 
