@@ -266,16 +266,16 @@ void Improver::begin_search() {
   const std::uint32_t hold = std::max(plan_steps_ / room + 1, kHold);
   const float near = 0.5F * regions_->goal().size(*tools_.scene);
   drives_.assign(tools_, {hold, stride_, kReach * turns_.unit, near});
+  const Parameters& parameters = *tools_.parameters;
+  tools_.check->keep(parameters.clearance + kTreeSlack * robot_length_, longest_tree_step(tools_.robot, parameters.dt));
+  stage_ = Stage::driving;
   repairing_ = false;
   corner_ = 0;
   next_corner();
 }
 
 void Improver::begin_drive(std::uint32_t leg, float until) {
-  const Parameters& parameters = *tools_.parameters;
-  tools_.check->keep(parameters.clearance + kTreeSlack * robot_length_, longest_tree_step(tools_.robot, parameters.dt));
   drives_.begin(trial(), current(), leg, changed(), plan_steps_, until);
-  stage_ = Stage::driving;
 }
 
 void Improver::drive() {
@@ -316,7 +316,11 @@ void Improver::learn_corner(Outcome outcome) {
   const std::uint32_t enough = best_route_.count() > 0 ? kTries : 1;
   if (tries_ < (passed ? enough : kMostTries)) return try_corner();
   if (passed) return next_corner();
-  if (outcome != Outcome::blocked) return begin_round();
+  if (outcome == Outcome::blocked) return begin_repair();
+  begin_round();
+}
+
+void Improver::begin_repair() {
   repairing_ = true;
   vain_ = 0;
   left_ = kInfinity;

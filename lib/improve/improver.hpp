@@ -168,6 +168,9 @@ class Improver {
   // Drives past the corner with a random change at it.
   void try_corner();
 
+  // Repairs the way that was blocked at the corner.
+  void begin_repair();
+
   // A way that comes nearer to the goal is better; of those that come as near another one is taken now and then.
   void learn_blocked();
 

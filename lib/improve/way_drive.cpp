@@ -68,9 +68,7 @@ void WayDrive::drive_again(const Leg& leg) {
 
 bool WayDrive::take_step(Drive& drive) {
   if (!step_.prove(drive)) return false;
-  const float* const from = drive.state();
-  const float* const to = drive.next();
-  way_->step(length(Vec2{to[0] - from[0], to[1] - from[1]}));
+  way_->step();
   drive.go();
   return true;
 }

@@ -16,15 +16,14 @@ struct Leg {
 
   PackedTarget target;
   std::uint32_t steps;
-  float arc;     // metres along the route that it follows, where it begins; kOffRoute: the way cannot change from there
-  float length;  // metres driven before it
+  float arc;  // metres along the route that it follows, where it begins; kOffRoute: the way cannot change from there
 };
 
 class Way {
  public:
   static constexpr std::uint32_t kLegsAState = 16;
 
-  // Room for `legs`, 20 bytes each, and a state for every kLegsAState of them.
+  // Room for `legs`, 16 bytes each, and a state for every kLegsAState of them.
   void allocate(Arena& arena, std::uint32_t legs, int state_size) {
     state_size_ = static_cast<std::size_t>(state_size);
     capacity_ = legs;
@@ -35,13 +34,11 @@ class Way {
   void clear() {
     count_ = 0;
     steps_ = 0;
-    length_ = 0.0F;
   }
   std::uint32_t count() const { return count_; }
   std::uint32_t capacity() const { return capacity_; }
   bool full() const { return count_ == capacity_; }
   std::uint32_t steps() const { return steps_; }  // of all legs
-  float length() const { return length_; }        // metres, of the line through the positions
   const Leg& operator[](std::uint32_t i) const {
     KRAIT_ASSERT(i < count_);
     return legs_[i];
@@ -53,27 +50,24 @@ class Way {
     if (count_ % kLegsAState == 0) {
       for (std::size_t i = 0; i < state_size_; ++i) states_[count_ / kLegsAState * state_size_ + i] = state[i];
     }
-    legs_[count_++] = {target, 0, arc, length_};
+    legs_[count_++] = {target, 0, arc};
   }
-  // A whole leg, of a way whose states and lengths are not asked for. Not when full.
+  // A whole leg, of a way whose states are not asked for. Not when full.
   void add(const PackedTarget& target, std::uint32_t steps) {
     KRAIT_ASSERT(!full());
-    legs_[count_++] = {target, steps, 0.0F, 0.0F};
+    legs_[count_++] = {target, steps, 0.0F};
     steps_ += steps;
   }
-  // Counts a step of the last leg, `metres` long.
-  void step(float metres) {
+  // Counts a step of the last leg.
+  void step() {
     KRAIT_ASSERT(count_ > 0);
     ++legs_[count_ - 1].steps;
     ++steps_;
-    length_ += metres;
   }
 
   void remove_last() {
     KRAIT_ASSERT(count_ > 0);
-    const Leg& last = legs_[--count_];
-    steps_ -= last.steps;
-    length_ = last.length;
+    steps_ -= legs_[--count_].steps;
   }
 
   // The state that leg i begins from, for i a multiple of kLegsAState.
@@ -93,7 +87,6 @@ class Way {
     const std::size_t floats = (legs + kLegsAState - 1) / kLegsAState * state_size_;
     for (std::size_t i = 0; i < floats; ++i) states_[i] = from.states_[i];
     count_ = legs;
-    length_ = legs < from.count_ ? from.legs_[legs].length : from.length_;
   }
 
  private:
@@ -103,7 +96,6 @@ class Way {
   std::uint32_t capacity_ = 0;
   std::uint32_t count_ = 0;
   std::uint32_t steps_ = 0;
-  float length_ = 0.0F;
 };
 
 }  // namespace krait::detail
