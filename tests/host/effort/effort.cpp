@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whether searches cost what budgets.txt says that they cost: effort [--update] [SCENE…]. Vertices and placements of
 // the robot, median and 90th percentile over fixed seeds: the same on every machine. A tenth more or less is a failure,
-// since a budget that is too large sees nothing; --update writes the file anew. Exits 1 when a budget does not hold.
+// since a budget that is too large sees nothing; --update writes the file anew. Exits 1 when a budget does not hold, 2
+// on bad input.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -176,12 +177,7 @@ bool compare(const Costs& costs) {
   return all;
 }
 
-}  // namespace
-}  // namespace krait::host
-
-int main(int argc, char** argv) {
-  using namespace krait::host;
-  std::vector<std::string> scenes(argv + 1, argv + argc);
+int run(std::vector<std::string> scenes) {
   const bool update = !scenes.empty() && scenes.front() == "--update";
   if (update) scenes.erase(scenes.begin());
   Costs costs;
@@ -195,4 +191,17 @@ int main(int argc, char** argv) {
   if (write_budgets(costs)) return 0;
   std::fprintf(stderr, "effort: %s cannot be written\n", kBudgets);
   return 2;
+}
+
+}  // namespace
+}  // namespace krait::host
+
+int main(int argc, char** argv) {
+  using namespace krait::host;
+  try {
+    return run({argv + 1, argv + argc});
+  } catch (const InputError& error) {
+    std::fprintf(stderr, "effort: %s; usage: effort [--update] [SCENE…]\n", error.what());
+    return 2;
+  }
 }
