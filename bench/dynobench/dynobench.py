@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """dynobench's problems with their own robots, beside the published results: writes bench/DYNOBENCH.md. One program at a
-time; the working folder is the project's; build krait before. SAMPLES is a folder with a folder for each robot, which
-holds its model.yaml and the problems. Usage: dynobench.py SAMPLES [SEEDS [SEEDS OF A SECOND]]"""
+time; the working folder is the project's; build krait before."""
+import argparse
 import csv
 import json
 import math
@@ -179,17 +179,34 @@ def machine():
     return model.group(1) if model else platform.processor()
 
 
-def main(arguments):
-    samples = Path(arguments[0])
-    seeds = int(arguments[1]) if len(arguments) > 1 else 100
-    long_seeds = int(arguments[2]) if len(arguments) > 2 else 20
+def count(text):
+    if not text.isdecimal() or int(text) == 0:
+        raise argparse.ArgumentTypeError(f"'{text}' is no number of seeds from 1")
+    return int(text)
+
+
+def asked():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("samples", type=Path, help="folder with a folder for each robot: its model.yaml, its problems")
+    parser.add_argument("seeds", type=count, nargs="?", default=100, help="of first plans and of the shorter time")
+    parser.add_argument("long_seeds", type=count, nargs="?", default=20, help="of the longer time")
+    options = parser.parse_args()
+    files = [options.samples / name / file for name, problem in PUBLISHED for file in ("model.yaml", f"{problem}.yaml")]
+    for file in [Path(KRAIT), *files]:
+        if not file.is_file():
+            parser.error(f"{file} is missing")
+    return options
+
+
+def main():
+    options = asked()
     WORK.mkdir(parents=True, exist_ok=True)
     rows = []
     for name, problem in PUBLISHED:
-        rows.append(row(samples, name, problem, seeds, long_seeds))
+        rows.append(row(options.samples, name, problem, options.seeds, options.long_seeds))
         print(rows[-1], flush=True)
-    PAGE.write_text(page(rows, seeds, long_seeds))
+    PAGE.write_text(page(rows, options.seeds, options.long_seeds))
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    main()
