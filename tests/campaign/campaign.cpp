@@ -4,7 +4,6 @@
 // double precision and sweeps that motion (judge.hpp), until N plans are judged, 150 or with KRAIT_LONG_TESTS=1 10,000.
 // With --query only that query of the scene SEED. Exits 1 when a plan does not hold.
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <limits>
@@ -12,6 +11,7 @@
 #include <optional>
 #include <string>
 
+#include "../host/plans/options.hpp"
 #include "draw.hpp"
 #include "host/compiler/compiler.hpp"
 
@@ -123,7 +123,7 @@ std::optional<host::CompiledScene> compile(const DrawnScene& drawn, std::uint64_
 }
 
 // A query by its number, or all of them.
-void plan_in_scene(std::uint64_t seed, int only, std::uint64_t wanted, Tally& tally) {
+void plan_in_scene(std::uint64_t seed, std::optional<std::uint64_t> only, std::uint64_t wanted, Tally& tally) {
   const DrawnScene drawn = draw_scene(seed);
   const double begin = processor_time();
   const std::optional<host::CompiledScene> made = compile(drawn, seed);
@@ -141,18 +141,13 @@ void plan_in_scene(std::uint64_t seed, int only, std::uint64_t wanted, Tally& ta
   tally.compiling += processor_time() - begin;
   ++tally.scenes;
   for (int number = 0; number < kQueries && tally.judged < wanted; ++number) {
-    if (only >= 0 && number != only) continue;
+    if (only && number != static_cast<int>(*only)) continue;
     DrawnQuery query = draw_query(drawn, scene, field, seed, number);
     query.query.work = kWork;
     query.query.iterations = kIterations;
     const std::string label = "--from " + std::to_string(seed) + " --query " + std::to_string(number);
-    plan_and_judge(label, scene, field, query, only >= 0, tally);
+    plan_and_judge(label, scene, field, query, only.has_value(), tally);
   }
-}
-
-std::uint64_t default_plans() {
-  const char* asked = std::getenv("KRAIT_LONG_TESTS");
-  return asked != nullptr && std::string(asked) == "1" ? 10'000 : 150;
 }
 
 }  // namespace
@@ -160,25 +155,16 @@ std::uint64_t default_plans() {
 
 int main(int argc, char** argv) {
   using namespace krait::campaign;
-  std::uint64_t wanted = default_plans();
-  std::uint64_t seed = 1;
-  int only = -1;
-  for (int i = 1; i < argc; ++i) {
-    const std::string option = argv[i];
-    const bool named = (option == "--from" || option == "--query") && i + 1 < argc;
-    if (named) ++i;
-    const std::uint64_t number = std::strtoull(argv[i], nullptr, 10);
-    if (option == "--query" && named) {
-      only = static_cast<int>(number);
-    } else {
-      (named ? seed : wanted) = number;
-    }
-  }
+  using krait::host::test::default_plans;
+  const krait::host::test::Options options =
+      krait::host::test::read_options(argc, argv, default_plans(150, 10'000), kQueries);
   Tally tally;
-  if (only >= 0) {
-    plan_in_scene(seed, only, wanted, tally);
+  if (options.query) {
+    plan_in_scene(options.first_scene, options.query, options.plans, tally);
   } else {
-    for (; tally.judged < wanted; ++seed) plan_in_scene(seed, only, wanted, tally);
+    for (std::uint64_t seed = options.first_scene; tally.judged < options.plans; ++seed) {
+      plan_in_scene(seed, {}, options.plans, tally);
+    }
   }
   tally.print();
   return tally.failed == 0 ? 0 : 1;

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "../plans/options.hpp"
 #include "host/compiler/compiler.hpp"
 #include "host/run/session.hpp"
 
@@ -130,8 +131,8 @@ bool park(const Task& task, std::uint64_t seeds) {
 
 int main(int argc, char** argv) {
   using namespace krait::host;
-  const std::uint64_t seeds = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 2;
-  bool all = seeds > 0;
+  const std::uint64_t seeds = argc > 1 ? test::whole_number(argv[1], 1, "the number of seeds") : 2;
+  bool all = true;
   for (const Task& task : kTasks) all = park(task, seeds) && all;
   return all ? 0 : 1;
 }

@@ -3,13 +3,13 @@
 // the open-loop replay of its controls in double precision: plans [--from SEED] [N]. N plans, 100 or with
 // KRAIT_LONG_TESTS=1 5,000; SEED is the first scene's. Exits 1 when one does not hold.
 #include <cstdio>
-#include <cstdlib>
 #include <limits>
 #include <map>
 #include <string>
 
 #include "host/compiler/compiler.hpp"
 #include "host/run/session.hpp"
+#include "options.hpp"
 #include "random_workspace.hpp"
 
 namespace krait::host::test {
@@ -90,25 +90,16 @@ void plan_in_scene(std::uint64_t seed, std::uint64_t wanted, Tally& tally) {
   }
 }
 
-std::uint64_t default_plans() {
-  const char* asked = std::getenv("KRAIT_LONG_TESTS");
-  return asked != nullptr && std::string(asked) == "1" ? 5'000 : 100;
-}
-
 }  // namespace
 }  // namespace krait::host::test
 
 int main(int argc, char** argv) {
   using namespace krait::host::test;
-  std::uint64_t wanted = default_plans();
-  std::uint64_t seed = 1;
-  for (int i = 1; i < argc; ++i) {
-    const bool from = std::string(argv[i]) == "--from" && i + 1 < argc;
-    if (from) ++i;
-    (from ? seed : wanted) = std::strtoull(argv[i], nullptr, 10);
-  }
+  const Options options = read_options(argc, argv, default_plans(100, 5'000), 0);
   Tally tally;
-  for (; tally.solved + tally.failed < wanted; ++seed) plan_in_scene(seed, wanted, tally);
+  for (std::uint64_t seed = options.first_scene; tally.solved + tally.failed < options.plans; ++seed) {
+    plan_in_scene(seed, options.plans, tally);
+  }
   tally.print();
   return tally.failed == 0 ? 0 : 1;
 }
