@@ -3,16 +3,19 @@
 //   fuzz_NAME [--rounds N] [--seed S] [--landmarks] FILE|FOLDER…
 // --rounds: N changed copies, drawn from all files, the same for the same S. --landmarks: prints how often the files
 // reach each of the harness's landmarks; exit code 1 where they never reach one.
+// Exit code 2: a file that cannot be read, or another wrong argument.
 // Before each input it is written to crash-NAME in the working folder, and removed after: what is left made it fail.
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <random>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "harness.hpp"
@@ -24,8 +27,15 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
+[[noreturn]] void refuse(const std::string& why) {
+  std::fprintf(stderr, "fuzz: %s (usage: fuzz_NAME [--rounds N] [--seed S] [--landmarks] FILE|FOLDER...)\n",
+               why.c_str());
+  std::exit(2);
+}
+
 Bytes read(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
+  if (!file) refuse("cannot read '" + path.string() + "'");
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
@@ -105,33 +115,49 @@ bool print_landmarks() {
   return all;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+struct Options {
   unsigned long rounds = 0;
   unsigned long seed = 1;
   bool landmarks = false;
   std::vector<Bytes> inputs;
+};
+
+unsigned long whole_number(const std::string& option, const char* text) {
+  const std::string given = text;
+  unsigned long number = 0;
+  const auto [stopped, error] = std::from_chars(given.data(), given.data() + given.size(), number);
+  if (error != std::errc() || stopped != given.data() + given.size()) {
+    refuse(option + ": '" + given + "' is no whole number");
+  }
+  return number;
+}
+
+Options read_options(int argc, char** argv) {
+  Options options;
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i];
     if ((argument == "--rounds" || argument == "--seed") && i + 1 < argc) {
-      (argument == "--rounds" ? rounds : seed) = std::strtoul(argv[++i], nullptr, 10);
-      continue;
+      (argument == "--rounds" ? options.rounds : options.seed) = whole_number(argument, argv[++i]);
+    } else if (argument == "--landmarks") {
+      options.landmarks = true;
+    } else {
+      for (const auto& file : files_in(argument)) options.inputs.push_back(read(file));
     }
-    if (argument == "--landmarks") {
-      landmarks = true;
-      continue;
-    }
-    for (const auto& file : files_in(argument)) inputs.push_back(read(file));
   }
-  if (inputs.empty()) {
-    std::fprintf(stderr, "usage: %s [--rounds N] [--seed S] [--landmarks] FILE|FOLDER...\n", argv[0]);
-    return 2;
+  if (options.inputs.empty()) refuse("no file to run");
+  return options;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const Options options = read_options(argc, argv);
+  for (const Bytes& bytes : options.inputs) run(bytes);
+  if (options.landmarks && !print_landmarks()) return 1;
+  std::mt19937 random(static_cast<unsigned>(options.seed));
+  for (unsigned long i = 0; i < options.rounds; ++i) {
+    run(changed(options.inputs[random() % options.inputs.size()], random));
   }
-  for (const Bytes& bytes : inputs) run(bytes);
-  if (landmarks && !print_landmarks()) return 1;
-  std::mt19937 random(static_cast<unsigned>(seed));
-  for (unsigned long i = 0; i < rounds; ++i) run(changed(inputs[random() % inputs.size()], random));
-  std::printf("%zu files, %lu changed ones: nothing found\n", inputs.size(), rounds);
+  std::printf("%zu files, %lu changed ones: nothing found\n", options.inputs.size(), options.rounds);
   return 0;
 }
