@@ -12,6 +12,7 @@
 #include <string>
 
 #include "../host/plans/options.hpp"
+#include "../long_tests.hpp"
 #include "draw.hpp"
 #include "host/compiler/compiler.hpp"
 
@@ -155,9 +156,8 @@ void plan_in_scene(std::uint64_t seed, std::optional<std::uint64_t> only, std::u
 
 int main(int argc, char** argv) {
   using namespace krait::campaign;
-  using krait::host::test::default_plans;
-  const krait::host::test::Options options =
-      krait::host::test::read_options(argc, argv, default_plans(150, 10'000), kQueries);
+  const std::uint64_t plans = krait::test::by_length(150, 10'000);
+  const krait::host::test::Options options = krait::host::test::read_options(argc, argv, plans, kQueries);
   Tally tally;
   if (options.query) {
     plan_in_scene(options.first_scene, options.query, options.plans, tally);

@@ -2,18 +2,13 @@
 // One planner answers queries for ever: no leak, no drift, the same high-water mark. With KRAIT_LONG_TESTS=1 a hundred
 // thousand of them.
 #include <array>
-#include <cstdlib>
 #include <map>
 
+#include "../long_tests.hpp"
 #include "planner_fixture.hpp"
 
 namespace krait::test {
 namespace {
-
-std::size_t queries() {
-  const char* asked = std::getenv("KRAIT_LONG_TESTS");
-  return asked != nullptr && std::string(asked) == "1" ? 100'000 : 2'000;
-}
 
 // Queries of every kind, bad ones among them: each is answered as it was the first time, and the memory stays as it
 // was.
@@ -37,7 +32,7 @@ TEST(PlannerEndless, AnswersTheSameForEverInTheSameMemory) {
   };
   std::map<std::size_t, Answer> first;
   const std::size_t kinds = starts.size() * std::size(goals) * 3;
-  for (std::size_t i = 0; i < queries(); ++i) {
+  for (std::size_t i = 0; i < by_length(2'000, 100'000); ++i) {
     const std::size_t kind = i * 7 % kinds;
     bench.solve({starts[kind % starts.size()].data(), goals[kind / starts.size() % std::size(goals)],
                  kind / (starts.size() * std::size(goals))});

@@ -9,15 +9,15 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <random>
 #include <string>
-#include <system_error>
 #include <vector>
 
+#include "../whole_number.hpp"
 #include "harness.hpp"
 
 extern "C" __attribute__((weak)) std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
@@ -116,20 +116,16 @@ bool print_landmarks() {
 }
 
 struct Options {
-  unsigned long rounds = 0;
-  unsigned long seed = 1;
+  std::uint64_t rounds = 0;
+  std::uint64_t seed = 1;
   bool landmarks = false;
   std::vector<Bytes> inputs;
 };
 
-unsigned long whole_number(const std::string& option, const char* text) {
-  const std::string given = text;
-  unsigned long number = 0;
-  const auto [stopped, error] = std::from_chars(given.data(), given.data() + given.size(), number);
-  if (error != std::errc() || stopped != given.data() + given.size()) {
-    refuse(option + ": '" + given + "' is no whole number");
-  }
-  return number;
+std::uint64_t number(const std::string& option, const std::string& text) {
+  const std::optional<std::uint64_t> value = krait::test::whole_number(text);
+  if (!value) refuse(option + ": '" + text + "' is no whole number");
+  return *value;
 }
 
 Options read_options(int argc, char** argv) {
@@ -137,7 +133,7 @@ Options read_options(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i];
     if ((argument == "--rounds" || argument == "--seed") && i + 1 < argc) {
-      (argument == "--rounds" ? options.rounds : options.seed) = whole_number(argument, argv[++i]);
+      (argument == "--rounds" ? options.rounds : options.seed) = number(argument, argv[++i]);
     } else if (argument == "--landmarks") {
       options.landmarks = true;
     } else {
@@ -155,9 +151,10 @@ int main(int argc, char** argv) {
   for (const Bytes& bytes : options.inputs) run(bytes);
   if (options.landmarks && !print_landmarks()) return 1;
   std::mt19937 random(static_cast<unsigned>(options.seed));
-  for (unsigned long i = 0; i < options.rounds; ++i) {
+  for (std::uint64_t i = 0; i < options.rounds; ++i) {
     run(changed(options.inputs[random() % options.inputs.size()], random));
   }
-  std::printf("%zu files, %lu changed ones: nothing found\n", options.inputs.size(), options.rounds);
+  std::printf("%zu files, %llu changed ones: nothing found\n", options.inputs.size(),
+              static_cast<unsigned long long>(options.rounds));
   return 0;
 }

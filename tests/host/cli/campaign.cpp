@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 
+#include "../../long_tests.hpp"
 #include "host/cli/program.hpp"
 #include "host/run/session.hpp"
 
@@ -72,10 +72,7 @@ struct Summary {
 
 }  // namespace
 
-std::uint64_t seeds(std::uint64_t quick, std::uint64_t thorough) {
-  const char* asked = std::getenv("KRAIT_LONG_TESTS");
-  return asked != nullptr && std::string(asked) == "1" ? thorough : quick;
-}
+std::uint64_t seeds(std::uint64_t quick, std::uint64_t thorough) { return test::by_length(quick, thorough); }
 
 void compile_input(const Query& query, const std::filesystem::path& directory) {
   const char* unknown = query.import.unknown == Unknown::occupied ? "occupied"

@@ -131,7 +131,7 @@ bool park(const Task& task, std::uint64_t seeds) {
 
 int main(int argc, char** argv) {
   using namespace krait::host;
-  const std::uint64_t seeds = argc > 1 ? test::whole_number(argv[1], 1, "the number of seeds") : 2;
+  const std::uint64_t seeds = argc > 1 ? test::number_or_exit(argv[1], 1, "the number of seeds") : 2;
   bool all = true;
   for (const Task& task : kTasks) all = park(task, seeds) && all;
   return all ? 0 : 1;

@@ -15,12 +15,10 @@ struct Options {
 
 // A whole number of at least `least` in decimal digits. Exits with 2 after one line on stderr for any other text;
 // `what` names the argument there.
-std::uint64_t whole_number(const char* text, std::uint64_t least, const char* what);
+std::uint64_t number_or_exit(const char* text, std::uint64_t least, const char* what);
 
-// The number of plans that is judged unless another is asked for: `many` where KRAIT_LONG_TESTS is 1, else `few`.
-std::uint64_t default_plans(std::uint64_t few, std::uint64_t many);
-
-// `queries` is the number of queries of a scene, 0 where the program does not plan one alone. Exits as whole_number.
+// `plans` is the number of plans unless another is asked for, `queries` the number of queries of a scene, 0 where the
+// program does not plan one alone. Exits as number_or_exit.
 Options read_options(int argc, char** argv, std::uint64_t plans, std::uint64_t queries);
 
 }  // namespace krait::host::test

@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 
+#include "../../long_tests.hpp"
 #include "host/compiler/compiler.hpp"
 #include "host/run/session.hpp"
 #include "options.hpp"
@@ -95,7 +96,7 @@ void plan_in_scene(std::uint64_t seed, std::uint64_t wanted, Tally& tally) {
 
 int main(int argc, char** argv) {
   using namespace krait::host::test;
-  const Options options = read_options(argc, argv, default_plans(100, 5'000), 0);
+  const Options options = read_options(argc, argv, krait::test::by_length(100, 5'000), 0);
   Tally tally;
   for (std::uint64_t seed = options.first_scene; tally.solved + tally.failed < options.plans; ++seed) {
     plan_in_scene(seed, options.plans, tally);
