@@ -86,7 +86,7 @@ CONSTANTS = {
 ARGUED = {
     "lib/search/search.hpp": ["kStartDepth"],
     "lib/search/disc_route.hpp": ["kReachRounding"],
-    "lib/search/groups.hpp": ["kBlock"],
+    "lib/search/groups.cpp": ["kLeastBlockBits"],
     "lib/last_metres/dubins.cpp": ["kNoTurn"],
     "lib/last_metres/dubins.hpp": ["kMostPieces", "kDubinsWords"],
     "lib/last_metres/last_metres.hpp": ["kRadii", "kShortLeadCount", "kLeadCount"],
@@ -110,6 +110,7 @@ SECTIONS = {
     "lib/improve/improver.hpp": ["kLongChain", "kSearches"],
     "lib/last_metres/last_metres.hpp": ["kMostLegs"],
     "lib/last_metres/last_metres.cpp": ["kMoveRadius"],
+    "lib/search/search.hpp": ["kUnitRegions"],
     "lib/last_metres/pull_in.cpp": ["kBraking", "kAstray", "kGrip", "kLeastTurn", "kStill", "kMostWait", "kMostStops"],
     "lib/last_metres/pull_outs.hpp": ["kMost", "kMostMoves"],
     "lib/last_metres/pull_outs.cpp": ["kStep", "kStraights", "kOut", "kMostTurn", "kMostSteps", "kRooms", "kGearCost",

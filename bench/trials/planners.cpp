@@ -53,22 +53,24 @@ struct Setting {
 };
 
 const std::vector<Setting>& settings_of_searches() {
-  static const std::vector<Setting> settings = {{"alpha", &SearchTuning::alpha, Argument::alpha},
-                                                {"beta", &SearchTuning::beta, Argument::beta},
-                                                {"gamma", &SearchTuning::gamma, Argument::gamma},
-                                                {"kappa", &SearchTuning::kappa, Argument::kappa},
-                                                {"cost_length", &SearchTuning::cost_length, Argument::cost_length},
-                                                {"group_sample", &SearchTuning::group_sample, Argument::group_sample},
-                                                {"open_steps", &SearchTuning::open_steps, Argument::open_steps},
-                                                {"stray_share", &SearchTuning::stray_share, Argument::stray_share},
-                                                {"gentle_share", &SearchTuning::gentle_share, Argument::gentle_share},
-                                                {"sight_tries", &SearchTuning::sight_tries, Argument::sight_tries},
-                                                {"candidates", &SearchTuning::candidates, Argument::candidates},
-                                                {"doomed_steps", &SearchTuning::doomed_steps, Argument::doomed_steps},
-                                                {"restart_unit", &SearchTuning::restart_unit, Argument::restart_unit},
-                                                {"slowest", &SearchTuning::slowest, Argument::slowest},
-                                                {"raise_goal", &SearchTuning::raise_goal},
-                                                {"prune_portals", &SearchTuning::prune_portals}};
+  static const std::vector<Setting> settings = {
+      {"alpha", &SearchTuning::alpha, Argument::alpha},
+      {"beta", &SearchTuning::beta, Argument::beta},
+      {"gamma", &SearchTuning::gamma, Argument::gamma},
+      {"kappa", &SearchTuning::kappa, Argument::kappa},
+      {"cost_length", &SearchTuning::cost_length, Argument::cost_length},
+      {"group_sample", &SearchTuning::group_sample, Argument::group_sample},
+      {"open_steps", &SearchTuning::open_steps, Argument::open_steps},
+      {"stray_share", &SearchTuning::stray_share, Argument::stray_share},
+      {"gentle_share", &SearchTuning::gentle_share, Argument::gentle_share},
+      {"sight_tries", &SearchTuning::sight_tries, Argument::sight_tries},
+      {"candidates", &SearchTuning::candidates, Argument::candidates},
+      {"doomed_steps", &SearchTuning::doomed_steps, Argument::doomed_steps},
+      {"restart_unit", &SearchTuning::restart_unit, Argument::restart_unit},
+      {"update_regions", &SearchTuning::update_regions, Argument::update_regions},
+      {"slowest", &SearchTuning::slowest, Argument::slowest},
+      {"raise_goal", &SearchTuning::raise_goal},
+      {"prune_portals", &SearchTuning::prune_portals}};
   return settings;
 }
 

@@ -400,7 +400,7 @@ typedef struct krait_search_tuning {
       cost_length;       /**< 0 to 10, default 1, in lengths of body 0: C += gamma l^2 / max(C, l), l this length; 0:
                               gamma / C */
   uint32_t kappa,        /**< 1 to 10000, default 10: expansions between updates of the heuristic costs */
-      update_regions;    /**< 0 to 1e6, default 250: and at least one expansion for so many regions of the scene; 0:
+      update_regions;    /**< 0 to 1e6, default 100: and one for so many regions that the last update looked at; 0:
                               none */
   bool raise_goal;       /**< default false: whether a failure right before the goal raises the goal's edges as well */
   uint32_t max_steps,    /**< 1 to 1000, default 40: of one expansion */
@@ -417,8 +417,8 @@ typedef struct krait_search_tuning {
       least_sketch;     /**< 0 to 20, default 8: sketched steps, of 2 dt, below which no way is driven and costs are
                              raised */
   uint32_t doomed_steps, /**< 0 to 3, default 2: so many states before a collision are not kept to grow from */
-      restart_unit;      /**< expansions, 0 to 1e9, default 4000: tries last 1, 1, 2, 1, 1, 2, 4, ... of it; 0: one for
-                              ever */
+      restart_unit;      /**< expansions, 0 to 1e9, default 4000: tries last 1, 1, 2, 1, 1, 2, 4, ... of it, and of
+                              as many again for every 90 regions of the way from the start; 0: one try for ever */
   float slowest,         /**< 0.05 to 1, default 1: speed set-points are uniform from this share of the top speed to all
                               of it */
       reverse_share;     /**< 0 to 1, default 0.2: share of expansions from a group that was often selected that drive

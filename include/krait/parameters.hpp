@@ -30,7 +30,7 @@ struct SearchTuning {
   float gamma = 20.0F;       ///< 0 … 1e6: how much a failure raises edge costs; 0: costs never change
   float cost_length = 1.0F;  ///< 0 … 10, in lengths of body 0: C += gamma l^2 / max(C, l), l this length; 0: gamma / C
   std::uint32_t kappa = 10;            ///< 1 … 10000: expansions between updates of the heuristic costs
-  std::uint32_t update_regions = 250;  ///< 0 … 1e6: and at least one expansion for so many regions of a scene; 0: none
+  std::uint32_t update_regions = 100;  ///< 0 … 1e6: and one for so many regions that the last update looked at; 0: none
   bool raise_goal = false;             ///< whether a failure right before the goal raises the goal's edges as well
   // Algorithm 2.
   std::uint32_t max_steps = 40;     ///< 1 … 1000: of one expansion
@@ -44,7 +44,9 @@ struct SearchTuning {
   std::uint32_t candidates = 4;    ///< 0 … 8: ways that are sketched before one is driven; 0: any way will do
   std::uint32_t least_sketch = 8;  ///< 0 … 20: steps of a sketch, of 2 dt, below which no way is driven and costs rise
   std::uint32_t doomed_steps = 2;  ///< 0 … 3: so many states before a collision are not kept to grow from
-  std::uint32_t restart_unit = 4000;  ///< expansions, 0 … 1e9: tries last 1, 1, 2, 1, 1, 2, 4, … of it; 0: one for ever
+  /// Expansions, 0 … 1e9: tries last 1, 1, 2, 1, 1, 2, 4, … of it, and of as many again for every 90 regions of the way
+  /// from the start; 0: one try for ever.
+  std::uint32_t restart_unit = 4000;
   float slowest = 1.0F;  ///< 0.05 … 1: speed set-points are uniform from this share of the top speed to all of it
   /// 0 … 1: share of expansions from a group that was often selected that drive backwards, of a robot that can.
   float reverse_share = 0.2F;

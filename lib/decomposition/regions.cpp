@@ -50,18 +50,19 @@ bool Regions::reset(const Goal& goal, float least_width, float least_cost) {
   goal_ = goal;
   goal_region_ = kNone;
   Vec2 weighted{};
-  float total = 0.0F;
+  goal_area_ = 0.0F;
   bool found = false;
   for (Index t = 0; t < scene_->triangle_count(); ++t) {
     if (!goal.covers(*scene_, t)) continue;
     if (!found && !goal.is_disc()) goal_region_ = t;
+    goal_end_ = t + 1;
     found = true;
     const float area = double_area(*scene_, t);
     weighted = weighted + area * scene_->centroid(t);
-    total += area;
+    goal_area_ += area;
   }
   if (!found) return false;
-  goal_center_ = goal.is_disc() ? goal.center() : (1.0F / total) * weighted;
+  goal_center_ = goal.is_disc() ? goal.center() : (1.0F / goal_area_) * weighted;
   set_costs(least_width, least_cost);
   exact_below_ = kExactRatio * least_cost;
   update();
@@ -177,15 +178,13 @@ void Regions::set_costs(float least_width, float least_cost) {
 }
 
 void Regions::push_sources() {
-  for (Index t = 0; t < scene_->triangle_count(); ++t) {
-    h_[t] = kInfinity;
-    next_[t] = kNoEdge;
-  }
   heap_.reset();
+  raised_ = 0;
   for (Index t = 0; t < scene_->triangle_count(); ++t) {
-    if (!goal_.covers(*scene_, t)) continue;
-    h_[t] = 0.0F;
-    heap_.push(t);
+    const bool source = goal_.covers(*scene_, t);
+    h_[t] = source ? 0.0F : kInfinity;
+    next_[t] = kNoEdge;
+    if (source) heap_.push(t);
   }
 }
 
@@ -236,22 +235,29 @@ void Regions::settle() {
 // follow it in the shortest-path tree. They are found anew from the neighbours that do not; no other path can have
 // changed. Where h has grown so large that h + C may be h, paths depend on the order of Dijkstra's queue: then all
 // anew.
-Index Regions::repair() {
+Index Regions::repair(bool all) {
   const Index stale = list_stale();
-  for (Index i = 0; i < stale; ++i) h_[heap_.listed(i)] = cost_beside(heap_.listed(i));
-  for (Index i = 0; i < stale; ++i) {
+  if (!all) repair_listed(stale);
+  if (all || largest_ >= exact_below_) update();
+  return largest_ < exact_below_ ? stale : scene_->triangle_count();
+}
+
+void Regions::repair_listed(Index count) {
+  for (Index i = 0; i < count; ++i) {
+    const Index triangle = heap_.listed(i);
+    if (h_[triangle] > 0.0F) h_[triangle] = cost_beside(triangle);
+  }
+  for (Index i = 0; i < count; ++i) {
     const Index triangle = heap_.listed(i);
     next_[triangle] = kNoEdge;
     if (h_[triangle] < kInfinity) heap_.push(triangle);
   }
+  raised_ = 0;
   settle();
-  if (largest_ < exact_below_) return stale;
-  update();
-  return scene_->triangle_count();
 }
 
 // The shortest path that goes on to a region whose own is not to be found anew.
-[[gnu::flatten]] float Regions::cost_beside(Index triangle) const {
+float Regions::cost_beside(Index triangle) const {
   float least = kInfinity;
   for (int edge = 0; edge < 3; ++edge) {
     const Index n = scene_->neighbor(triangle, edge);
@@ -267,17 +273,8 @@ bool Regions::follows(Index triangle, Index ahead) const {
   return edge != kNoEdge && scene_->neighbor(triangle, edge) == ahead;
 }
 
-[[gnu::flatten]] Index Regions::list_stale() {
-  Index count = 0;
-  for (Index t = 0; t < scene_->triangle_count(); ++t) {
-    if ((next_[t] & kRaised) == 0) continue;
-    if (h_[t] > 0.0F) {
-      count = list_if_new(t, count);
-    } else {
-      next_[t] = kNoEdge;
-      count = list_followers(t, count);
-    }
-  }
+Index Regions::list_stale() {
+  Index count = raised_;
   for (Index i = 0; i < count; ++i) count = list_followers(heap_.listed(i), count);
   return count;
 }
@@ -298,12 +295,11 @@ Index Regions::list_if_new(Index triangle, Index count) {
 }
 
 void Regions::raise_triangle_edges(Index triangle, const CostRaise& raise) {
-  next_[triangle] |= kRaised;
+  raised_ = list_if_new(triangle, raised_);
   for (int i = 0; i < 3; ++i) {
     const Index n = scene_->neighbor(triangle, i);
     if (n == kNone || region(n) == region(triangle)) continue;
     float& cost = portal_costs_[scene_->portal(triangle, i)];
-    if (cost == kInfinity) continue;
     const float base = cost > raise.length ? cost : raise.length;
     const float scale = raise.length > 0.0F ? raise.gamma * raise.length * raise.length : raise.gamma;
     cost = cost + scale / base;
@@ -316,19 +312,15 @@ void Regions::raise_edges(Index region, const CostRaise& raise) {
     raise_triangle_edges(region, raise);
     return;
   }
-  for (Index t = 0; t < scene_->triangle_count(); ++t) {
+  for (Index t = goal_region_; t < goal_end_; ++t) {
     if (is_goal_triangle(t)) raise_triangle_edges(t, raise);
   }
 }
 
 Index Regions::random_goal_triangle(Random& random) const {
-  float total = 0.0F;
-  for (Index t = goal_region_; t < scene_->triangle_count(); ++t) {
-    if (is_goal_triangle(t)) total += double_area(*scene_, t);
-  }
-  float left = random.unit() * total;
+  float left = random.unit() * goal_area_;
   Index chosen = goal_region_;
-  for (Index t = goal_region_; t < scene_->triangle_count() && left >= 0.0F; ++t) {
+  for (Index t = goal_region_; t < goal_end_ && left >= 0.0F; ++t) {
     if (!is_goal_triangle(t)) continue;
     left -= double_area(*scene_, t);
     chosen = t;
@@ -346,10 +338,15 @@ Vec2 Regions::random_point(Index region, Random& random) const {
   return is_goal(region) ? random_goal_point(random) : random_point_in_triangle(*scene_, region, random);
 }
 
+Index Regions::regions_ahead(Index region, Index most) const {
+  Index count = 0;
+  for (Index r = next(region); r != kNone && count < most; r = next(r)) ++count;
+  return count;
+}
+
 Index Regions::random_ahead(Index region, std::uint32_t most, Random& random) const {
   KRAIT_ASSERT(region < scene_->triangle_count() && most > 0);
-  std::uint32_t length = 0;
-  for (Index r = next(region); r != kNone && length < most; r = next(r)) ++length;
+  const Index length = regions_ahead(region, most);
   if (length == 0) return region;
   for (std::uint32_t steps = 1 + random.below(length); steps > 0; --steps) region = next(region);
   return region;

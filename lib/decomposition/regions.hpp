@@ -45,8 +45,9 @@ class Regions {
   void update();
 
   // The same, bit for bit, where edges were only raised since the last update or repair: finds the paths anew of those
-  // regions only whose path went over a raised edge. Returns how many. O(R + n log n) for n of them.
-  Index repair();
+  // regions only whose path went over a raised edge. Returns how many. O(n log n) for n of them. With `all` it finds
+  // them by update, for tests and measurements.
+  Index repair(bool all = false);
 
   // The region of a triangle.
   Index region(Index triangle) const { return is_goal_triangle(triangle) ? goal_region_ : triangle; }
@@ -59,13 +60,15 @@ class Regions {
     const std::uint8_t edge = next_[region] & kEdgeMask;
     return edge == kNoEdge ? kNone : this->region(scene_->neighbor(region, edge));
   }
+  // The regions after r on its shortest path, at most `most`. O(most).
+  Index regions_ahead(Index region, Index most) const;
   bool is_goal(Index region) const { return h_[region] == 0.0F; }
   // A named goal's one region; kNone for a disc.
   Index goal_region() const { return goal_region_; }
   const Goal& goal() const { return goal_; }
   const Scene& scene() const { return *scene_; }
 
-  // Raises the cost of every edge of r (Algorithm 1, line 11). O(edges of r), O(R) for G. Costs h stay as they were.
+  // Raises the cost of every edge of r (Algorithm 1, line 11). O(edges of r). Costs h stay as they were.
   void raise_edges(Index region, const CostRaise& raise);
 
   // A point drawn uniformly: in the triangle; in the whole goal polygon's triangles for G; a disc's sources
@@ -94,6 +97,7 @@ class Regions {
   float cost_beside(Index triangle) const;
   bool follows(Index triangle, Index ahead) const;
   Index list_stale();
+  void repair_listed(Index count);
   Index list_followers(Index triangle, Index count);
   Index list_if_new(Index triangle, Index count);
   void raise_triangle_edges(Index triangle, const CostRaise& raise);
@@ -102,17 +106,19 @@ class Regions {
   const Scene* scene_ = nullptr;
   Goal goal_ = Goal::named(0);
   Index goal_region_ = kNone;
+  Index goal_end_ = 0;      // after the last of its triangles
+  float goal_area_ = 0.0F;  // square metres, twice
   Vec2 goal_center_{};
-  // The bits of next_: the edge that a triangle's shortest path crosses, and marks.
+  // The bits of next_: the edge that a triangle's shortest path crosses, and a mark.
   static constexpr std::uint8_t kEdgeMask = 3;
   static constexpr std::uint8_t kNoEdge = 3;
-  static constexpr std::uint8_t kRaised = 4;  // its edges were raised since h was found
-  static constexpr std::uint8_t kListed = 8;  // its path is to be found anew
+  static constexpr std::uint8_t kListed = 4;  // its path is to be found anew
 
   float* h_ = nullptr;
   std::uint8_t* next_ = nullptr;
   float* portal_costs_ = nullptr;
-  IndexedHeap heap_;
+  IndexedHeap heap_;  // between updates the list of the raised
+  Index raised_ = 0;  // triangles whose edges were raised since h was found
   float largest_ = 0.0F;
   float exact_below_ = 0.0F;  // metres: up to there every edge of a path counts in float
 };

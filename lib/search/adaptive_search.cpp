@@ -54,6 +54,7 @@ void AdaptiveSearch::forget() {
   groups_.clear({parameters_.tuning.alpha, parameters_.tuning.beta, parameters_.tuning.epsilon},
                 parameters_.tuning.group_sample);
   raised_ = false;
+  updates_wait_ = 0;
   goes_on_ = false;
   sketcher_.assign(robot_, *scene_, sketched_step(), parameters_.tuning.near_radius * robot_length_);
   sight_ = Sight(*scene_, kSightRoom * sketcher_.radius(), kSightStep * robot_length_);
@@ -77,12 +78,12 @@ void AdaptiveSearch::iterate(const Watch& watch) {
     begin_expansion(watch);
   }
   if (status() != Status::searching) return;
-  if (statistics_.iterations % update_interval() == 0) update_costs();
+  if (update_due()) update_costs();
 }
 
 void AdaptiveSearch::begin_expansion(const Watch& watch) {
   if (!room_for_expansion()) return;
-  if (!shortcuts_) groups_.weigh(regions_);
+  if (!shortcuts_) (void)groups_.weigh(regions_);
   group_ = groups_.select(regions_);
   const Way way = choose_way(group_);
   if (way.promising) {
@@ -92,11 +93,9 @@ void AdaptiveSearch::begin_expansion(const Watch& watch) {
   }
 }
 
-std::uint32_t AdaptiveSearch::update_interval() const {
-  const std::uint32_t kappa = parameters_.tuning.kappa;
-  if (parameters_.tuning.update_regions == 0) return kappa;
-  const std::uint32_t least = scene_->triangle_count() / parameters_.tuning.update_regions;
-  return least > kappa ? least : kappa;
+bool AdaptiveSearch::update_due() {
+  if (updates_wait_ > 0) --updates_wait_;
+  return raised_ && updates_wait_ == 0 && statistics_.iterations % parameters_.tuning.kappa == 0;
 }
 
 void AdaptiveSearch::heed(const Expanded& expanded) {
@@ -157,15 +156,17 @@ void AdaptiveSearch::raise_costs(Index last_region) {
 }
 
 void AdaptiveSearch::update_costs() {
-  if (!raised_) return;
   raised_ = false;
+  const Index repaired = regions_.repair(!shortcuts_);
   if (shortcuts_) {
-    statistics_.regions_repaired += regions_.repair();
+    statistics_.regions_repaired += repaired;
   } else {
-    regions_.update();
     ++statistics_.dijkstra_runs;
   }
-  groups_.weigh(regions_);
+  const Index weighed = groups_.weigh(regions_);
+  if (parameters_.tuning.update_regions == 0) return;
+  const Index most = repaired > weighed ? repaired : weighed;
+  updates_wait_ = most / parameters_.tuning.update_regions;
 }
 
 }  // namespace krait::detail

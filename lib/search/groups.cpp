@@ -4,11 +4,25 @@
 #include "krait/status.hpp"
 
 namespace krait::detail {
+namespace {
+
+constexpr std::uint8_t kLeastBlockBits = 5;
+
+// Of the number of regions in a block: as many as there are blocks, or up to twice as many, look at the fewest numbers.
+std::uint8_t block_bits_for(Index regions) {
+  std::uint8_t bits = kLeastBlockBits;
+  while (regions >> bits > Index{1} << bits) ++bits;
+  return bits;
+}
+
+}  // namespace
 
 void Groups::allocate(Arena& arena, const Scene& scene, std::uint32_t vertices) {
   region_count_ = scene.triangle_count();
   log_weights_ = arena.allocate<float>(Pool::groups, region_count_);
-  block_weights_ = arena.allocate<float>(Pool::groups, (region_count_ + kBlock - 1) / kBlock);
+  block_bits_ = block_bits_for(region_count_);
+  block_count_ = ((region_count_ - 1) >> block_bits_) + 1;
+  block_weights_ = arena.allocate<float>(Pool::groups, block_count_);
   reached_ = arena.allocate<std::uint32_t>(Pool::groups, region_count_);
   selections_ = arena.allocate<std::uint32_t>(Pool::groups, region_count_);
   sizes_ = arena.allocate<std::uint16_t>(Pool::groups, region_count_);
@@ -27,7 +41,7 @@ void Groups::clear(const GroupWeights& weights, std::uint32_t sample) {
     sizes_[r] = 0;
     newest_.set(r, kNone);
   }
-  for (Index block = 0; block * kBlock < region_count_; ++block) block_weights_[block] = -kInfinity;
+  for (Index block = 0; block < block_count_; ++block) block_weights_[block] = -kInfinity;
 }
 
 // Sampling with a reservoir (Vitter's algorithm R).
@@ -70,20 +84,20 @@ float Groups::log_weight(const Regions& regions, Index region) const {
 void Groups::set_weight(const Regions& regions, Index region) { change_weight(region, log_weight(regions, region)); }
 
 Index Groups::block_end(Index block) const {
-  const Index end = (block + 1) * kBlock;
+  const Index end = block_begin(block + 1);
   return end < region_count_ ? end : region_count_;
 }
 
 float Groups::largest_in_block(Index block) const {
   float most = -kInfinity;
-  for (Index r = block * kBlock; r < block_end(block); ++r) {
+  for (Index r = block_begin(block); r < block_end(block); ++r) {
     if (log_weights_[r] > most) most = log_weights_[r];
   }
   return most;
 }
 
 void Groups::change_weight(Index region, float weight) {
-  const Index block = region / kBlock;
+  const Index block = region >> block_bits_;
   const float before = log_weights_[region];
   log_weights_[region] = weight;
   if (weight >= block_weights_[block]) {
@@ -93,23 +107,28 @@ void Groups::change_weight(Index region, float weight) {
   }
 }
 
-void Groups::weigh(const Regions& regions) {
-  for (Index block = 0; block * kBlock < region_count_; ++block) {
-    for (Index r = block * kBlock; r < block_end(block); ++r) {
-      if (sizes_[r] > 0) log_weights_[r] = log_weight(regions, r);
+Index Groups::weigh(const Regions& regions) {
+  Index weighed = 0;
+  for (Index block = 0; block < block_count_; ++block) {
+    if (block_weights_[block] == -kInfinity) continue;
+    for (Index r = block_begin(block); r < block_end(block); ++r) {
+      if (log_weights_[r] == -kInfinity) continue;
+      log_weights_[r] = log_weight(regions, r);
+      ++weighed;
     }
     block_weights_[block] = largest_in_block(block);
   }
+  return weighed;
 }
 
 Index Groups::select(const Regions& regions) {
   Index best = 0;
-  for (Index block = 1; block * kBlock < region_count_; ++block) {
+  for (Index block = 1; block < block_count_; ++block) {
     if (block_weights_[block] > block_weights_[best]) best = block;
   }
   const float most = block_weights_[best];
   if (most == -kInfinity) return kNone;
-  Index region = best * kBlock;
+  Index region = block_begin(best);
   while (log_weights_[region] != most) ++region;
   ++selections_[region];
   set_weight(regions, region);

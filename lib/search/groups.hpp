@@ -34,20 +34,20 @@ class Groups {
   };
   Place place(Index region, Random& random);
 
-  // Makes a vertex a member; with the first one its group has a weight. O(1), or O(kBlock) when the weight falls.
+  // Makes a vertex a member; with the first one its group has a weight. O(1).
   void insert(const Regions& regions, Index region, Index vertex);
 
   // Removes the newest member but the root from the group and returns it, or kNone. The count of selections stays.
   Index remove(Index region);
 
-  // Weighs every group anew after h changed. O(R).
-  void weigh(const Regions& regions);
+  // Weighs every group anew after h changed and returns how many those are that have a weight. O(R).
+  Index weigh(const Regions& regions);
 
   // SELECTGROUP: the region whose group has the largest weight, the smallest number among equals; counts the
-  // selection. kNone when no group with members has a finite cost. O(R / kBlock + kBlock).
+  // selection. kNone when no group with members has a finite cost. O(sqrt(R)).
   Index select(const Regions& regions);
 
-  // Reverts a selection of the region's group: it does not lower its weight. O(kBlock).
+  // Reverts a selection of the region's group: it does not lower its weight. O(1).
   void unselect(const Regions& regions, Index region);
 
   // The region whose group has the smallest weight of those with members besides the root, the largest number among
@@ -71,22 +71,22 @@ class Groups {
   std::uint32_t selections(Index region) const { return selections_[region]; }
 
  private:
-  // Regions whose largest weight is kept: R / 32 + 32 looks a choice are the fewest where R is 1,024.
-  static constexpr Index kBlock = 32;
-
   void set_weight(const Regions& regions, Index region);
   void change_weight(Index region, float weight);
   float largest_in_block(Index block) const;
+  Index block_begin(Index block) const { return block << block_bits_; }
   Index block_end(Index block) const;
 
-  float* log_weights_ = nullptr;  // by region: minus infinity without members
-  float* block_weights_ = nullptr;
+  float* log_weights_ = nullptr;      // by region: minus infinity without members
+  float* block_weights_ = nullptr;    // by block of regions: the largest of them
   std::uint32_t* reached_ = nullptr;  // how many states ever
   std::uint32_t* selections_ = nullptr;
   std::uint16_t* sizes_ = nullptr;
   PackedIndices newest_;  // by region: its newest member
   PackedIndices links_;   // by vertex: the member before it
   Index region_count_ = 0;
+  Index block_count_ = 0;
+  std::uint8_t block_bits_ = 0;
   std::uint32_t sample_ = kUnboundedSample;
   GroupWeights weights_{};
   float log_beta_ = 0.0F;

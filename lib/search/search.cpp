@@ -82,7 +82,6 @@ Status Search::begin(const Query& query, const Keeper& keeper) {
   statistics_ = {};
   improving_ = false;
   driven_ = kNone;
-  restarts_.begin(parameters_.tuning.restart_unit);
   random_ = Random(query.seed);
   check_.assign(robot_, *scene_, tree_clearance(), static_cast<int>(parameters_.tuning.max_substeps), shortcuts_);
   keep_for_tree();
@@ -150,6 +149,7 @@ Status Search::plant(bool fits) {
   statistics_.vertices = 1;
   if (regions_.cost(root_region_) == kInfinity) return finish(Status::no_route);
   keep_root();
+  begin_tries();
   finish(fits ? Status::searching : Status::no_route);
   const float depth = kStartDepth < end_depth_.most ? kStartDepth : end_depth_.most;
   if (ending_.holds(expander_.state(), depth)) begin_plan({});
@@ -170,6 +170,12 @@ bool Search::count_expansion() {
   }
   ++statistics_.iterations;
   return true;
+}
+
+void Search::begin_tries() {
+  const std::uint32_t unit = parameters_.tuning.restart_unit;
+  const std::uint32_t times = 1 + regions_.regions_ahead(root_region_, kNone) / kUnitRegions;
+  restarts_.begin(unit < kNone / times ? times * unit : kNone);
 }
 
 void Search::new_try() {
@@ -304,7 +310,7 @@ bool Search::resume_anew() {
 
 void Search::begin_anew() {
   new_try();
-  restarts_.begin(parameters_.tuning.restart_unit);
+  begin_tries();
   keep_for_tree();
 }
 

@@ -61,7 +61,8 @@ class Search {
 
  protected:
   // Measured: bench/ABLATIONS.md, "Constants".
-  static constexpr std::uint32_t kPatience = 10;  // tries after which half of the shares turn gently and reverse
+  static constexpr std::uint32_t kUnitRegions = 90;  // of the first way: a try's unit grows by itself with each so many
+  static constexpr std::uint32_t kPatience = 10;     // tries after which half of the shares turn gently and reverse
 
   Search() = default;
   ~Search() = default;
@@ -229,6 +230,9 @@ class Search {
   // controls alone would drive the robot, and every step is proven again: what holds is the plan. Until then the tree
   // is used for nothing else. O(expansions of the way).
   void begin_plan(Branch end);
+
+  // The tries begin, each as long as the way from the start asks for.
+  void begin_tries();
 
   // Ends the search as solved where the way that was driven ends in the goal; as internal where the tree beside it was
   // not the same as when it grew.

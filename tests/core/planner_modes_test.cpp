@@ -85,29 +85,51 @@ TEST(PlannerModes, WhereEveryRegionMeetsTheGoalItIsFoundAndNoCostRises) {
   EXPECT_EQ(bench.planner.statistics().regions_repaired, 0U);
 }
 
-// The expansions of a search until the first repair of its paths.
-std::uint64_t first_repair(std::uint32_t kappa, std::uint32_t update_regions) {
+// The expansions from each update of searches to the next, and the regions that the former found anew.
+struct Updates {
+  std::vector<std::uint64_t> waits, repaired;
+};
+
+Updates updates_of(std::uint32_t kappa, std::uint32_t update_regions) {
   Bench<Unicycle> bench(two_rooms(0.6), small_unicycle());
   bench.parameters.tuning.kappa = kappa;
   bench.parameters.tuning.update_regions = update_regions;
   EXPECT_TRUE(bench.init().ok());
   const float start[] = {2, 6, 0};
-  EXPECT_EQ(bench.planner.start({start}), Status::searching);
-  while (bench.planner.status() == Status::searching && bench.planner.statistics().regions_repaired == 0) {
-    (void)bench.planner.advance(1);
+  Updates updates;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    EXPECT_EQ(bench.planner.start({start, Goal::named(0), seed}), Status::searching);
+    Statistics last = bench.planner.statistics();
+    while (bench.planner.advance(1) == Status::searching) {
+      const Statistics now = bench.planner.statistics();
+      if (now.regions_repaired == last.regions_repaired) continue;
+      if (last.regions_repaired > 0) updates.waits.push_back(now.iterations - last.iterations);
+      updates.repaired.push_back(now.regions_repaired - last.regions_repaired);
+      last = now;
+    }
+    updates.repaired.resize(updates.waits.size());
   }
-  EXPECT_GT(bench.planner.statistics().regions_repaired, 0U);
-  return bench.planner.statistics().iterations;
+  EXPECT_GT(updates.waits.size(), 10U);
+  return updates;
 }
 
-TEST(PlannerUpdates, WaitForAnExpansionForSoManyRegions) {
-  const OpenScene open(two_rooms(0.6));
-  const std::uint32_t regions = open.scene.triangle_count();
-  ASSERT_GT(regions, 100U);
-  EXPECT_LT(first_repair(1, 0), 10U);
-  EXPECT_LT(first_repair(1, regions), 10U);
-  EXPECT_EQ(first_repair(1, regions / 50) % (regions / (regions / 50)), 0U);
-  EXPECT_EQ(first_repair(70, regions / 50) % 70, 0U);
+TEST(PlannerUpdates, WaitForAnExpansionForSoManyRegionsOfTheLastOne) {
+  constexpr std::uint32_t kRegions = 4;
+  const Updates updates = updates_of(1, kRegions);
+  std::uint64_t longest = 0;
+  for (std::size_t i = 0; i < updates.waits.size(); ++i) {
+    EXPECT_GE(updates.waits[i], updates.repaired[i] / kRegions);
+    longest = std::max(longest, updates.waits[i]);
+  }
+  EXPECT_GT(longest, 3U);
+}
+
+TEST(PlannerUpdates, DoNotWaitWhereTheLastOneWasCheap) {
+  for (const std::uint32_t update_regions : {0U, 1'000'000U}) {
+    const Updates updates = updates_of(1, update_regions);
+    EXPECT_EQ(*std::min_element(updates.waits.begin(), updates.waits.end()), 1U);
+    for (const std::uint64_t wait : updates_of(7, update_regions).waits) EXPECT_EQ(wait % 7, 0U);
+  }
   EXPECT_EQ(Parameters::paper().tuning.update_regions, 0U);
 }
 

@@ -2,6 +2,7 @@
 // Searches that begin anew: when, from what, and what stays.
 #include <algorithm>
 
+#include "decomposition/locate.hpp"
 #include "planner_fixture.hpp"
 #include "search/adaptive_search.hpp"
 #include "search/restarts.hpp"
@@ -101,6 +102,31 @@ TEST(PlannerRestarts, ForgetWhatTheTryHasLearnt) {
     return;
   }
   FAIL() << "no search lasted long enough";
+}
+
+// Tries get longer by a unit with every 90 regions of the way.
+TEST(PlannerRestarts, AreRarerOnALongWay) {
+  constexpr std::uint32_t kUnit = 3;
+  Room room = two_rooms();
+  room.spacing = 0.12;
+  Bench<Unicycle> bench(room, small_unicycle());
+  bench.parameters.tuning.restart_unit = kUnit;
+  bench.parameters.tuning.open_steps = 0;
+  ASSERT_TRUE(bench.init().ok());
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    ASSERT_EQ(bench.planner.start({kStart, Goal::named(0), seed}), Status::searching);
+    const detail::AdaptiveSearch& search = detail::opened(bench.planner);
+    const Index start = detail::locate(bench.open.scene, {kStart[0], kStart[1]}, kNone);
+    const Index regions = search.regions().regions_ahead(search.regions().region(start), kNone);
+    ASSERT_GE(regions, 90U);
+    while (bench.planner.statistics().restarts == 0 && bench.planner.status() == Status::searching) {
+      (void)bench.planner.advance(1);
+    }
+    if (bench.planner.status() != Status::searching) continue;
+    EXPECT_EQ(bench.planner.statistics().iterations, kUnit * (1 + regions / 90) + 1);
+    return;
+  }
+  FAIL() << "every search ended within a try";
 }
 
 TEST(PlannerRestarts, AreNotThePapers) { EXPECT_EQ(Parameters::paper().tuning.restart_unit, 0U); }
