@@ -107,10 +107,10 @@ ARGUED = {
 }
 SECTIONS = {
     "include/krait/parameters.hpp": ["update_regions", "goal_near_radius"],
+    "lib/search/search.hpp": ["kUnitRegions"],
     "lib/improve/improver.hpp": ["kLongChain", "kSearches"],
     "lib/last_metres/last_metres.hpp": ["kMostLegs"],
     "lib/last_metres/last_metres.cpp": ["kMoveRadius"],
-    "lib/search/search.hpp": ["kUnitRegions"],
     "lib/last_metres/pull_in.cpp": ["kBraking", "kAstray", "kGrip", "kLeastTurn", "kStill", "kMostWait", "kMostStops"],
     "lib/last_metres/pull_outs.hpp": ["kMost", "kMostMoves"],
     "lib/last_metres/pull_outs.cpp": ["kStep", "kStraights", "kOut", "kMostTurn", "kMostSteps", "kRooms", "kGearCost",

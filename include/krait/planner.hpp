@@ -183,7 +183,7 @@ class Planner {
   friend const detail::AdaptiveSearch& detail::opened(const Planner& planner);
 
   // The size of a detail::AdaptiveSearch, whose arrays are all in the block.
-  static constexpr std::size_t kSearchBytes = sizeof(void*) == 8 ? 6056 : 5464;
+  static constexpr std::size_t kSearchBytes = sizeof(void*) == 8 ? 6048 : 5448;
 
   alignas(std::uint64_t) std::byte search_[kSearchBytes];
 };

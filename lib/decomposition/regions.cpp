@@ -179,7 +179,7 @@ void Regions::set_costs(float least_width, float least_cost) {
 
 void Regions::push_sources() {
   heap_.reset();
-  raised_ = 0;
+  raised_count_ = 0;
   for (Index t = 0; t < scene_->triangle_count(); ++t) {
     const bool source = goal_.covers(*scene_, t);
     h_[t] = source ? 0.0F : kInfinity;
@@ -252,7 +252,7 @@ void Regions::repair_listed(Index count) {
     next_[triangle] = kNoEdge;
     if (h_[triangle] < kInfinity) heap_.push(triangle);
   }
-  raised_ = 0;
+  raised_count_ = 0;
   settle();
 }
 
@@ -274,7 +274,7 @@ bool Regions::follows(Index triangle, Index ahead) const {
 }
 
 Index Regions::list_stale() {
-  Index count = raised_;
+  Index count = raised_count_;
   for (Index i = 0; i < count; ++i) count = list_followers(heap_.listed(i), count);
   return count;
 }
@@ -295,7 +295,7 @@ Index Regions::list_if_new(Index triangle, Index count) {
 }
 
 void Regions::raise_triangle_edges(Index triangle, const CostRaise& raise) {
-  raised_ = list_if_new(triangle, raised_);
+  raised_count_ = list_if_new(triangle, raised_count_);
   for (int i = 0; i < 3; ++i) {
     const Index n = scene_->neighbor(triangle, i);
     if (n == kNone || region(n) == region(triangle)) continue;

@@ -45,8 +45,8 @@ class Regions {
   void update();
 
   // The same, bit for bit, where edges were only raised since the last update or repair: finds the paths anew of those
-  // regions only whose path went over a raised edge. Returns how many. O(n log n) for n of them. With `all` it finds
-  // them by update, for tests and measurements.
+  // regions only whose path went over a raised edge. Returns how many. O(n log n) for n of them; O(R log R) where costs
+  // have grown so large that h + C may be h. With `all` it finds them by update, for tests and measurements.
   Index repair(bool all = false);
 
   // The region of a triangle.
@@ -68,8 +68,11 @@ class Regions {
   const Goal& goal() const { return goal_; }
   const Scene& scene() const { return *scene_; }
 
-  // Raises the cost of every edge of r (Algorithm 1, line 11). O(edges of r). Costs h stay as they were.
+  // Raises the cost of every edge of r (Algorithm 1, line 11). Costs h stay as they were. O(1); for G O(triangles from
+  // its first to its last).
   void raise_edges(Index region, const CostRaise& raise);
+  // Whether edges were raised since h was found.
+  bool raised() const { return raised_count_ > 0; }
 
   // A point drawn uniformly: in the triangle; in the whole goal polygon's triangles for G; a disc's sources
   // return a point of the disc.
@@ -117,8 +120,8 @@ class Regions {
   float* h_ = nullptr;
   std::uint8_t* next_ = nullptr;
   float* portal_costs_ = nullptr;
-  IndexedHeap heap_;  // between updates the list of the raised
-  Index raised_ = 0;  // triangles whose edges were raised since h was found
+  IndexedHeap heap_;        // between updates the list of the raised
+  Index raised_count_ = 0;  // triangles whose edges were raised since h was found
   float largest_ = 0.0F;
   float exact_below_ = 0.0F;  // metres: up to there every edge of a path counts in float
 };

@@ -53,7 +53,6 @@ void AdaptiveSearch::search_anew() {
 void AdaptiveSearch::forget() {
   groups_.clear({parameters_.tuning.alpha, parameters_.tuning.beta, parameters_.tuning.epsilon},
                 parameters_.tuning.group_sample);
-  raised_ = false;
   updates_wait_ = 0;
   goes_on_ = false;
   sketcher_.assign(robot_, *scene_, sketched_step(), parameters_.tuning.near_radius * robot_length_);
@@ -78,6 +77,7 @@ void AdaptiveSearch::iterate(const Watch& watch) {
     begin_expansion(watch);
   }
   if (status() != Status::searching) return;
+  if (updates_wait_ > 0) --updates_wait_;
   if (update_due()) update_costs();
 }
 
@@ -93,9 +93,8 @@ void AdaptiveSearch::begin_expansion(const Watch& watch) {
   }
 }
 
-bool AdaptiveSearch::update_due() {
-  if (updates_wait_ > 0) --updates_wait_;
-  return raised_ && updates_wait_ == 0 && statistics_.iterations % parameters_.tuning.kappa == 0;
+bool AdaptiveSearch::update_due() const {
+  return regions_.raised() && updates_wait_ == 0 && statistics_.iterations % parameters_.tuning.kappa == 0;
 }
 
 void AdaptiveSearch::heed(const Expanded& expanded) {
@@ -152,11 +151,9 @@ void AdaptiveSearch::raise_costs(Index last_region) {
   const Index next = regions_.next(last_region);
   if (next == kNone || (regions_.is_goal(next) && !parameters_.tuning.raise_goal)) return;
   regions_.raise_edges(next, {parameters_.tuning.gamma, parameters_.tuning.cost_length * robot_length_});
-  raised_ = true;
 }
 
 void AdaptiveSearch::update_costs() {
-  raised_ = false;
   const Index repaired = regions_.repair(!shortcuts_);
   if (shortcuts_) {
     statistics_.regions_repaired += repaired;

@@ -43,7 +43,7 @@ class AdaptiveSearch : public GroupedSearch {
 
   // Whether the costs are to be found anew after this expansion: after every kappa, but the work of the last update is
   // shared by one for every update_regions of the regions that it looked at.
-  bool update_due();
+  bool update_due() const;
 
   // What is learnt from an expansion. A long one that reaches its target does not count as a selection of its group.
   void heed(const Expanded& expanded);
@@ -76,7 +76,6 @@ class AdaptiveSearch : public GroupedSearch {
 
   Sketcher sketcher_;
   Sight sight_;
-  bool raised_ = false;
   std::uint32_t updates_wait_ = 0;  // iterations in which the costs stay
   bool goes_on_ = false;            // whether the last expansion is a long one that has not ended
   Index group_ = kNone;             // that it grows from

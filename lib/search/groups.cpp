@@ -6,12 +6,13 @@
 namespace krait::detail {
 namespace {
 
-constexpr std::uint8_t kLeastBlockBits = 5;
+constexpr std::uint8_t kLeastBlockBits = 5;  // blocks of fewer regions than 32 would take memory in vain
 
-// Of the number of regions in a block: as many as there are blocks, or up to twice as many, look at the fewest numbers.
+// The logarithm to base 2 of how many regions a block has: the least with which there are not more blocks than regions
+// in one, so that a choice looks at the fewest numbers.
 std::uint8_t block_bits_for(Index regions) {
   std::uint8_t bits = kLeastBlockBits;
-  while (regions >> bits > Index{1} << bits) ++bits;
+  while ((regions >> bits) > (Index{1} << bits)) ++bits;
   return bits;
 }
 

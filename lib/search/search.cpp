@@ -174,8 +174,8 @@ bool Search::count_expansion() {
 
 void Search::begin_tries() {
   const std::uint32_t unit = parameters_.tuning.restart_unit;
-  const std::uint32_t times = 1 + regions_.regions_ahead(root_region_, kNone) / kUnitRegions;
-  restarts_.begin(unit < kNone / times ? times * unit : kNone);
+  const std::uint32_t times = 1 + regions_.regions_ahead(root_region_, scene_->triangle_count()) / kUnitRegions;
+  restarts_.begin(unit < UINT32_MAX / times ? times * unit : UINT32_MAX);
 }
 
 void Search::new_try() {

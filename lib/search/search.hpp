@@ -61,8 +61,7 @@ class Search {
 
  protected:
   // Measured: bench/ABLATIONS.md, "Constants".
-  static constexpr std::uint32_t kUnitRegions = 90;  // of the first way: a try's unit grows by itself with each so many
-  static constexpr std::uint32_t kPatience = 10;     // tries after which half of the shares turn gently and reverse
+  static constexpr std::uint32_t kPatience = 10;  // tries after which half of the shares turn gently and reverse
 
   Search() = default;
   ~Search() = default;
@@ -180,12 +179,16 @@ class Search {
 
  private:
   // Measured: bench/ABLATIONS.md, "Constants".
-  static constexpr float kLeastCost = 0.05F;  // of an edge, in robot lengths: keeps h + C above h
-  static constexpr float kDepthKept = 0.1F;   // share of the goal's margin that a plan keeps
+  static constexpr float kLeastCost = 0.05F;         // of an edge, in robot lengths: keeps h + C above h
+  static constexpr float kDepthKept = 0.1F;          // share of the goal's margin that a plan keeps
+  static constexpr std::uint32_t kUnitRegions = 90;  // for so many regions of the way a unit is longer by restart_unit
   // Metres: how deep inside the goal a plan without steps is: more than the rounding of a coordinate of 2 km, 6e-5.
   static constexpr float kStartDepth = 1e-4F;
 
   static Failure bad_argument(Argument argument);
+
+  // Begins the first of the tries, whose unit is determined by restart_unit and the way from the start. O(R).
+  void begin_tries();
 
   // An iteration while driving(): at most max_steps steps of one expansion of the way.
   void drive_plan();
@@ -230,9 +233,6 @@ class Search {
   // controls alone would drive the robot, and every step is proven again: what holds is the plan. Until then the tree
   // is used for nothing else. O(expansions of the way).
   void begin_plan(Branch end);
-
-  // The tries begin, each as long as the way from the start asks for.
-  void begin_tries();
 
   // Ends the search as solved where the way that was driven ends in the goal; as internal where the tree beside it was
   // not the same as when it grew.

@@ -510,7 +510,7 @@
     canvas.width = Math.round(size.width * ratio);
     canvas.height = Math.round(size.height * ratio);
     if (fitted) fit();
-    request();
+    show();  // a canvas is empty after its size was set, and would be until the next frame
   };
 
   // ---- controls
@@ -591,7 +591,6 @@
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => { readColors(); request(); });
   new ResizeObserver(resize).observe(canvas);
   resize();
-  show();
 
   window.krait = {
     get mode() { return mode; },
