@@ -473,15 +473,15 @@
   };
 
   // ---- view
-  const fit = () => {
+  const fitView = () => {
     const margin = 18;
     view.x = (minX + maxX) / 2;
     view.y = (minY + maxY) / 2;
     view.scale = Math.min(Math.max(40, size.width - 2 * margin) / (maxX - minX),
         Math.max(40, size.height - 2 * margin) / (maxY - minY));
     fitted = true;
-    request();
   };
+  const fit = () => { fitView(); request(); };
   // Zooms so that the point of the map below (x, y), pixels from the middle of the canvas, stays there.
   const zoom = (factor, x = 0, y = 0) => {
     const least = 0.2 * Math.min(size.width / (maxX - minX), size.height / (maxY - minY));
@@ -509,7 +509,7 @@
     size.height = Math.max(1, box.height);
     canvas.width = Math.round(size.width * ratio);
     canvas.height = Math.round(size.height * ratio);
-    if (fitted) fit();
+    if (fitted) fitView();
     show();  // a canvas is empty after its size was set, and would be until the next frame
   };
 
@@ -589,8 +589,7 @@
   if (!ends.search) byId('mode').querySelector('[value=search]').disabled = true;
   readColors();
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => { readColors(); request(); });
-  new ResizeObserver(resize).observe(canvas);
-  resize();
+  new ResizeObserver(resize).observe(canvas);  // calls resize before the first frame is painted
 
   window.krait = {
     get mode() { return mode; },
