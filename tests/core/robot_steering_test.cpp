@@ -18,12 +18,14 @@ TEST(RobotSteering, AUnicycleBacksNoFasterThanItCan) {
   const float state[] = {0, 0, 0};
   Target behind;
   behind.point = {-5, 0};
-  behind.speed = -1;
-  Steering steering;
-  float control[2];
-  robot.steer(StateView(state, 3), behind, steering, ControlRef(control, 2));
-  EXPECT_FLOAT_EQ(control[0], -0.25F);
-  EXPECT_NEAR(control[1], 0.0F, 1e-5F);
+  for (const float share : {1.0F, 0.5F}) {
+    behind.speed = -share;
+    Steering steering;
+    float control[2];
+    robot.steer(StateView(state, 3), behind, steering, ControlRef(control, 2));
+    EXPECT_FLOAT_EQ(control[0], -0.25F * share);
+    EXPECT_NEAR(control[1], 0.0F, 1e-5F);
+  }
 }
 
 // Steered toward a point far ahead in that direction; returns the headings' errors after each step.
