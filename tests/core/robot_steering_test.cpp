@@ -28,6 +28,20 @@ TEST(RobotSteering, AUnicycleBacksNoFasterThanItCan) {
   }
 }
 
+TEST(RobotSteering, AUnicycleStandsWhileItTurnsToAPointBehindIt) {
+  UnicycleParameters p;
+  p.min_speed = -0.25F;
+  const Unicycle robot(p);
+  const float state[] = {0, 0, 0};
+  Target behind;
+  behind.point = {-5, 1};
+  Steering steering;
+  float control[2];
+  robot.steer(StateView(state, 3), behind, steering, ControlRef(control, 2));
+  EXPECT_EQ(control[0], 0.0F);
+  EXPECT_GT(control[1], 0.0F);
+}
+
 // Steered toward a point far ahead in that direction; returns the headings' errors after each step.
 template <class R>
 std::vector<float> turned_to(float heading, const R& robot, const std::vector<float>& state, float speed) {
