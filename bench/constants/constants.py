@@ -103,7 +103,7 @@ ARGUED = {
     "lib/scene/cells.hpp": ["kMargin"],
     "lib/scene/grid_checker.cpp": ["kRounding", "kNear"],
     "lib/scene/checker.cpp": ["kMaxCount", "kMaxOrigin", "kCrcStart", "kBitsAtOnce", "kCrcTables", "kBitsMask",
-                              "kTablesOfWord", "kLeast"],
+                              "kTablesOfWord", "kWordsAtOnce", "kLeast"],
 }
 SECTIONS = {
     "include/krait/parameters.hpp": ["update_regions", "goal_near_radius"],

@@ -18,8 +18,11 @@ constexpr double kMaxOrigin = 1e9;              // metres: krait/format.hpp
 constexpr std::size_t kCrcStart = 16;
 
 // So many bits are looked up at once, in so many tables: whole bytes of four words take 16 KB, half ones of one 512
-// bytes.
-#if defined(__OPTIMIZE_SIZE__) || UINTPTR_MAX < UINT64_MAX
+// bytes, and half ones alone 64.
+#if defined(__OPTIMIZE_SIZE__)
+constexpr std::uint32_t kBitsAtOnce = 4;
+constexpr std::size_t kCrcTables = 1;
+#elif UINTPTR_MAX < UINT64_MAX
 constexpr std::uint32_t kBitsAtOnce = 4;
 constexpr std::size_t kCrcTables = 8;
 #else
@@ -28,6 +31,7 @@ constexpr std::size_t kCrcTables = 16;
 #endif
 constexpr std::uint32_t kBitsMask = (1U << kBitsAtOnce) - 1;
 constexpr std::size_t kTablesOfWord = 32 / kBitsAtOnce;
+constexpr std::size_t kWordsAtOnce = kCrcTables / kTablesOfWord;
 
 // [k][n]: what the bits n do to the CRC when k as many follow them.
 using CrcTable = std::array<std::uint32_t, kBitsMask + 1>;
@@ -57,12 +61,12 @@ std::uint32_t crc_of_word(std::uint32_t word, const CrcTable* tables, std::index
 
 // Reads as many words at a time as the tables suffice for: their look-ups do not wait for each other (slicing:
 // M. E. Kounavis and F. L. Berry, A Systematic Approach to Building High Performance Software-Based CRC Generators,
-// ISCC 2005).
+// ISCC 2005). Then byte by byte.
 std::uint32_t crc32(const std::byte* bytes, std::size_t size) {
   static constexpr CrcTables tables = crc_tables();
   std::uint32_t crc = 0xFFFFFFFFU;
-  std::uint32_t words[kCrcTables / kTablesOfWord];
-  for (; size >= sizeof words; bytes += sizeof words, size -= sizeof words) {
+  std::uint32_t words[kWordsAtOnce > 0 ? kWordsAtOnce : 1];
+  for (; kWordsAtOnce > 0 && size >= sizeof words; bytes += sizeof words, size -= sizeof words) {
     std::memcpy(words, bytes, sizeof words);
     words[0] ^= crc;
     crc = 0;
