@@ -111,6 +111,7 @@ SECTIONS = {
     "lib/improve/improver.hpp": ["kLongChain", "kSearches"],
     "lib/last_metres/last_metres.hpp": ["kMostLegs"],
     "lib/last_metres/last_metres.cpp": ["kMoveRadius"],
+    "lib/last_metres/docking.cpp": ["kHoldWay", "kPushLook", "kMostPush", "kStages"],
     "lib/last_metres/pull_in.cpp": ["kBraking", "kAstray", "kGrip", "kLeastTurn", "kStill", "kMostWait", "kMostStops"],
     "lib/last_metres/pull_outs.hpp": ["kMost", "kMostMoves"],
     "lib/last_metres/pull_outs.cpp": ["kStep", "kStraights", "kOut", "kMostTurn", "kMostSteps", "kRooms", "kGearCost",

@@ -325,6 +325,10 @@ typedef struct krait_functions {
   bool (*reversible)(const void* self);
   /** At least 1: bodies i and j are tested against each other where |i - j| is at least this. NULL: 2. */
   int (*self_collision_gap)(const void* self);
+  /** 0 to body_count - 1: the body whose origin steer brings to the target's point when it drives backwards, as the
+      last of the trailers that a truck pushes. The last metres to a pose are driven backwards by a robot of several
+      bodies only where it is not 0. NULL: 0. */
+  int (*backing_body)(const void* self);
 } krait_functions;
 
 /** The arguments of krait_own_robot; neither is owned, and both must stay. */

@@ -41,19 +41,23 @@ class Robot {
   bool sound() const { return functions_ == nullptr || functions_->sound(self_); }
   /// Whether the robot can drive backwards.
   bool reversible() const { return functions_->reversible(self_); }
+  /// The body that steer brings to the target's point when it drives backwards, 0 … body_count() - 1.
+  int backing_body() const { return functions_->backing_body(self_); }
   /// Body k's outline in its own frame, 0 … body_count() - 1; metres. Its vertices are the robot's.
   Polygon body(int k) const { return functions_->body(self_, k); }
 
-  /// Whether the sizes are within the model's.
+  /// Whether the sizes are within the model's, and the backing body is one of the robot's.
   bool fits() const {
     return functions_ != nullptr && state_size_ >= 2 && state_size_ <= functions_->max_state && control_size_ >= 1 &&
-           control_size_ <= functions_->max_control && body_count_ >= 1 && body_count_ <= functions_->max_bodies;
+           control_size_ <= functions_->max_control && body_count_ >= 1 && body_count_ <= functions_->max_bodies &&
+           backing_body() >= 0 && backing_body() < body_count_;
   }
   bool leads() const { return functions_->leads; }          ///< whether leading components are integrated first
   bool has_speed() const { return functions_->has_speed; }  ///< whether the robot says how fast it moves
   /// Whether the robot was compiled with the library's arithmetic.
   bool exact() const { return functions_ == nullptr || functions_->exact(self_); }
   const detail::Parking* parking() const { return functions_->parking; }  ///< the library's own; null where not kParks
+  const detail::Docking* docking() const { return functions_->docking; }  ///< likewise; null where not kDocks
   bool answers_proven() const { return functions_->answers_proven; }      ///< kAnswersProven of its class
 
   /// Writes the frame of every body in s.

@@ -60,6 +60,7 @@ class OwnRobot {
   }
   bool reversible() const { return f_.reversible != nullptr && f_.reversible(self_); }
   int self_collision_gap() const { return f_.self_collision_gap == nullptr ? 2 : f_.self_collision_gap(self_); }
+  int backing_body() const { return f_.backing_body == nullptr ? 0 : f_.backing_body(self_); }
 
  protected:
   const krait_functions& functions() const { return f_; }

@@ -103,7 +103,7 @@ void WayDrive::begin_shots() {
   const float* const state = tools_->drive->state();
   if (last_metres == nullptr || route_->length() - arc_ > route_->shots()) return;
   if (!last_metres->near({state[0], state[1]})) return;
-  last_metres->choose(tools_->check->poses()[0]);
+  last_metres->choose(tools_->check->poses());
   shot_ = way_->count();
   shooting_ = begin_shot();
 }
@@ -113,12 +113,12 @@ bool WayDrive::begin_shot() {
   tools_->check->begin(state);
   tools_->brake->begin(state);
   leg_steps_ = LastMetres::kLongest;
-  return tools_->last_metres->next(tools_->check->poses()[0]);
+  return tools_->last_metres->next(tools_->check->poses());
 }
 
 bool WayDrive::shoot() {
   Drive& drive = *tools_->brake;
-  const Moment now{tools_->robot, drive.state(), tools_->check->poses()[0]};
+  const Moment now{tools_->robot, drive.state(), tools_->check->poses()};
   const bool aimed = !tools_->last_metres->leg_over(leg_steps_, now) || begin_shot_leg(now);
   if (aimed && take_step(drive)) {
     ++leg_steps_;

@@ -2,6 +2,7 @@
 #include "last_metres/last_metres.hpp"
 
 #include "last_metres/arc.hpp"
+#include "last_metres/docking.hpp"
 #include "last_metres/parking.hpp"
 
 namespace krait::detail {
@@ -70,45 +71,55 @@ void LastMetres::assign(const Scene& scene, const Goal& goal, const Nimbleness& 
   shot_count_ = 0;
   shot_ = 0;
   found_ways_ = false;
+  hold_ = kHold;
+  reach_back_ = 0.0F;
+  most_push_ = kInfinity;
 }
 
-void LastMetres::choose(const Pose& from) {
+void LastMetres::forget_shots(bool by_detour) {
   shot_count_ = 0;
   shot_ = 0;
-  for_ways_ = false;
-  consider_leads(from, short_leads_, kLeadCount);
-  if (shot_count_ == 0) consider_leads(from, 0, short_leads_);
+  by_detour_ = by_detour;
+}
+
+void LastMetres::choose(const Pose* poses) {
+  forget_shots(false);
+  if (robot_.docking != nullptr) robot_.docking->measure(*this, poses);
+  consider_leads(poses, short_leads_, kLeadCount);
+  if (shot_count_ == 0) consider_leads(poses, 0, short_leads_);
 }
 
 // All words, radii and ways with the straight ends from `first` to before `last`.
-void LastMetres::consider_leads(const Pose& from, int first, int last) {
+void LastMetres::consider_leads(const Pose* poses, int first, int last) {
   const int ways = goal_.facing().either_way ? 2 : 1;
   const int directions = robot_.backward ? 2 : 1;
   Shot shot;
   shot.way = PullIn::kNoWay;
-  shot.end = {goal_.center(), math::sin_cos(goal_.facing().heading)};
+  shot.stage = 0.0F;
+  shot.end.heading = math::sin_cos(goal_.facing().heading);
   for (int way = 0; way < ways; ++way) {
-    for (int direction = 0; direction < directions; ++direction) {
-      shot.backward = direction == 1;
+    for (int gear = 0; gear < directions; ++gear) {
+      shot.backward = gear == 1;
+      shot.end.position = goal_.center();
+      if (leader(shot) > 0) shot.end.position = goal_.center() - reach_back_ * direction(shot.end.heading);
       for (int lead = first; lead < last; ++lead) {
         shot.lead = leads_[lead];
-        consider_words(from, shot);
+        consider_words(poses, shot);
       }
     }
     shot.end.heading = opposite(shot.end.heading);
   }
 }
 
-void LastMetres::consider_words(const Pose& from, Shot& shot) {
+void LastMetres::consider_words(const Pose* poses, Shot& shot) {
+  const Pose& from = poses[leader(shot)];
   for (shot.radius = 0; shot.radius < kRadii; ++shot.radius) {
     for (shot.word = 0; shot.word < kDubinsWords; ++shot.word) consider(from, shot);
   }
 }
 
-void LastMetres::choose_ways(const Pose& from) {
-  for_ways_ = true;
-  shot_count_ = 0;
-  shot_ = 0;
+void LastMetres::choose_ways(const Pose* poses) {
+  forget_shots(true);
   if (!found_ways_) {
     const float radius = kMoveRadius * least_radius(robot_);
     pull_in_.assign(*scene_, robot_, ways_, near_);
@@ -117,12 +128,13 @@ void LastMetres::choose_ways(const Pose& from) {
   found_ways_ = true;
   Shot shot;
   shot.lead = 0.0F;
+  shot.stage = 0.0F;
   for (int way = 0; way < ways_.count(); ++way) {
     shot.way = static_cast<std::uint8_t>(way);
     shot.end = ways_.end(way);
     for (int direction = 0; direction < 2; ++direction) {
       shot.backward = direction == 1;
-      consider_words(from, shot);
+      consider_words(poses, shot);
     }
   }
 }
@@ -137,6 +149,7 @@ void LastMetres::consider(const Pose& from, Shot& shot) {
   }
   const float most = kDetour * length(goal_.center() - from.position) + kDetourLengths * robot_.length;
   if (shot.length > most) return;
+  if (shot.backward && shot.length > most_push_) return;
   const bool full = shot_count_ == kMostShots;
   if (full && shot.length >= shots_[kMostShots - 1].length) return;
   if (!looks_free(line)) return;
@@ -180,8 +193,11 @@ bool LastMetres::looks_free(const CurvedLine& line) const {
   return true;
 }
 
-bool LastMetres::next(const Pose& from) {
-  if (shot_ == shot_count_ && !for_ways_ && robot_.parking != nullptr) robot_.parking->choose(*this, from);
+bool LastMetres::next(const Pose* poses) {
+  if (shot_ == shot_count_ && !by_detour_) {
+    if (robot_.parking != nullptr) robot_.parking->choose(*this, poses);
+    if (robot_.docking != nullptr) robot_.docking->choose(*this, poses);
+  }
   if (shot_ == shot_count_) return false;
   const Shot& shot = shots_[shot_++];
   pull_in_.begin(shot.way);
@@ -190,13 +206,14 @@ bool LastMetres::next(const Pose& from) {
   turning_ = false;
   straight_ = on_the_spot(shot);
   lead_ = straight_ ? shot.lead : 0.0F;
-  return draw(from, shot, line_);
+  return draw(poses[leader(shot)], shot, line_);
 }
 
 bool LastMetres::aim(const Moment& now, Target& target) {
   if (pull_in_.moving()) return robot_.parking->aim(pull_in_, now, target);
   const Shot& shot = shots_[shot_ - 1];
-  const Pose& at = now.at;
+  if (shot.stage > 0.0F && arrived()) robot_.docking->turn_back(*this);
+  const Pose& at = now.poses[leader(shot)];
   if (!straight_ && !keep_to_line(at)) return false;
   if (!straight_ && lead_ > 0.0F && arrived()) {
     straight_ = true;
@@ -216,7 +233,8 @@ bool LastMetres::aim(const Moment& now, Target& target) {
   const float share = pace(robot_, left(), speed, now.robot.stopping_way(now.state), braking_);
   target.speed = stops ? 0.0F : (shot.backward ? -share : share);
   target.turn = 1.0F;
-  target.point = point_ahead(line_, arc_, kLook * robot_.length + kLookSteps * robot_.dt * speed);
+  const float look = leader(shot) > 0 ? push_look_ : kLook * robot_.length;
+  target.point = point_ahead(line_, arc_, look + kLookSteps * robot_.dt * speed);
   return true;
 }
 
@@ -228,7 +246,7 @@ float LastMetres::least_left(const Moment& now) const {
 
 bool LastMetres::leg_over(std::uint32_t steps, const Moment& now) {
   if (pull_in_.moving()) return robot_.parking->leg_over(pull_in_, steps, now);
-  return turning_ ? steps >= kLongest || off(now.at) <= enough_ : steps >= kHold;
+  return turning_ ? steps >= kLongest || off(now.at()) <= enough_ : steps >= hold_;
 }
 
 bool LastMetres::keep_to_line(const Pose& at) {

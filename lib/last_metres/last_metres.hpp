@@ -2,7 +2,8 @@
 // The last metres to a pose: lines of arcs and straight pieces from where the robot is to the goal, the shortest of
 // which are driven with the controller in the loop, so slowly in the end that the robot comes to rest at the pose. A
 // robot that turns on the spot does so before straight pieces, and at the pose. One that drives backwards also tries
-// lines to the ends of ways out of the pose, and drives these in reverse.
+// lines to the ends of ways out of the pose, and drives these in reverse. One that pushes trailers leads the last of
+// them backwards to where it stands when body 0 is at the pose and all are in line.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +20,7 @@ namespace krait::detail {
 class LastMetres {
  public:
   // Measured: bench/ABLATIONS.md, "Constants".
-  static constexpr std::uint32_t kHold = 2;        // steps of a leg, or
+  static constexpr std::uint32_t kHold = 2;        // steps of a leg, at least, or
   static constexpr std::uint32_t kLongest = 64;    // of one that turns on the spot, at most
   static constexpr std::uint32_t kMostLegs = 192;  // of a shot
   static constexpr std::uint32_t kEvery = 4;       // of so many states of an expansion one shoots
@@ -36,15 +37,25 @@ class LastMetres {
   // Metres within which it does.
   float capture() const { return capture_; }
 
-  // Chooses the shots from a pose of body 0: of all words, radii, straight ends and ways that the goal allows the
-  // shortest few on which a disc in the robot seems to be free. At most 128 looks at a place (Sight::slack) a line.
-  void choose(const Pose& from);
+  // Chooses the shots from where the robot is, by the frames of its bodies: of all words, radii, straight ends and ways
+  // that the goal allows the shortest few on which a disc in the robot seems to be free. At most 128 looks at a place
+  // (Sight::slack) a line.
+  void choose(const Pose* poses);
 
   // Chooses the shots to ways out of the goal, which it finds where it has not yet. Parking calls it.
-  void choose_ways(const Pose& from);
+  void choose_ways(const Pose* poses);
 
-  // Begins the next shot that was chosen, from the same pose. False when there is none left.
-  bool next(const Pose& from);
+  // Measures a robot that pushes trailers, by its frames. Docking calls these three.
+  void measure_push(const Pose* poses);
+
+  // Chooses the shots that pull the trailers straight ahead of the goal and then push them back to it.
+  void choose_stages(const Pose* poses);
+
+  // Begins what is left of such a shot, whose line has ended ahead of the goal: the line back.
+  void turn_back();
+
+  // Begins the next shot that was chosen, from the same place. False when there is none left.
+  bool next(const Pose* poses);
 
   // The next leg's target. False when the shot has ended, the robot has left its line, or it does not turn.
   bool aim(const Moment& now, Target& target);
@@ -62,8 +73,9 @@ class LastMetres {
   static constexpr std::uint32_t kMostShots = 4;  // measured likewise
 
   struct Shot {
-    Pose end;    // of body 0
-    float lead;  // metres of the line's straight end
+    Pose end;     // of the body that leads
+    float lead;   // metres of the line's straight end
+    float stage;  // metres ahead of the pose: the line leads there, and trailers are pushed back from there; or 0
     float length;
     std::uint8_t word;
     std::uint8_t radius;
@@ -77,9 +89,14 @@ class LastMetres {
   // Where the shot's line is `lead` metres from its end, and the direction that it has there.
   static Pose before_end(const Shot& shot, float lead);
 
+  // The body that keeps to the shot's line: body 0, or one that is pushed.
+  int leader(const Shot& shot) const { return shot.backward ? robot_.backing_body : 0; }
+
+  void forget_shots(bool by_detour);
+
   bool draw(const Pose& from, const Shot& shot, CurvedLine& line) const;
-  void consider_leads(const Pose& from, int first, int last);
-  void consider_words(const Pose& from, Shot& shot);
+  void consider_leads(const Pose* poses, int first, int last);
+  void consider_words(const Pose* poses, Shot& shot);
 
   void consider(const Pose& from, Shot& shot);
   bool looks_free(const CurvedLine& line) const;
@@ -115,11 +132,15 @@ class LastMetres {
   float leads_[kLeadCount];  // metres, the short ones first
   int short_leads_;          // how many are only for where there is no room for the others
   float capture_;
+  std::uint32_t hold_;  // steps of a leg that does not turn on the spot
+  float reach_back_;    // metres from body 0 to the backing body, where all are in line
+  float push_look_;     // metres ahead of that to which it is steered
+  float most_push_;     // metres of the longest line along which it is pushed
   Shot shots_[kMostShots];
   std::uint32_t shot_count_;
   std::uint32_t shot_;  // the one after that which is driven
-  bool for_ways_;       // whether the shots that were chosen last are those to ways out
-  bool found_ways_;     // whether these have been looked for
+  bool by_detour_;      // whether the shots that were chosen last lead to ways out or to stages
+  bool found_ways_;     // whether ways out have been looked for
   PullOuts ways_;
   PullIn pull_in_;
   CurvedLine line_;      // that is driven

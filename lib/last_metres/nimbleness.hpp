@@ -13,18 +13,21 @@ struct Nimbleness {
   float top_speed;         // m/s
   float half_width;        // metres: the radius of a disc around the position that lies in body 0
   float reach;             // metres: that of one which body 0 lies in
-  bool backward;           // whether it may drive a line backwards
+  bool backward;           // whether it may drive a line backwards,
+  int backing_body;        // and the body that keeps to the line then
   float dt;                // seconds
   float clearance;         // metres, that it keeps to obstacles
   Polygon outline;         // of body 0, whose vertices are the robot's
   const Parking* parking;  // how it drives into narrow places in reverse; null: it does not
+  const Docking* docking;  // how it pushes trailers to a pose; null: it does not
 };
 
-// A robot in a state, its body 0 at `at`. All of it is the caller's.
+// A robot in a state, and the frames of its bodies. All of it is the caller's.
 struct Moment {
   const Robot& robot;
   const float* state;
-  const Pose& at;
+  const Pose* poses;
+  const Pose& at() const { return poses[0]; }
 };
 
 // The share of its top speed at which a robot moves on that shall come to rest `left` metres ahead, moves at `speed`

@@ -7,7 +7,7 @@
 namespace krait::detail {
 namespace {
 
-void choose(LastMetres& last_metres, const Pose& from) { last_metres.choose_ways(from); }
+void choose(LastMetres& last_metres, const Pose* poses) { last_metres.choose_ways(poses); }
 
 bool aim(PullIn& pull_in, const Moment& now, Target& target) { return pull_in.aim(now, target); }
 

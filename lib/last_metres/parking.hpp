@@ -11,7 +11,7 @@ class LastMetres;
 
 // Each does what the member of its name does.
 struct Parking {
-  void (*choose)(LastMetres& last_metres, const Pose& from);  // choose_ways
+  void (*choose)(LastMetres& last_metres, const Pose* poses);  // choose_ways
   bool (*aim)(PullIn& pull_in, const Moment& now, Target& target);
   bool (*leg_over)(PullIn& pull_in, std::uint32_t steps, const Moment& now);
 };

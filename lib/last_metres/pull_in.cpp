@@ -40,10 +40,10 @@ void PullIn::begin_move() {
 bool PullIn::aim(const Moment& now, Target& target) {
   turns_wheels_ = false;
   if (!moving_) begin_first();
-  Move::Offset off = move_.offset(now.at);
+  Move::Offset off = move_.offset(now.at());
   while (off.way <= near_ && moves_left_ > 0) {
     begin_move();
-    off = move_.offset(now.at);
+    off = move_.offset(now.at());
   }
   if (math::absolute(off.aside) > kAstray * robot_->length) return false;
   const bool stops = off.way <= near_;
@@ -53,7 +53,7 @@ bool PullIn::aim(const Moment& now, Target& target) {
   target.speed = stops || turns_wheels_ ? 0.0F : (move_.backward ? share : -share);
   const float curvature = this->curvature(off);
   target.turn = math::clamp(math::absolute(curvature) * robot_->turning_radius, kLeastTurn, 1.0F);
-  target.point = beside(now.at, curvature < 0.0F ? -1.0F : 1.0F);
+  target.point = beside(now.at(), curvature < 0.0F ? -1.0F : 1.0F);
   return true;
 }
 

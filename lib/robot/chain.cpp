@@ -187,18 +187,19 @@ void Chain::steer(StateView s, const Target& target, Steering& steering, Control
 
 [[gnu::flatten]] void Chain::steer(StateView s, const Pose* poses, const Target& target, Steering& steering,
                                    ControlRef u) const {
-  const ChainParameters& p = parameters_;
-  const bool stops = target.speed == 0.0F;
-  const bool backward = target.speed < 0.0F || (stops && s[3] < 0.0F);
-  const float error = wheels_error(s, poses[0].heading, target.point, backward);
+  const float error = wheels_error(s, poses[0].heading, target.point, backs(s, target));
   const float wanted = steering.heading(kHeadingGains, error, target.dt);
+  const float lock = parameters_.max_steering * kInside * target.turn;
+  turn_and_drive(s, within_lock(wanted, steering_limit(s, wanted, s[3]), lock), target, steering, u);
+}
+
+void Chain::turn_and_drive(StateView s, float psi, const Target& target, Steering& steering, ControlRef u) const {
+  const ChainParameters& p = parameters_;
   const float lock = p.max_steering * kInside * target.turn;
-  const float side = steering_limit(s, wanted, s[3]);
-  const float psi = within_lock(wanted, side, lock);
-  const float set_point = target.speed * (backward ? -p.min_speed : p.max_speed);
+  const float set_point = target.speed * (target.speed < 0.0F ? -p.min_speed : p.max_speed);
   const float push = steering.speed(kSpeedGains, set_point - s[3], target.dt);
   const float gain = math::clamp(push, -p.max_acceleration, p.max_acceleration);
-  const float speed = stops ? 0.0F : s[3] + gain * target.dt;
+  const float speed = target.speed == 0.0F ? 0.0F : s[3] + gain * target.dt;
   approach(s, speed, math::clamp(psi, -lock, lock), target.dt, u);
 }
 
@@ -217,7 +218,6 @@ float Chain::stopping_way(StateView s) const {
   return 0.5F * s[3] * math::absolute(s[3]) / parameters_.max_acceleration * math::sin_cos(s[4]).cos;
 }
 
-// The control that brings speed and steering angle as near to the wanted ones as the limits allow in a time step.
 void Chain::approach(StateView s, float speed, float psi, float dt, ControlRef u) const {
   const ChainParameters& p = parameters_;
   const float lock = p.max_steering * kInside;

@@ -2,6 +2,7 @@
 #include "krait/robots/kinematic_truck.hpp"
 
 #include "robot/front_wheels.hpp"
+#include "robot/pushing.hpp"
 #include "robot/trailers.hpp"
 
 namespace krait {
@@ -99,9 +100,12 @@ float KinematicTruck::steering_limit(StateView s, float heading_error, float spe
 }
 
 void KinematicTruck::steer(StateView s, const Target& target, Steering& steering, ControlRef u) const {
-  const Pose at{position(s), math::sin_cos(s[2])};
-  steer(s, &at, target, steering, u);
+  Pose poses[kMaxBodies];
+  place(s, poses);
+  steer(s, poses, target, steering, u);
 }
+
+int KinematicTruck::backing_body() const { return detail::pushed(parameters_); }
 
 // As a truck's, but that the wheels turn at once: they are not turned further than what faces the target within a step.
 void KinematicTruck::steer(StateView s, const Pose* poses, const Target& target, Steering& steering,
@@ -112,23 +116,44 @@ void KinematicTruck::steer(StateView s, const Pose* poses, const Target& target,
     return;
   }
   const bool backward = target.speed < 0.0F;
-  const float speed = target.speed * (backward ? -p.min_speed : p.max_speed);
+  const float asked = target.speed * (backward ? -p.min_speed : p.max_speed);
+  const bool pushes = backward && backing_body() > 0;
+  const float slowest = pushes ? -detail::fastest_push(detail::train_of(p), target.dt) : p.min_speed;
+  const float speed = asked < slowest ? slowest : asked;
+  const float way = math::absolute(speed) * target.dt;
+  const float lock = target.turn < 1.0F ? math::atan2(target.turn * lock_, 1.0F) : p.max_steering;
+  u[0] = speed;
+  if (pushes) {
+    const float wanted =
+        detail::pushing_tangent(detail::train_of(p), poses, {0.0F, 0.0F, way, kInfinity}, target.point);
+    u[1] = math::clamp(math::atan2(wanted, 1.0F), -lock, lock);
+    return;
+  }
   const float error = wheels_error(s, poses[0].heading, target.point, backward);
   PidGains gains = kHeadingGains;
-  const float way = math::absolute(speed) * target.dt;
   if (gains.proportional * way > p.wheelbase) gains.proportional = p.wheelbase / way;
   const float wanted = steering.heading(gains, error, target.dt);
-  const float lock = target.turn < 1.0F ? math::atan2(target.turn * lock_, 1.0F) : p.max_steering;
   const float side = steering_limit(s, wanted, speed);
-  u[0] = speed;
   u[1] = within_lock(wanted, side, lock);
 }
 
 void KinematicTruck::track(StateView s, StateView reference, float dt, ControlRef u) const {
   const KinematicTruckParameters& p = parameters_;
-  const WheelCorrection change = wheel_correction(deviation(s, reference), u[0], p.wheelbase, dt);
+  WheelCorrection change = wheel_correction(deviation(s, reference), u[0], p.wheelbase, dt);
+  if (backing_body() > 0 && u[0] < 0.0F) change.steering = pushing_change(s, reference, -u[0] * dt, u[1]);
   u[0] = math::clamp(u[0] + change.speed, p.min_speed, p.max_speed);
   u[1] = math::clamp(u[1] + change.steering, -p.max_steering, p.max_steering);
+}
+
+float KinematicTruck::pushing_change(StateView s, StateView reference, float way, float steering) const {
+  Pose poses[1 + detail::kMostPushed];
+  Pose wanted[1 + detail::kMostPushed];
+  place(s, poses);
+  place(reference, wanted);
+  const float bend =
+      detail::pushing_correction(detail::train_of(parameters_), poses, wanted, {0.0F, 0.0F, way, kInfinity});
+  const float cosine = math::sin_cos(steering).cos;
+  return cosine * cosine * bend;
 }
 
 float KinematicTruck::carry_errors(StateView s, const Pose* poses, ControlView u, float dt, float* errors) const {

@@ -9,8 +9,10 @@ namespace krait::detail {
 namespace {
 
 Nimbleness nimbleness(const Robot& robot, float length, const Parameters& parameters) {
-  const bool backward = robot.reversible() && robot.body_count() == 1;
+  const bool alone = robot.body_count() == 1;
   const float radius = robot.turning_radius(length);
+  const int pushed = robot.docking() != nullptr && radius > 0.0F ? robot.backing_body() : 0;
+  const bool backward = robot.reversible() && (alone || pushed > 0);
   const Polygon outline = robot.body(0);
   return {length,
           length * static_cast<float>(robot.body_count()),
@@ -19,10 +21,12 @@ Nimbleness nimbleness(const Robot& robot, float length, const Parameters& parame
           inner_radius(outline, {}),
           farthest(outline.vertices, outline.count),
           backward,
+          pushed,
           parameters.dt,
           parameters.clearance + kTreeSlack * length,
           outline,
-          backward && radius > 0.0F ? robot.parking() : nullptr};
+          backward && alone && radius > 0.0F ? robot.parking() : nullptr,
+          backward && pushed > 0 ? robot.docking() : nullptr};
 }
 
 }  // namespace
@@ -64,6 +68,12 @@ float Expander::near(Vec2 target) const {
   return (in_goal ? tuning.goal_near_radius : tuning.near_radius) * tools_.robot_length;
 }
 
+float Expander::target_distance() const {
+  const Target& target = drive_.target();
+  const int leader = target.speed < 0.0F ? tools_.robot.backing_body() : 0;
+  return length(target.point - tools_.check->poses()[leader].position);
+}
+
 Expanded Expander::go_on(const Watch& watch) {
   bool goes = true;
   for (std::uint32_t left = tools_.parameters->tuning.max_steps; goes && left > 0; --left) {
@@ -97,7 +107,7 @@ bool Expander::continues() {
   if (steps < tools_.parameters->tuning.max_steps) return true;
   if (steps >= tools_.parameters->tuning.open_steps || expanded_.crossed > kOpen) return false;
   const float before = apart_;
-  apart_ = length(drive_.target().point - position());
+  apart_ = target_distance();
   return apart_ < before;
 }
 
@@ -118,7 +128,7 @@ Outcome Expander::grow(const Watch& watch) {
     return Outcome::target_not_reached;
   }
   if (tools_.shoots && expanded_.last.step % LastMetres::kEvery == 0 && last_metres_.near(position())) {
-    last_metres_.choose(poses[0]);
+    last_metres_.choose(poses);
     if (begin_shot()) return Outcome::target_not_reached;
   }
   return settle();
@@ -126,7 +136,7 @@ Outcome Expander::grow(const Watch& watch) {
 
 bool Expander::begin_shot() {
   tools_.check->begin(drive_.state());
-  shooting_ = last_metres_.next(tools_.check->poses()[0]);
+  shooting_ = last_metres_.next(tools_.check->poses());
   if (shooting_) brake_.begin(drive_.state());
   shot_legs_ = 0;
   brake_steps_ = LastMetres::kLongest;
@@ -134,7 +144,7 @@ bool Expander::begin_shot() {
 }
 
 Outcome Expander::shoot(const Watch& watch) {
-  const Moment now{tools_.robot, brake_.state(), tools_.check->poses()[0]};
+  const Moment now{tools_.robot, brake_.state(), tools_.check->poses()};
   const bool aimed = !last_metres_.leg_over(brake_steps_, now) || begin_shot_leg(now);
   if (aimed && take_step(brake_)) {
     watch(brake_.state(), brake_.next());
@@ -165,7 +175,7 @@ bool Expander::begin_shot_leg(const Moment& now) {
 Outcome Expander::settle() {
   recent_.remember(expanded_.last.step, expanded_.region, drive_.state());
   if (!keep_recent(tools_.parameters->tuning.doomed_steps)) return Outcome::tree_full;
-  const bool reached = length(drive_.target().point - position()) <= near_;
+  const bool reached = target_distance() <= near_;
   return reached ? Outcome::target_reached : Outcome::target_not_reached;
 }
 

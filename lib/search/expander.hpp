@@ -100,6 +100,9 @@ class Expander {
 
   Vec2 position() const { return {drive_.state()[0], drive_.state()[1]}; }
 
+  // Metres from the target: of body 0, backwards of the one that leads.
+  float target_distance() const;
+
   bool braking() const { return braking_ != kNone; }
 
   // Whether the expansion waits for what may end the way from its last state.

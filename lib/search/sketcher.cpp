@@ -30,11 +30,12 @@ std::uint32_t Sketcher::free_steps(const float* state, const Target& toward) {
   begin(state);
   Target target = toward;
   target.dt = dt_;
+  const int leader = target.speed < 0.0F ? robot_.backing_body() : 0;
   float control[kMaxControl];
   for (std::uint32_t step = 0; step < kSteps; ++step) {
     robot_.steer(state_, poses_, target, steering_, control);
     if (!robot_.sketch(state_, poses_, control, dt_) || !free()) return step;
-    const Vec2 apart = target.point - Vec2{state_[0], state_[1]};
+    const Vec2 apart = target.point - poses_[leader].position;
     if (dot(apart, apart) <= squared_near_) return kSteps;
   }
   return kSteps;

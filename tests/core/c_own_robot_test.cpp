@@ -65,6 +65,7 @@ class Whole : public Bare {
   bool keeps_reserve(StateView s) const { return truck().keeps_reserve(s); }
   bool reversible() const { return truck().reversible(); }
   int self_collision_gap() const { return 1; }
+  int backing_body() const { return truck().backing_body(); }
 };
 
 // One that states its rates: bounds for any state and control of a Bare without trailers.
@@ -149,6 +150,7 @@ krait_functions whole(int trailers) {
   f.keeps_reserve = [](const void* self, const float* s) { return of(self).keeps_reserve(view(self, s)); };
   f.reversible = [](const void* self) { return of(self).reversible(); };
   f.self_collision_gap = [](const void* self) { return of(self).self_collision_gap(); };
+  f.backing_body = [](const void* self) { return of(self).backing_body(); };
   return f;
 }
 
@@ -170,11 +172,15 @@ class InC {
   const krait_robot& robot() const { return robot_; }
 
   krait_statistics solve(std::uint64_t seed) {
-    float start[KRAIT_MAX_STATE] = {2, 6, 0};
-    const krait_query query = {start, krait_pose_goal(10.5F, 6.5F, 0.4F, 0, 0.5F), seed};
-    EXPECT_EQ(krait_start(planner_, &query), KRAIT_SEARCHING);
-    EXPECT_EQ(krait_advance(planner_, 20'000), KRAIT_SOLVED);
+    EXPECT_EQ(search(krait_pose_goal(10.5F, 6.5F, 0.4F, 0, 0.5F), seed), KRAIT_SOLVED);
     return krait_statistics_of(planner_);
+  }
+
+  krait_status search(const krait_goal& goal, std::uint64_t seed) {
+    float start[KRAIT_MAX_STATE] = {2, 6, 0};
+    const krait_query query = {start, goal, seed};
+    EXPECT_EQ(krait_start(planner_, &query), KRAIT_SEARCHING);
+    return krait_advance(planner_, 5000);
   }
 
  private:
@@ -241,6 +247,23 @@ TEST(OwnRobotInC, EveryFunctionThatItMayHaveIsUsed) {
   f = whole(2);
   f.fastest_rate = nullptr;
   EXPECT_NE(hash(f), all) << "fastest_rate";
+  f = whole(2);
+}
+
+// Before the wall, heading away from it: where trailers can only be pushed to.
+TEST(OwnRobotInC, LeadsItsBackingBodyBackwards) {
+  krait_goal goal = krait_pose_goal(10.7F, 6.5F, 0.1F, 3.14F, 0.1F);
+  goal.hitch_tolerance = 0.1F;
+  int with = 0;
+  int without = 0;
+  krait_functions mute = whole(2);
+  mute.backing_body = nullptr;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    with += InC(whole(2), 2).search(goal, seed) == KRAIT_SOLVED ? 1 : 0;
+    without += InC(mute, 2).search(goal, seed) == KRAIT_SOLVED ? 1 : 0;
+  }
+  EXPECT_GE(with, 4);
+  EXPECT_EQ(without, 0);
 }
 
 template <class Member>
@@ -276,6 +299,14 @@ TEST(OwnRobotInC, OfSizesOutOfRangeIsRefused) {
   for (const int size : {-1, 0, KRAIT_MAX_BODIES + 1}) {
     EXPECT_EQ(status(&krait_functions::body_count, size), KRAIT_BAD_ROBOT) << size;
   }
+}
+
+TEST(OwnRobotInC, WhoseBackingBodyIsNoneOfItsOwnIsRefused) {
+  krait_functions f = whole(2);
+  f.backing_body = [](const void*) { return 3; };
+  EXPECT_EQ(InC(f, 2).failure().status, KRAIT_BAD_ROBOT);
+  f.backing_body = [](const void*) { return -1; };
+  EXPECT_EQ(InC(f, 2).failure().status, KRAIT_BAD_ROBOT);
 }
 
 TEST(OwnRobotInC, InAFileWithOtherArithmeticIsRefused) {

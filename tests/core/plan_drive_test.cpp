@@ -273,8 +273,9 @@ class PushedChain {
     truth_ = doubles(start_);
   }
 
+  // Back no further than until trailers have folded or errors have grown as large as no plan's may.
   void drive(int steps, bool back) {
-    for (int i = 0; i < steps && !(back && folded()); ++i) {
+    for (int i = 0; i < steps && !(back && (folded() || carried() > 2e-3)); ++i) {
       if (i % 10 == 0) aim(back);
       step();
       ASSERT_LE(error(), carried() + 2.5e-7) << "step " << i;  // a float is off by so much by itself

@@ -13,6 +13,9 @@ class Car : public Truck {
   /// Copies the parameters, but for trailers, which are none, and body_offset, which is half the wheelbase.
   explicit Car(const ChainParameters& parameters) : Truck(centred(parameters)) {}
 
+  using Chain::steer;  ///< it has no trailers
+  using Chain::track;  ///< likewise
+
   /// Those of a car of 1.2 m by 0.6 m; else the chain's.
   static ChainParameters defaults() {
     ChainParameters parameters;
@@ -32,6 +35,10 @@ class Car : public Truck {
 /// Its answers need no second look.
 template <>
 inline constexpr bool kAnswersProven<Car> = true;
+
+/// It has no trailers.
+template <>
+inline constexpr bool kDocks<Car> = false;
 
 // Compiled in the library, with its arithmetic.
 extern template class detail::FunctionsOf<Car>;

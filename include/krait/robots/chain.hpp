@@ -158,6 +158,20 @@ class Chain {
   /// The trailers' part.
   void integrate_rest(StateView s, const Pose* poses, float dt, const Lead& lead, float* d) const;
 
+ protected:
+  /// Whether a target makes the car move backwards, or come to rest from it. O(1).
+  static bool backs(StateView s, const Target& target) {
+    return target.speed < 0.0F || (target.speed == 0.0F && s[3] < 0.0F);
+  }
+
+  /// Turns the wheels to psi, radians, within the lock and the target's share of it, and brings the speed to the
+  /// target's. O(1).
+  void turn_and_drive(StateView s, float psi, const Target& target, Steering& steering, ControlRef u) const;
+
+  /// Brings speed, m/s, and steering angle, radians, as near to these as the limits allow in a time step of dt seconds.
+  /// O(1).
+  void approach(StateView s, float speed, float psi, float dt, ControlRef u) const;
+
  private:
   struct Body {
     Vec2 vertices[kMaxVertices] = {};
@@ -165,7 +179,6 @@ class Chain {
   };
   bool within(StateView s, float most_hitch) const;
   bool hitches_within(StateView s, float most) const;
-  void approach(StateView s, float speed, float psi, float dt, ControlRef u) const;
 
   // What the car does at a speed with its wheels turned so.
   struct CarRates {

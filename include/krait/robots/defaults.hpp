@@ -199,6 +199,16 @@ bool reversible(const R& robot) {
   return false;
 }
 
+// The body that steer brings to the target's point when it drives backwards; a robot may say.
+template <RobotModel R>
+int backing_body(const R& robot) {
+  if constexpr (requires {
+                  { robot.backing_body() } -> std::same_as<int>;
+                })
+    return robot.backing_body();
+  return 0;
+}
+
 // A fourth-order Runge-Kutta step of Eqn 2 with the control held, by a model's derivative.
 // What dt seconds add to a state, or to its leading components: d, as many floats. Four derivatives.
 template <RobotModel R>

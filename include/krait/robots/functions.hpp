@@ -20,6 +20,10 @@ struct alignas(8) Lead {
 struct Parking;
 extern const Parking kParking;
 
+// How robots push trailers back to a pose; likewise.
+struct Docking;
+extern const Docking kDocking;
+
 // Each function is asked of the robot at `self`, and does what the member of its name does (model.hpp) or, where
 // a model has none, the function that stands for it. Arrays have as many elements as the robot's sizes say.
 struct RobotFunctions {
@@ -30,6 +34,7 @@ struct RobotFunctions {
   bool has_speed;          // whether the robot says how fast it moves
   bool answers_proven;     // kAnswersProven
   const Parking* parking;  // null where not kParks
+  const Docking* docking;  // null where not kDocks
 
   bool (*exact)(const void* self);  // and whether the functions were compiled with exact_arithmetic
   int (*state_size)(const void* self);
@@ -39,6 +44,7 @@ struct RobotFunctions {
   int (*self_collision_gap)(const void* self);
   bool (*sound)(const void* self);
   bool (*reversible)(const void* self);
+  int (*backing_body)(const void* self);
   Polygon (*body)(const void* self, int k);
 
   // `size` components of a state: all or the leading ones.
@@ -82,6 +88,7 @@ class FunctionsOf {
   static int self_collision_gap(const void* self) { return detail::self_collision_gap(of(self)); }
   static bool sound(const void* self) { return detail::sound(of(self)); }
   static bool reversible(const void* self) { return detail::reversible(of(self)); }
+  static int backing_body(const void* self) { return detail::backing_body(of(self)); }
   static Polygon body(const void* self, int k) { return of(self).body(k); }
 
   [[gnu::flatten]] static void place(const void* self, const float* s, int size, Pose* poses) {
@@ -155,6 +162,7 @@ class FunctionsOf {
                                             kHasSpeed<R>,
                                             kAnswersProven<R>,
                                             kParks<R> ? &kParking : nullptr,
+                                            kDocks<R> ? &kDocking : nullptr,
                                             exact,
                                             state_size,
                                             leading_size,
@@ -163,6 +171,7 @@ class FunctionsOf {
                                             self_collision_gap,
                                             sound,
                                             reversible,
+                                            backing_body,
                                             body,
                                             place,
                                             derivative,

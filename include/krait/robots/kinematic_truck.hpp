@@ -47,7 +47,8 @@ struct KinematicTruckParameters {
 /// A car whose speed and steering angle change at once, and trailers that roll without slip. While a control is held it
 /// moves as a truck does whose speed and steering angle are held, which answers for its bodies, hitches and bounds. It
 /// owns its parameters and polygons and allocates nothing: 2 KB. Its members are those that RobotModel says; every
-/// function of a state is O(trailers), except those of the car alone: steer, track and integrate_lead, which are O(1).
+/// function of a state is O(trailers), except those of the car alone: track and integrate_lead, and steer, which are
+/// O(1).
 class KinematicTruck {
  public:
   using Parameters = KinematicTruckParameters;                        ///< what it is made from
@@ -81,11 +82,14 @@ class KinematicTruck {
   /// `heading`. O(trailers).
   void rest(Vec2 position, float heading, const float* angles, float* state) const;
 
-  /// Steers body 0 toward the target's point; its trailers bound how far the wheels turn.
+  /// The last trailer, where the truck can drive backwards and pulls at most three; else the car. O(1).
+  int backing_body() const;
+  /// Steers body 0 toward the target's point, backwards the backing body; trailers bound how far the wheels turn.
   void steer(StateView s, const Target& target, Steering& steering, ControlRef u) const;
-  /// The same, knowing body 0's frame.
+  /// The same, knowing the frames of all bodies.
   void steer(StateView s, const Pose* poses, const Target& target, Steering& steering, ControlRef u) const;
-  /// Brings the car back to its reference's line within half a dozen wheelbases. The trailers follow.
+  /// Brings the car back to its reference's line within half a dozen wheelbases. The trailers follow; backwards it
+  /// brings the backing body back to its line, and all hitches to the reference's.
   void track(StateView s, StateView reference, float dt, ControlRef u) const;
   /// As a chain's.
   float carry_errors(StateView s, const Pose* poses, ControlView u, float dt, float* errors) const;
@@ -131,6 +135,9 @@ class KinematicTruck {
 
  private:
   float steering_limit(StateView s, float heading_error, float speed) const;
+
+  // Radians to be added to the steering angle, so that trailers which are pushed `way` metres come back to a reference.
+  float pushing_change(StateView s, StateView reference, float way, float steering) const;
 
   float fastest() const {  // m/s
     const KinematicTruckParameters& p = parameters_;

@@ -128,6 +128,9 @@ concept StatesRates = requires(const R& robot, StateView s, ControlView u, float
 /// - `sound()`: whether its dimensions and limits can be used; init refuses it as bad_robot where they cannot. Without
 ///   it, they can
 /// - `reversible()`: whether it can drive backwards, at a target's speed below 0. Without it, it cannot
+/// - `backing_body()`: 0 to body_count() - 1: the body whose origin steer brings to the target's point when it drives
+///   backwards, as the last of the trailers that a truck pushes. Without it, body 0. The last metres to a pose are
+///   driven backwards by a robot of several bodies only where it is not 0
 /// - `self_collision_gap()`: at least 1: bodies i and j are tested against each other where |i - j| is at least this.
 ///   Without it, 2
 /// - `speed(s)`: m/s, at least 0: how fast it moves in s, 0 at rest. A plan then ends at rest, or as slow as
@@ -211,6 +214,14 @@ inline constexpr bool kAnswersProven = false;
 template <class R>
 inline constexpr bool kParks = requires(const R& robot) {
   { robot.reversible() } -> std::same_as<bool>;
+};
+
+/// Whether the search pushes the trailers of robots of the class R back to a pose: those whose backing_body is not 0. A
+/// program whose classes are all false does not contain the code for it. False of the library's models, but for truck
+/// and kinematic_truck.
+template <class R>
+inline constexpr bool kDocks = requires(const R& robot) {
+  { robot.backing_body() } -> std::same_as<int>;
 };
 
 }  // namespace krait

@@ -8,17 +8,27 @@
 
 namespace krait {
 
-/// A tractor with trailers: a chain that rolls without slip. Its members are the chain's.
+/// A tractor with trailers: a chain that rolls without slip. Its members are the chain's, but for these: backwards it
+/// leads the last of up to three trailers to the target's point.
 class Truck : public Chain {
  public:
   /// Copies the parameters; sound() says whether they can be used.
   explicit Truck(const ChainParameters& parameters) : Chain(parameters, false) {}
+
+  /// The last trailer, where the truck can drive backwards and pulls at most three; else the tractor. O(1).
+  int backing_body() const;
+  /// Steers the tractor as a chain does; backwards the backing body. O(1).
+  void steer(StateView s, const Target& target, Steering& steering, ControlRef u) const;
+  /// The same, knowing the frames of all bodies.
+  void steer(StateView s, const Pose* poses, const Target& target, Steering& steering, ControlRef u) const;
+  /// As a chain's; backwards it brings the backing body back to its reference's line, and all hitches to theirs.
+  void track(StateView s, StateView reference, float dt, ControlRef u) const;
 };
 
 /// Its answers need no second look.
 template <>
 inline constexpr bool kAnswersProven<Truck> = true;
-/// Its trailers are not pushed into narrow places.
+/// It pushes its trailers, and parks no otherwise.
 template <>
 inline constexpr bool kParks<Truck> = false;
 
