@@ -155,9 +155,8 @@ def rounds(protocol):
 
 
 def own(path, robot):
-    """A user's map and robot, by every planner that can drive it."""
-    planners = (*RIVALS, *(PEERS if robot.startswith("snake") else ()))
-    return [Cell(OWN + str(path), robot, planner) for planner in planners]
+    """A user's map and robot, by every planner."""
+    return [Cell(OWN + str(path), robot, planner) for planner in (*RIVALS, *PEERS)]
 
 
 EXPERIMENTS = {

@@ -56,9 +56,9 @@ DIFFERENCES = """## What differs from the paper
 PEERS_NOTE = """
 A control of theirs is a target point (the sampled state's, or uniform over the workspace and in 5 % of the draws the
 goal) and a speed, to which our PID controller steers for at most 40 steps (SyclopRRT 5, SST 80), in a fifth of the
-draws gently (SST never); with `-random`, an acceleration and a steering rate held for at most 20 steps and clipped to
-what the robot's limits allow. Sampled states are straight chains; the projection is the position. Each run of theirs is
-a new process, as it is of `fresh:adaptive`."""
+draws gently (SST never); with `-random`, the robot's own control (a chain's acceleration and steering rate) held for
+at most 20 steps and clipped to what the robot's limits allow. Sampled states are straight chains; the projection is the
+position. Each run of theirs is a new process, as it is of `fresh:adaptive`."""
 
 PARTS_NOTE = """
 Microseconds a search, the mean over the seeds. Steering, Runge-Kutta and collision are done again from a recording of

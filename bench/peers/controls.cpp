@@ -71,10 +71,11 @@ ob::RealVectorBounds control_bounds(const PeerProblem& problem) {
     bounds.high = {static_cast<double>(box.max.x), static_cast<double>(box.max.y), 1.0, 1.0};
     return bounds;
   }
-  const ChainParameters& p = problem.robot.parameters();
-  ob::RealVectorBounds bounds(2);
-  bounds.high = {static_cast<double>(p.max_acceleration), static_cast<double>(p.max_steering_rate)};
-  bounds.low = {-bounds.high[0], -bounds.high[1]};
+  ob::RealVectorBounds bounds(0);
+  for (const ControlAxis& axis : problem.robot.axes()) {
+    bounds.low.push_back(static_cast<double>(axis.low));
+    bounds.high.push_back(static_cast<double>(axis.high));
+  }
   return bounds;
 }
 

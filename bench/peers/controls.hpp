@@ -9,7 +9,7 @@
 
 namespace krait::bench {
 
-// ControlKind::pid: (x, y, share of the top speed, share of the sharpest turn); random: (acceleration, steering rate).
+// ControlKind::pid: (x, y, share of the top speed, share of the sharpest turn); random: the robot's own control.
 ompl::control::ControlSpacePtr control_space(const ompl::base::StateSpacePtr& states, const PeerProblem& problem);
 
 // Steers to the sampled state's position, with a random speed and sharpness, until there, in the goal, or at an

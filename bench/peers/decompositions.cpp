@@ -56,7 +56,7 @@ void TriangleDecomposition::getNeighbors(int region, std::vector<int>& neighbors
     const Index neighbor = problem_.scene.neighbor(triangle, edge);
     if (neighbor == kNone) continue;
     const float width = problem_.scene.portal_width(problem_.scene.portal(triangle, edge));
-    if (width >= problem_.robot.parameters().body_width) neighbors.push_back(static_cast<int>(neighbor));
+    if (width >= problem_.robot.width()) neighbors.push_back(static_cast<int>(neighbor));
   }
 }
 

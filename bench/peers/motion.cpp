@@ -14,30 +14,27 @@ using ValueControl = ompl::control::RealVectorControlSpace::ControlType;
 
 constexpr float kLimitRounding = 1e-5F;  // relative: how far inside its limits a random control keeps the state
 
-// The rate nearest to `wanted` that keeps a value within its limits for a step.
-float saturated(float wanted, float value, float low, float high, float dt) {
-  const float slack = kLimitRounding * (high - low);
-  return math::clamp(wanted, (low + slack - value) / dt, (high - slack - value) / dt);
+// The rate nearest to `wanted` that keeps a component within its limits for a step.
+float saturated(float wanted, float value, const ControlAxis& axis, float dt) {
+  const float slack = kLimitRounding * (axis.most - axis.least);
+  return math::clamp(wanted, (axis.least + slack - value) / dt, (axis.most - slack - value) / dt);
 }
 
 void random_control(const PeerProblem& problem, const float* state, const double* values, float* held) {
-  const ChainParameters& p = problem.robot.parameters();
-  const float dt = problem.parameters.dt;
-  const float acceleration = saturated(static_cast<float>(values[0]), state[3], p.min_speed, p.max_speed, dt);
-  const float rate = saturated(static_cast<float>(values[1]), state[4], -p.max_steering, p.max_steering, dt);
-  held[0] = math::clamp(acceleration, -p.max_acceleration, p.max_acceleration);
-  held[1] = math::clamp(rate, -p.max_steering_rate, p.max_steering_rate);
+  for (const ControlAxis& axis : problem.robot.axes()) {
+    const auto wanted = static_cast<float>(*values++);
+    const float kept =
+        axis.component < 0 ? wanted : saturated(wanted, state[axis.component], axis, problem.parameters.dt);
+    *held++ = math::clamp(kept, axis.low, axis.high);
+  }
 }
 
-// The controller starts afresh in every step: OMPL's propagators are functions of state and control.
 void steered_control(const PeerProblem& problem, const float* state, const double* values, float* held) {
   const Target target{{static_cast<float>(values[0]), static_cast<float>(values[1])},
                       static_cast<float>(values[2]),
                       problem.parameters.dt,
                       static_cast<float>(values[3])};
-  Steering steering;
-  problem.robot.steer(StateView(state, problem.robot.state_size()), target, steering,
-                      ControlRef(held, problem.robot.control_size()));
+  problem.robot.steer(state, target, held);
 }
 
 }  // namespace
@@ -51,13 +48,14 @@ void robot_control(const PeerProblem& problem, const float* state, const ompl::c
   }
 }
 
-PeerMotion::PeerMotion(const PeerProblem& problem, Stop stop) : problem_(problem), stop_(stop) {
-  check_.assign(problem.robot, problem.scene, problem.parameters.clearance,
+PeerMotion::PeerMotion(const PeerProblem& problem, Stop stop)
+    : problem_(problem), robot_(problem.robot.core()), stop_(stop) {
+  check_.assign(robot_, problem.scene, problem.parameters.clearance,
                 static_cast<int>(problem.parameters.tuning.max_substeps), true);
 }
 
 void PeerMotion::take_step(const PeerState& from, const ompl::control::Control* control, PeerState& to) {
-  std::copy(from.values, from.values + problem_.robot.state_size(), last_.from);
+  std::copy(from.values, from.values + robot_.state_size(), last_.from);
   last_.from_origin = from.origin;
   last_.target_distance = kInfinity;
   if (problem_.controls == ControlKind::pid) {
@@ -66,7 +64,7 @@ void PeerMotion::take_step(const PeerState& from, const ompl::control::Control* 
     last_.target_distance = length(target - from.position());
   }
   robot_control(problem_, last_.from, control, last_.held);
-  detail::propagate(problem_.robot, last_.from, last_.held, problem_.parameters.dt, to.values);
+  detail::propagate(robot_, last_.from, last_.held, problem_.parameters.dt, to.values);
   to.origin = ++last_.number;
 }
 
@@ -78,22 +76,20 @@ bool PeerMotion::valid(const PeerState& state) {
 
 bool PeerMotion::at_rest_valid(const PeerState& state) {
   proven_ = PeerState::kSampled;
-  const StateView values(state.values, problem_.robot.state_size());
-  return problem_.scene.inside_bounds(state.position()) && problem_.robot.within_limits(values) &&
+  return problem_.scene.inside_bounds(state.position()) && robot_.within_limits(state.values) &&
          check_.free(state.values);
 }
 
 bool PeerMotion::ended_before_last_step() const {
   if (stop_ == Stop::never) return false;
-  const float near = problem_.parameters.tuning.near_radius * detail::robot_length(problem_.robot);
+  const float near = problem_.parameters.tuning.near_radius * detail::robot_length(robot_);
   return (stop_ == Stop::at_target && last_.target_distance <= near) ||
          in_goal(problem_, {last_.from[0], last_.from[1]});
 }
 
 bool PeerMotion::last_step_free(const PeerState& to) {
   if (ended_before_last_step()) return false;
-  const StateView after(to.values, problem_.robot.state_size());
-  if (!problem_.robot.within_limits(after) || !problem_.scene.inside_bounds(to.position())) return false;
+  if (!robot_.within_limits(to.values) || !problem_.scene.inside_bounds(to.position())) return false;
   const float dt = problem_.parameters.dt;
   const bool goes_on = last_.from_origin == proven_ && proven_ != PeerState::kSampled;
   if (!goes_on) check_.begin(last_.from);

@@ -32,9 +32,9 @@ class PeerMotion {
   struct Step {
     std::uint64_t number = PeerState::kSampled;
     std::uint64_t from_origin;
-    float from[Snake::kMaxState];
+    float from[kMaxState];
     float target_distance;  // from where the step begins
-    float held[Snake::kMaxControl];
+    float held[kMaxControl];
   };
 
   bool at_rest_valid(const PeerState& state);
@@ -42,6 +42,7 @@ class PeerMotion {
   bool last_step_free(const PeerState& to);
 
   const PeerProblem& problem_;
+  const Robot robot_;
   const Stop stop_;
   test::InOwnMemory<detail::MotionCheck> check_;
   Step last_;

@@ -87,7 +87,8 @@ PeerPlanner with_random_controls(PeerPlanner planner) {
   planner.name += "-random";
   planner.controls = ControlKind::random;
   if (planner.stop == Stop::at_target) planner.stop = Stop::in_goal;
-  planner.tuning = {.max_steps = 20, .heading_weight = planner.tuning.heading_weight};
+  planner.tuning = {
+      .max_steps = 20, .heading_weight = planner.tuning.heading_weight, .rest_weight = planner.tuning.rest_weight};
   return planner;
 }
 
@@ -107,7 +108,13 @@ std::vector<PeerPlanner> all_planners() {
        {.gentle_share = 0.2, .cell_lengths = 2},
        make_est,
        "range 20 m, cells of twice the robot's length"},
-      {"PDST", pid, Stop::in_goal, {.gentle_share = 0.2}, make_pdst, "on the plane, goal bias 5 %"},
+      // It looks a motion's states up by their distance. Those of a robot that turns on the spot differ in no position.
+      {"PDST",
+       pid,
+       Stop::in_goal,
+       {.gentle_share = 0.2, .heading_weight = 1, .rest_weight = 1},
+       make_pdst,
+       "on the plane, goal bias 5 %"},
       {"SST",
        pid,
        Stop::never,

@@ -6,6 +6,7 @@
 
 #include "host/rivals/rival.hpp"
 #include "krait/krait.hpp"
+#include "peers/peer_robot.hpp"
 
 namespace krait::bench {
 
@@ -29,6 +30,7 @@ struct PeerTuning {
   double slowest = rivals::kRivalsSlowest;  // speeds are uniform from this share of the top speed to all of it
   double gentle_share = 0;                  // of the controls that turn gently, as a share of krait's own do
   double heading_weight = 0;                // metres that a radian counts in PeerSpace's distance
+  double rest_weight = 0;                   // metres that a unit of any other component counts there
   double range = 20;                        // m, EST samples so near
   double selection_radius = 1;              // m, SST's
   double pruning_radius = 0.3;              // m, SST's
@@ -38,7 +40,7 @@ struct PeerTuning {
 
 // Everything outlives the planners that use it. Coordinates are the scene's own.
 struct PeerProblem {
-  const Snake& robot;
+  const PeerRobot& robot;
   const Scene& scene;
   Goal goal;
   float goal_depth;  // metres inside the goal where a plan may end
@@ -67,7 +69,7 @@ struct PeerState : ompl::base::State {
   static constexpr std::uint64_t kSampled = 0;
   static constexpr std::uint64_t kAssumed = ~std::uint64_t{0};  // valid without a check: samples of the goal
 
-  float values[Snake::kMaxState];
+  float values[kMaxState];
   std::uint64_t origin;  // kSampled, kAssumed, or the number of the step that ends here
 
   Vec2 position() const { return {values[0], values[1]}; }

@@ -25,7 +25,7 @@ using Clock = std::chrono::steady_clock;
 
 double since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
-PeerProblem problem_of(const PeerPlanner& planner, const Snake& robot, const Scene& scene,
+PeerProblem problem_of(const PeerPlanner& planner, const PeerRobot& robot, const Scene& scene,
                        const host::ResolvedQuery& query, const Parameters& parameters, const PeerTuning& tuning) {
   const float tenth = 0.1F * query.goal.size(scene);
   const float depth = parameters.goal_margin < tenth ? parameters.goal_margin : tenth;
@@ -79,16 +79,17 @@ class PeerSearch {
   // The plan step by step, by the same arithmetic as in the search.
   void take_plan_out(host::PlanFile& plan) const {
     const auto& path = *definition_->getSolutionPath()->as<oc::PathControl>();
-    const auto size = static_cast<std::size_t>(problem_.robot.state_size());
+    const Robot robot = problem_.robot.core();
+    const auto size = static_cast<std::size_t>(robot.state_size());
     std::vector<float> state(peer(path.getState(0)).values, peer(path.getState(0)).values + size);
-    std::vector<float> held(static_cast<std::size_t>(problem_.robot.control_size()));
+    std::vector<float> held(static_cast<std::size_t>(robot.control_size()));
     plan.states.push_back(state);
     for (std::size_t i = 0; i < path.getControlCount(); ++i) {
       const long steps = std::lround(path.getControlDuration(static_cast<unsigned int>(i)) / plan.dt);
       for (long step = 0; step < steps && !in_goal(problem_, {state[0], state[1]}); ++step) {
         robot_control(problem_, state.data(), path.getControl(static_cast<unsigned int>(i)), held.data());
         std::vector<float> next(size);
-        detail::propagate(problem_.robot, state.data(), held.data(), problem_.parameters.dt, next.data());
+        detail::propagate(robot, state.data(), held.data(), problem_.parameters.dt, next.data());
         state = next;
         plan.controls.push_back(held);
         plan.states.push_back(state);
@@ -121,11 +122,6 @@ nlohmann::ordered_json statistics_of(const host::PlanFile& plan, double seconds,
           {"plan_duration_s", plan.dt * static_cast<double>(plan.controls.size())}};
 }
 
-Snake snake_of(const host::SearchRequest& request) {
-  if (request.robot.model != "snake") throw host::InputError("the peers drive a snake, not a " + request.robot.model);
-  return *host::CoreRobot(request.robot).as<Snake>();
-}
-
 }  // namespace
 
 host::SearchResult solve(const PeerPlanner& planner, const PeerTuning& tuning, const std::string& scene_path,
@@ -133,8 +129,8 @@ host::SearchResult solve(const PeerPlanner& planner, const PeerTuning& tuning, c
   ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(request.seed));
   const Clock::time_point begin = Clock::now();
   const Scene scene = host::open_scene(scene_path, bytes);
-  const Snake robot = snake_of(request);
-  const host::ResolvedQuery query = host::resolve(scene, robot, request);
+  const PeerRobot robot(request.robot);
+  const host::ResolvedQuery query = host::resolve(scene, robot.core(), request);
   const PeerProblem problem = problem_of(planner, robot, scene, query, request.parameters, tuning);
   PeerSearch search(planner, problem, query.start);
   if (!search.start_is_free()) throw host::InputError("start_in_collision: the robot cannot stand at the start");

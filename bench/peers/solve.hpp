@@ -7,8 +7,8 @@
 
 namespace krait::bench {
 
-// The request's robot is a snake; memory, iterations and the name of the planner have no effect. Throws
-// host::InputError where start, goal or robot cannot be used. Only the first call of a process is reproducible: OMPL
+// Memory, iterations and the name of the planner have no effect. Throws host::InputError where start, goal or robot
+// cannot be used. Only the first call of a process is reproducible: OMPL
 // seeds its random numbers once.
 host::SearchResult solve(const PeerPlanner& planner, const PeerTuning& tuning, const std::string& scene_path,
                          const host::SceneBytes& bytes, const host::SearchRequest& request);

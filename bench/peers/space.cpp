@@ -54,7 +54,8 @@ class PositionProjection : public ob::ProjectionEvaluator {
 
   unsigned int getDimension() const override { return 2; }
   void defaultCellSizes() override {
-    cellSizes_.assign(2, problem_.tuning.cell_lengths * static_cast<double>(detail::robot_length(problem_.robot)));
+    cellSizes_.assign(2,
+                      problem_.tuning.cell_lengths * static_cast<double>(detail::robot_length(problem_.robot.core())));
     const Box bounds = problem_.scene.bounds();
     bounds_.resize(2);
     bounds_.low = {static_cast<double>(bounds.min.x), static_cast<double>(bounds.min.y)};
@@ -73,16 +74,19 @@ class PositionProjection : public ob::ProjectionEvaluator {
 }  // namespace
 
 void place_straight(const PeerProblem& problem, Vec2 at, float heading, float speed_share, PeerState& state) {
-  problem.robot.rest(at, heading, nullptr, state.values);
-  state.values[3] = speed_share * problem.robot.parameters().max_speed;
+  problem.robot.drive_straight(at, heading, speed_share, state.values);
   state.origin = PeerState::kSampled;
 }
 
-PeerSpace::PeerSpace(const PeerProblem& problem) : problem_(problem), heading_weight_(problem.tuning.heading_weight) {
+PeerSpace::PeerSpace(const PeerProblem& problem)
+    : problem_(problem),
+      robot_(problem.robot.core()),
+      heading_weight_(problem.tuning.heading_weight),
+      rest_weight_(problem.tuning.rest_weight) {
   setName("robot");
 }
 
-unsigned int PeerSpace::getDimension() const { return static_cast<unsigned int>(problem_.robot.state_size()); }
+unsigned int PeerSpace::getDimension() const { return static_cast<unsigned int>(robot_.state_size()); }
 
 double PeerSpace::getMaximumExtent() const {
   return static_cast<double>(length(extent(problem_.scene))) + heading_weight_ * M_PI;
@@ -94,8 +98,7 @@ double PeerSpace::getMeasure() const {
 }
 
 bool PeerSpace::satisfiesBounds(const ob::State* state) const {
-  const StateView values(peer(state).values, problem_.robot.state_size());
-  return problem_.scene.inside_bounds(peer(state).position()) && problem_.robot.within_limits(values);
+  return problem_.scene.inside_bounds(peer(state).position()) && robot_.within_limits(peer(state).values);
 }
 
 void PeerSpace::copyState(ob::State* destination, const ob::State* source) const {
@@ -103,11 +106,23 @@ void PeerSpace::copyState(ob::State* destination, const ob::State* source) const
   peer(destination).origin = peer(source).origin;
 }
 
+// By the components behind position and heading.
+double PeerSpace::rest_apart(const ob::State* a, const ob::State* b) const {
+  double sum = 0;
+  for (unsigned int i = 3; i < getDimension(); ++i) {
+    sum += std::abs(static_cast<double>(peer(a).values[i] - peer(b).values[i]));
+  }
+  return sum;
+}
+
 double PeerSpace::distance(const ob::State* a, const ob::State* b) const {
-  const auto apart = static_cast<double>(length(peer(a).position() - peer(b).position()));
-  if (heading_weight_ == 0) return apart;
-  const double turn = std::remainder(static_cast<double>(peer(a).values[2] - peer(b).values[2]), 2 * M_PI);
-  return apart + heading_weight_ * std::abs(turn);
+  auto sum = static_cast<double>(length(peer(a).position() - peer(b).position()));
+  if (heading_weight_ != 0) {
+    const double turn = std::remainder(static_cast<double>(peer(a).values[2] - peer(b).values[2]), 2 * M_PI);
+    sum += heading_weight_ * std::abs(turn);
+  }
+  if (rest_weight_ != 0) sum += rest_weight_ * rest_apart(a, b);
+  return sum;
 }
 
 bool PeerSpace::equalStates(const ob::State* a, const ob::State* b) const {

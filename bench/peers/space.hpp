@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The robot's states for OMPL: their distance, samples (straight chains at rest steering) and projection to the plane.
+// The robot's states for OMPL: their distance, samples (bodies in a line that drive straight on) and projection to the
+// plane.
 #pragma once
 
 #include <ompl/base/ProjectionEvaluator.h>
@@ -12,7 +13,7 @@
 
 namespace krait::bench {
 
-// Distance: metres between positions, plus the tuning's `heading_weight` metres a radian between headings.
+// Distance: metres between positions, plus what the tuning lets the headings and the other components count.
 class PeerSpace : public ompl::base::StateSpace {
  public:
   explicit PeerSpace(const PeerProblem& problem);
@@ -34,11 +35,15 @@ class PeerSpace : public ompl::base::StateSpace {
   void registerProjections() override;
 
  private:
+  double rest_apart(const ompl::base::State* a, const ompl::base::State* b) const;
+
   const PeerProblem& problem_;
+  const Robot robot_;
   double heading_weight_;
+  double rest_weight_;
 };
 
-// A straight chain of this heading, its head at `at`, driving straight on at a share of its top speed.
+// A state that no step has reached: PeerRobot::drive_straight.
 void place_straight(const PeerProblem& problem, Vec2 at, float heading, float speed_share, PeerState& state);
 
 class PeerGoal : public ompl::base::GoalSampleableRegion {

@@ -681,9 +681,9 @@ class Experiments(unittest.TestCase):
         self.assertNotIn(Cell("rooms", "snake:15", "ompl:SyclopEST"), rounds)
         self.assertEqual(rounds[OURS], 200)
 
-    def test_of_a_users_own_have_peers_where_they_can_drive(self):
-        self.assertEqual(len(experiments.own("map.png", "car")), len(experiments.RIVALS))
-        self.assertGreater(len(experiments.own("map.png", "snake:3")), 10)
+    def test_of_a_users_own_have_every_planner(self):
+        planners = [cell.planner for cell in experiments.own("map.png", "car")]
+        self.assertEqual(planners, [*experiments.RIVALS, *experiments.PEERS])
 
 
 if __name__ == "__main__":

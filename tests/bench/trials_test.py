@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The benchmark programs: trials_test.py BIN. The verifier accepts every planner's plan; bad input is refused."""
 
+import itertools
 import json
 import subprocess
 import sys
@@ -161,6 +162,15 @@ class Trials(unittest.TestCase):
             self.assertEqual(result.returncode, 2)
             self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
             self.assertIn(words, result.stderr)
+
+    @unittest.skipUnless(PEERS.exists(), "built without OMPL (bench/packages)")
+    def test_peers_drive_every_model(self):
+        models = ("truck:1", "kinematic_truck:2", "car", "unicycle", "unicycle2", "diff_drive")
+        for robot, planner in itertools.product(models, ("KPIECE1", "SyclopEST", "PDST-random")):
+            with self.subTest(f"{robot}, {planner}"):
+                [answer] = self.answers(PEERS, planner, [{"trial": 1, "seed": 4}], robot=robot)
+                self.assertEqual(answer["status"], "solved")
+                self.assertTrue(answer["verified"], answer.get("complaint"))
 
     @unittest.skipUnless(PEERS.exists(), "built without OMPL (bench/packages)")
     def test_peers_are_tuned_and_refuse_what_they_do_not_have(self):
