@@ -3,7 +3,9 @@
 variables, and the searches of fixed seeds are counted. Writes the table of bench/ABLATIONS.md, section "Constants";
 with names of constants, their rows only. What is 5 % better in both halves of the seeds it reports on standard error.
 --check compares the table with the sources instead, and looks for constants that are neither measured nor argued for;
-exit code of that: 0 none, 1 some. The working folder is the project's. Usage: constants.py [--check | NAME…]"""
+exit code of that: 0 none, 1 some. --known only looks whether there are constants of these names; exit code: 0 there are,
+2 there are not. The working folder is the project's."""
+import argparse
 import math
 import os
 import re
@@ -281,9 +283,20 @@ def check(constants):
     return 1 if wrong else 0
 
 
-def main(names):
-    constants = listed()
-    if names == ["--check"]:
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("names", nargs="*", metavar="NAME")
+    parser.add_argument("--check", action="store_true")
+    parser.add_argument("--known", action="store_true")
+    options = parser.parse_args()
+    constants, names = listed(), options.names
+    known = {constant.name for constant in constants}
+    for name in names:
+        if name not in known:
+            parser.error(f"'{name}' is no constant: {', '.join(sorted(known))}")
+    if options.known:
+        return 0
+    if options.check:
         return check(constants)
     WORK.mkdir(parents=True, exist_ok=True)
     build(constants)
@@ -296,4 +309,4 @@ def main(names):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(main())

@@ -219,11 +219,14 @@ def main():
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("--print", action="store_true", dest="only_print")
     parser.add_argument("--improve", action="store_true", help="the table of improvement only")
+    parser.add_argument("--only-parse", action="store_true", help="only look whether the arguments can be used")
     parser.add_argument("builds", nargs="*", metavar="BUILD", help=", ".join(BUILDS))
     arguments = parser.parse_intermixed_args()
     for name in arguments.builds:
         if name.rpartition("-")[0] not in CORES:
             parser.error(f"'{name}' is no build: {', '.join(BUILDS)}")
+    if arguments.only_parse:
+        return
     parts = {}
     if not arguments.improve:
         parts[MARKS] = report([Build(name, arguments.folder) for name in arguments.builds or BUILDS])

@@ -488,7 +488,7 @@ class ProgressShown(unittest.TestCase):
 @unittest.skipUnless(HAS_MATPLOTLIB, "bench/run's program draws")
 class CommandLine(unittest.TestCase):
     def refusal(self, *arguments):
-        from harness.__main__ import parse
+        from harness.arguments import parse
 
         with contextlib.redirect_stderr(io.StringIO()) as complaint, self.assertRaises(SystemExit) as ended:
             parse(list(arguments))
@@ -505,7 +505,7 @@ class CommandLine(unittest.TestCase):
             only(kept, ["best"])
 
     def test_reads_a_shard(self):
-        from harness.__main__ import parse, shard_of
+        from harness.arguments import parse, shard_of
 
         self.assertEqual(parse(["goals", "--shard", "2/4"]).shard, Shard(2, 4))
         for text in ("0/4", "5/4", "2", "a/b", "1/0"):

@@ -3,7 +3,8 @@
 """Whether the includes follow the layers: no file and no folder includes itself, directly or round about, the core
 includes nothing of the workstation, none of the core's layers includes one above it, what is installed is what the list
 here says, and no header that is installed includes one that is not. Prints what breaks a rule. Exit code: 0 none does,
-1 some do. Usage: check.py [ROOT]"""
+1 some do."""
+import argparse
 import re
 import subprocess
 import sys
@@ -130,7 +131,9 @@ def complaints_of_the_face(root, names, pairs):
 
 
 def main():
-    root = Path(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).parents[2]).resolve()
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("root", nargs="?", type=Path, default=Path(__file__).parents[2], help="default: the project's")
+    root = parser.parse_args().root.resolve()
     names = sources(root)
     pairs = includes(root, names)
     if len(pairs) < 100:

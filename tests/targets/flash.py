@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the planner takes of the flash of a linked firmware: what came out of the library, and the model's instance of
 it. Reads the linker's map, PROGRAM.elf.map (LDFLAGS=-Wl,-Map=FOLDER). Prints the bytes, or with a limit whether they
-keep it. Exit code: 0 they do, 1 they do not, 2 there is no map: python3 tests/targets/flash.py PROGRAM.elf [LIMIT]"""
+keep it. Exit code: 0 they do, 1 they do not, 2 there is no map."""
+import argparse
 import re
 import sys
 from pathlib import Path
@@ -20,7 +21,11 @@ def planner_flash(program):
 
 
 def main():
-    program, limits = sys.argv[1], [int(word) for word in sys.argv[2:]]
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("program", metavar="PROGRAM.elf")
+    parser.add_argument("limit", nargs="?", type=int, help="bytes")
+    options = parser.parse_args()
+    program, limit = options.program, options.limit
     try:
         count = planner_flash(program)
     except OSError as error:
@@ -29,8 +34,8 @@ def main():
     if count == 0:
         print(f"{program}.map: nothing of the library is in it", file=sys.stderr)
         sys.exit(2)
-    print(f"planner: {count} bytes of flash" + (f" of at most {limits[0]}" if limits else ""))
-    sys.exit(1 if limits and count > limits[0] else 0)
+    print(f"planner: {count} bytes of flash" + ("" if limit is None else f" of at most {limit}"))
+    sys.exit(1 if limit is not None and count > limit else 0)
 
 
 if __name__ == "__main__":

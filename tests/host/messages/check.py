@@ -8,6 +8,7 @@
 A block of the table is a command, what it prints on both streams, and its exit code. Commands run in a folder that has
 the files below. Exits 1 where a block differs, and prints how.
 """
+import argparse
 import difflib
 import json
 import os
@@ -120,7 +121,11 @@ def answer(command, folder, environment):
 
 
 def main():
-    programs = pathlib.Path(sys.argv[1]).resolve()
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("programs", type=pathlib.Path, metavar="BIN")
+    parser.add_argument("--update", action="store_true")
+    options = parser.parse_args()
+    programs = options.programs.resolve()
     environment = {**os.environ, "PATH": f"{programs}:{os.environ['PATH']}"}
     require_programs(programs, environment["PATH"])
     blocks, wrong = [], 0
@@ -136,7 +141,7 @@ def main():
             if said != expected:
                 wrong += 1
                 print("$ " + command, *list(difflib.ndiff(expected, said)), sep="\n")
-    if sys.argv[2:] == ["--update"]:
+    if options.update:
         TABLE.write_text("\n\n".join(blocks) + "\n")
         return 0
     print(f"{wrong} of {len(blocks)} blocks differ" if wrong else "every message is as the table has it")
