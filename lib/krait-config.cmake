@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# find_package(krait [COMPONENTS cxx c robot_check]): the targets krait::krait (cxx) and krait::robot_check
-# (robot_check), which need Eigen's headers, and krait::c (c), which needs nothing. Without COMPONENTS: cxx, and the
-# others where they are installed.
+# find_package(krait [COMPONENTS cxx c robot_check c_robot_check]): the targets krait::krait (cxx) and
+# krait::robot_check (robot_check), which need Eigen's headers, and krait::c (c) and krait::c_robot_check
+# (c_robot_check), which do not. Without COMPONENTS: cxx, and the others where they are installed.
 include(CMakeFindDependencyMacro)
 set(krait_wanted ${krait_FIND_COMPONENTS})
 if(NOT krait_wanted)
@@ -13,9 +13,12 @@ endif()
 include(${CMAKE_CURRENT_LIST_DIR}/krait-targets.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/krait-c-targets.cmake OPTIONAL)
 include(${CMAKE_CURRENT_LIST_DIR}/krait-robot-check-targets.cmake OPTIONAL)
+if(TARGET krait::c AND TARGET krait::robot_check)
+  include(${CMAKE_CURRENT_LIST_DIR}/krait-c-robot-check-targets.cmake OPTIONAL)
+endif()
 
 set(krait_cxx_FOUND TRUE)
-foreach(component IN ITEMS c robot_check)
+foreach(component IN ITEMS c robot_check c_robot_check)
   if(TARGET krait::${component})
     set(krait_${component}_FOUND TRUE)
   endif()
@@ -24,8 +27,8 @@ foreach(component IN LISTS krait_wanted)
   if(krait_FIND_REQUIRED_${component} AND NOT krait_${component}_FOUND)
     set(krait_FOUND FALSE)
     set(krait_NOT_FOUND_MESSAGE
-      "krait's component ${component} is not installed here (there are cxx and, once its target krait_c or \
-krait_robot_check is built, c or robot_check)")
+      "krait's component ${component} is not installed here (there are cxx and, once its target krait_c, \
+krait_robot_check or krait_c_robot_check is built, c, robot_check or c_robot_check)")
   endif()
 endforeach()
 unset(krait_wanted)

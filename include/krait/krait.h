@@ -2,7 +2,7 @@
 /** \file
     krait in C: the adaptive planner, its robots and your own behind plain structs. Nothing allocates; all memory
     is the caller's. The program needs no C++ run-time library, and no special compiler flags but for a robot of your
-    own: link krait::c (-lkrait_c -lkrait).
+    own: link krait::c (-lkrait_c -lkrait). The two functions at the end are for workstations.
 
     Metres, radians, seconds. Positions are in the scene's local coordinates. A pointer argument must not be NULL
     where nothing else is said, and what lies there is read during the call only. R is the number of the scene's
@@ -266,8 +266,8 @@ static inline bool krait_exact(void) {
     which must outlive the planner. Arrays are the caller's: states (s, next, reference, ds) have state_size floats,
     controls (u) control_size, frames, travel and rates one element a body; what a function writes to it writes in full.
     State components 0 and 1 are the position in metres, local coordinates. dt is seconds. A planner calls them during
-    its own calls only, derivative most of all. On a workstation, check_robot of krait/robot_check.hpp says where one
-    breaks what is said here. */
+    its own calls only, derivative most of all. On a workstation, krait_check_robot says where one breaks what is said
+    here. */
 typedef struct krait_functions {
   bool (*exact)(void); /**< krait_exact, of the file that the functions stand in */
   int state_size;      /**< 2 to KRAIT_MAX_STATE */
@@ -631,6 +631,45 @@ bool krait_next(krait_planner* planner, float* state, float* control);
 
 /** Lets krait_next begin again with the first state, as krait_start does. O(1). */
 void krait_rewind(krait_planner* planner);
+
+/* ---- A robot of your own, held to what it promises: on a workstation ---- */
+/* These two are in an archive of their own, krait::c_robot_check (-lkrait_c_robot_check -lkrait_robot_check, before the
+   others), which allocates and needs C++'s run-time library. */
+
+/** From low to high, both included. */
+typedef struct krait_range {
+  float low;  /**< in the component's own unit */
+  float high; /**< likewise, not below low */
+} krait_range;
+
+/** Where a robot's states and controls lie, in its own units, and what holds of it. Nothing in it is owned. */
+typedef struct krait_ranges {
+  const krait_range* state;   /**< one a component; drawn evenly, but for the position now and then at the ends */
+  const krait_range* control; /**< one a component: the limits that steer keeps to; drawn likewise */
+  const float* dt;            /**< seconds: the time steps to be tried */
+  uint32_t dt_count;          /**< of them; 0: 0.1 s alone */
+  /** The components of the state that are headings, in radians: turning the robot adds to them and changes nothing else
+      but the position. Whether it moves alike in every direction is checked where there are any. */
+  const int* headings;
+  uint32_t heading_count; /**< of them, or 0 */
+  bool anywhere;          /**< default true: whether it moves alike wherever it stands, which is checked then */
+  float leaving,  /**< 0 to 1, default 0: share of steered steps that may leave the limits, as where hitches fold */
+      step_rate,  /**< 0 or more, default 0.32: Runge-Kutta steps of step_rate / fastest_rate(dt) seconds, and of
+                       at most dt, are to be accurate to step_error; 0: not checked */
+      step_error; /**< metres and radians, 0 or more, default 5e-4 */
+  /** Makes a state of the numbers that were drawn, where components depend on each other; NULL: they are the state. */
+  void (*arrange)(const void* self, float* state);
+  const void* self; /**< what arrange is called with; may be NULL */
+} krait_ranges;
+/** All fields with their defaults; both arrays must stay. O(1). */
+krait_ranges krait_default_ranges(const krait_range* state, const krait_range* control);
+
+/** Draws so many states and controls from the ranges, and returns how many promises of krait_functions the robot breaks
+    at one; 0: none was found to be broken, which is no proof. Writes a line for each into `text`: what is broken, by
+    how much and where in the worst case, and what to do. It writes at most `bytes`, the zero at the end among them;
+    `text` may be NULL where `bytes` is 0. The same for the same seed. Work: some thousand derivatives a sample. */
+uint32_t krait_check_robot(const krait_robot* robot, const krait_ranges* ranges, uint32_t samples, uint64_t seed,
+                           char* text, size_t bytes);
 
 #ifdef __cplusplus
 }

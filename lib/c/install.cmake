@@ -10,3 +10,17 @@ install(FILES ${PROJECT_SOURCE_DIR}/include/krait/krait.h DESTINATION ${CMAKE_IN
 install(EXPORT krait-c-targets NAMESPACE krait:: DESTINATION ${package_folder})
 configure_file(krait-c.pc.in krait-c.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/krait-c.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+if(NOT TARGET krait_c_robot_check)
+  return()
+endif()
+install(CODE "if(NOT EXISTS \"$<TARGET_FILE:krait_c_robot_check>\")
+  message(STATUS \"Not installed: the check of robots in C, which is not built (target krait_c_robot_check)\")
+  return()
+endif()")
+
+install(TARGETS krait_c_robot_check EXPORT krait-c-robot-check-targets INCLUDES
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(EXPORT krait-c-robot-check-targets NAMESPACE krait:: DESTINATION ${package_folder})
+configure_file(krait-c-robot-check.pc.in krait-c-robot-check.pc @ONLY)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/krait-c-robot-check.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

@@ -63,7 +63,7 @@ void check_leaving(Findings& findings, const RobotRanges& ranges, const SteeredS
   findings.add("steer", "leaving",
                "of " + std::to_string(counted.all) + " steered steps " + number(100 * share) +
                    " % lead beyond the limits, more than the " + number(100 * static_cast<double>(ranges.leaving)) +
-                   " % of RobotRanges::leaving. Each ends an expansion of the search.");
+                   " % that the ranges allow as `leaving`. Each ends an expansion of the search.");
 }
 
 }  // namespace krait::detail::checking

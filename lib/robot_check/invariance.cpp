@@ -34,7 +34,7 @@ std::vector<float> moved(const std::vector<float>& state, const Move& move, cons
 }
 
 constexpr const char* kAlike =
-    "The robot must move alike there; if it need not, RobotRanges::anywhere and headings say so.";
+    "The robot must move alike there; if it need not, `anywhere` and `headings` of the ranges say so.";
 
 void check_derivative_moved(const Case& c, const Move& move, const std::vector<float>& there) {
   const std::vector<float> here = derivative_of(c.robot, c.sample.state, c.sample.control);

@@ -47,24 +47,42 @@ class RobotCheck {
   bool usable() {
     const Argument bad = first_bad_of_robot(robot_);
     if (bad != Argument::none) {
+      findings_.add("body", to_string(bad),
+                    "init refuses the robot: " + std::string(to_string(bad)) +
+                        ". robot_dimensions: sound() is false, or in C a function that it needs is NULL; robot_sizes: "
+                        "a size is beyond its maximum; robot_polygon: a body "
+                        "has not 3 to 8 vertices, convex and counter-clockwise.");
+      return false;
+    }
+    if (!robot_.exact()) {
       findings_.add(
-          "body", to_string(bad),
-          "init refuses the robot: " + std::string(to_string(bad)) +
-              ". robot_dimensions: sound() is false; robot_sizes: a size is beyond its maximum; robot_polygon: a body "
-              "has not 3 to 8 vertices, convex and counter-clockwise.");
+          "exact", "arithmetic",
+          "init refuses the robot: its file was not compiled with -ffp-contract=off, or with other flags that "
+          "change what floats compute.");
       return false;
     }
     const bool fit = ranges_.state.size() == static_cast<std::size_t>(robot_.state_size()) &&
                      ranges_.control.size() == static_cast<std::size_t>(robot_.control_size()) && !ranges_.dt.empty();
     if (!fit) {
       findings_.add("ranges", "sizes",
-                    "RobotRanges has " + std::to_string(ranges_.state.size()) + " ranges of states, " +
+                    "there are " + std::to_string(ranges_.state.size()) + " ranges of states, " +
                         std::to_string(ranges_.control.size()) + " of controls and " +
                         std::to_string(ranges_.dt.size()) + " time steps; the robot has " +
                         std::to_string(robot_.state_size()) + " and " + std::to_string(robot_.control_size()) +
                         ", and one time step is needed.");
     }
-    return fit;
+    return fit && headings_fit();
+  }
+
+  bool headings_fit() {
+    for (const int i : ranges_.headings) {
+      if (i >= 2 && i < robot_.state_size()) continue;
+      findings_.add("ranges", "headings",
+                    "component " + std::to_string(i) + " of the state is named a heading; those from 2 to " +
+                        std::to_string(robot_.state_size() - 1) + " may be one.");
+      return false;
+    }
+    return true;
   }
 
   // A state within the limits; empty after many in vain.
@@ -76,8 +94,8 @@ class RobotCheck {
     }
     findings_.add("within_limits", "ranges",
                   "of " + std::to_string(kTries) +
-                      " states that were drawn from the ranges none is within the limits: narrow RobotRanges::state, "
-                      "or set RobotRanges::arrange.");
+                      " states that were drawn from the ranges none is within the limits: narrow the ranges of the "
+                      "state, or set `arrange`.");
     return {};
   }
 

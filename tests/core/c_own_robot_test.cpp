@@ -3,10 +3,12 @@
 // refused.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <vector>
 
 #include "krait/krait.h"
+#include "krait/robot_check.hpp"
 #include "planner_fixture.hpp"
 
 namespace krait::test {
@@ -315,6 +317,123 @@ TEST(OwnRobotInC, InAFileWithOtherArithmeticIsRefused) {
   EXPECT_EQ(InC(f, 0).failure().status, KRAIT_BAD_ARITHMETIC);
   f.exact = [] { return false; };
   EXPECT_EQ(InC(f, 0).failure().status, KRAIT_BAD_ARITHMETIC);
+}
+
+// Of the robots above with two trailers, whose headings are drawn as hitch angles.
+class Checked {
+ public:
+  explicit Checked(const krait_functions& functions) : functions_(functions) {
+    ranges_.headings = kHeadings;
+    ranges_.heading_count = 3;
+    ranges_.dt = kSteps;
+    ranges_.dt_count = 2;
+    ranges_.leaving = 0.5F;
+    ranges_.arrange = [](const void* self, float* state) {
+      EXPECT_EQ(self, kHeadings);
+      state[5] += state[2];
+      state[6] += state[5];
+    };
+    ranges_.self = kHeadings;
+  }
+
+  krait_ranges& ranges() { return ranges_; }
+
+  std::uint32_t run(char* text, std::size_t bytes) {
+    const krait_robot robot = krait_own_robot(&functions_, &whole_);
+    return krait_check_robot(&robot, &ranges_, 100, 7, text, bytes);
+  }
+
+  // The check's text, which has a line for each fault.
+  std::string text() {
+    char text[8192];
+    const std::uint32_t faults = run(text, sizeof text);
+    EXPECT_EQ(std::count(text, text + std::strlen(text), '\n'), faults);
+    return text;
+  }
+
+  // The same of a robot in C++.
+  static std::string text_of(const Robot& robot) {
+    RobotRanges ranges;
+    for (const krait_range& range : kStates) ranges.state.push_back({range.low, range.high});
+    for (const krait_range& range : kControls) ranges.control.push_back({range.low, range.high});
+    ranges.dt.assign(std::begin(kSteps), std::end(kSteps));
+    ranges.headings.assign(std::begin(kHeadings), std::end(kHeadings));
+    ranges.leaving = 0.5F;
+    ranges.arrange = [](std::vector<float>& state) {
+      state[5] += state[2];
+      state[6] += state[5];
+    };
+    return check_robot(robot, ranges, 100, 7).text();
+  }
+
+ private:
+  static constexpr krait_range kStates[] = {{-9, 9}, {-9, 9},       {-3, 3},      {-1, 2.5F},
+                                            {-1, 1}, {-1.5F, 1.5F}, {-1.5F, 1.5F}};
+  static constexpr krait_range kControls[] = {{-5, 5}, {-4, 4}};
+  static constexpr int kHeadings[] = {2, 5, 6};
+  static constexpr float kSteps[] = {0.1F, 0.05F};
+
+  Whole whole_{2};
+  krait_functions functions_;
+  krait_ranges ranges_ = krait_default_ranges(kStates, kControls);
+};
+
+// One that goes further than it says.
+struct Leaper : Whole {
+  using Whole::Whole;
+  bool travel(StateView s, ControlView u, float dt, StateView next, Travel* travel) const {
+    const bool limited = Whole::travel(s, u, dt, next, travel);
+    for (int k = 0; k < body_count(); ++k) travel[k].path *= 0.5F;
+    return limited;
+  }
+};
+
+TEST(OwnRobotInC, IsCheckedAsInCpp) {
+  const Whole sound(2);
+  EXPECT_EQ(Checked::text_of(sound), "");
+  EXPECT_EQ(Checked(whole(2)).text(), "");
+
+  krait_functions f = whole(2);
+  f.travel = [](const void* self, const float* s, const float* u, float dt, const float* next, krait_travel* travel) {
+    Travel most[kMaxBodies];
+    const Leaper leaper(2);
+    const bool limited = leaper.travel(view(self, s), ControlView(u, 2), dt, view(self, next), most);
+    for (int k = 0; k < 3; ++k) travel[k] = {most[k].path, most[k].turn, most[k].bend, most[k].twist};
+    return limited;
+  };
+  const Leaper leaper(2);
+  const std::string found = Checked(f).text();
+  EXPECT_NE(found.find("travel (path)"), std::string::npos) << found;
+  EXPECT_EQ(found, Checked::text_of(leaper));
+}
+
+TEST(OwnRobotInC, WhatKeepsTheCheckFromBeginningIsAFault) {
+  const auto expect_said = [](const krait_functions& f, const char* words) {
+    EXPECT_NE(Checked(f).text().find(words), std::string::npos) << words;
+  };
+  krait_functions f = whole(2);
+  f.place = nullptr;
+  expect_said(f, "robot_dimensions");
+  f = whole(2);
+  f.state_size = -1;
+  expect_said(f, "robot_sizes");
+  f = whole(2);
+  f.exact = [] { return false; };
+  expect_said(f, "exact (arithmetic)");
+
+  Checked checked(whole(2));
+  checked.ranges().state = nullptr;
+  EXPECT_NE(checked.text().find("there are 0 ranges of states"), std::string::npos);
+}
+
+TEST(OwnRobotInC, ItsCheckWritesNoMoreThanThereIsRoomFor) {
+  krait_functions f = whole(2);
+  f.place = nullptr;
+  char text[] = "0123456789";
+  EXPECT_EQ(Checked(f).run(text, 5), 1U);
+  EXPECT_STREQ(text, "body");
+  EXPECT_STREQ(text + 5, "56789");
+  EXPECT_EQ(Checked(f).run(nullptr, 0), 1U);
 }
 
 TEST(OwnRobotInC, HasItsOwnStates) {

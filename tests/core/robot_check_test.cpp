@@ -190,11 +190,17 @@ TEST(RobotCheckFront, NamesWhatIsWrongWithLeadingComponents) {
 TEST(RobotCheckRanges, ThatDoNotFitAreNamed) {
   RobotRanges ranges = cart_ranges();
   ranges.state.pop_back();
-  EXPECT_THAT(report_of(Cart(), ranges).text(), HasSubstr("RobotRanges has 3 ranges of states, 2 of controls and 3"));
+  EXPECT_THAT(report_of(Cart(), ranges).text(), HasSubstr("there are 3 ranges of states, 2 of controls and 3"));
   ranges = cart_ranges();
   ranges.dt.clear();
   EXPECT_THAT(report_of(Cart(), ranges).text(), HasSubstr("0 time steps"));
-  EXPECT_THAT(report_of(Cart(Wrong::limits_nowhere), cart_ranges()).text(), HasSubstr("narrow RobotRanges::state"));
+  for (const int heading : {-1, 1, 4}) {
+    ranges = cart_ranges();
+    ranges.headings = {heading};
+    EXPECT_THAT(report_of(Cart(), ranges).text(), HasSubstr("of the state is named a heading; those from 2 to 3"));
+  }
+  EXPECT_THAT(report_of(Cart(Wrong::limits_nowhere), cart_ranges()).text(),
+              HasSubstr("narrow the ranges of the state"));
   EXPECT_THAT(report_of(Cart(Wrong::body_clockwise), cart_ranges()).text(), HasSubstr("robot_polygon"));
 }
 
@@ -223,7 +229,7 @@ TEST(RobotCheckLeaving, MoreStepsThanAllowedAreNamed) {
   const RobotReport report = report_of(Cart(Wrong::steer_too_fast), ranges, 200);
   EXPECT_EQ(find(report, "steer", "limits"), nullptr);
   ASSERT_NE(find(report, "steer", "leaving"), nullptr) << report.text();
-  EXPECT_THAT(find(report, "steer", "leaving")->message, HasSubstr("more than the 0.1 % of RobotRanges::leaving"));
+  EXPECT_THAT(find(report, "steer", "leaving")->message, HasSubstr("more than the 0.1 % that the ranges allow"));
   ranges.leaving = 1.0F;
   EXPECT_EQ(report_of(Cart(Wrong::steer_too_fast), ranges, 200).text(), "");
 }

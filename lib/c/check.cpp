@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// The check of a robot for programs in C, in an archive of its own: it has a heap, and needs C++'s run-time library.
+#include <algorithm>
+#include <limits>
+#include <memory>
+
+#include "c/model.hpp"
+#include "krait/robot_check.hpp"
+
+namespace {
+
+template <class To, class From>
+std::vector<To> listed(const From* first, std::size_t count) {
+  std::vector<To> list;
+  for (std::size_t i = 0; first != nullptr && i < count; ++i) list.push_back(krait::c::convert<To>(first[i]));
+  return list;
+}
+
+// Without those of states and controls where the robot's sizes cannot be used, which check_robot names.
+krait::RobotRanges ranges_of(const krait_ranges& from, const krait::Robot& robot) {
+  krait::RobotRanges ranges;
+  if (robot.fits()) {
+    ranges.state = listed<krait::RobotRange>(from.state, static_cast<std::size_t>(robot.state_size()));
+    ranges.control = listed<krait::RobotRange>(from.control, static_cast<std::size_t>(robot.control_size()));
+  }
+  if (from.dt_count > 0) ranges.dt = listed<float>(from.dt, from.dt_count);
+  ranges.headings = listed<int>(from.headings, from.heading_count);
+  ranges.anywhere = from.anywhere;
+  ranges.leaving = from.leaving;
+  ranges.step_rate = from.step_rate;
+  ranges.step_error = from.step_error;
+  if (from.arrange != nullptr) {
+    ranges.arrange = [&from](std::vector<float>& state) { from.arrange(from.self, state.data()); };
+  }
+  return ranges;
+}
+
+}  // namespace
+
+krait_ranges krait_default_ranges(const krait_range* state, const krait_range* control) {
+  const krait::RobotRanges defaults;
+  krait_ranges ranges{};
+  ranges.state = state;
+  ranges.control = control;
+  ranges.anywhere = defaults.anywhere;
+  ranges.leaving = defaults.leaving;
+  ranges.step_rate = defaults.step_rate;
+  ranges.step_error = defaults.step_error;
+  return ranges;
+}
+
+uint32_t krait_check_robot(const krait_robot* robot, const krait_ranges* ranges, uint32_t samples, uint64_t seed,
+                           char* text, size_t bytes) {
+  const auto place = std::make_unique<std::byte[]>(robot->model->robot_bytes);
+  const krait::Robot view = robot->model->make(place.get(), *robot);
+  const auto most = static_cast<std::uint32_t>(std::numeric_limits<int>::max());
+  const krait::RobotReport report =
+      krait::check_robot(view, ranges_of(*ranges, view), static_cast<int>(std::min(samples, most)), seed);
+  if (bytes > 0) {
+    const std::string lines = report.text();
+    const std::size_t count = std::min(lines.size(), bytes - 1);
+    std::copy_n(lines.begin(), count, text);
+    text[count] = '\0';
+  }
+  return static_cast<uint32_t>(report.faults.size());
+}
