@@ -135,7 +135,7 @@ def _papers(results):
 
 
 GROUPS = {
-    "Foreign problems, which nothing was tuned on, and our scenes": _against_rivals,
+    "Foreign problems and our scenes": _against_rivals,
     "Far goals": _far,
     "Over our scenes": _over_the_scenes,
     "Every run": _solved,

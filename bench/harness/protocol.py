@@ -8,14 +8,14 @@ from dataclasses import dataclass
 class Protocol:
     """Round k is the k-th run of every cell: what is held against each other was measured within a minute.
 
-    Nothing was tuned on the seeds from `first_seed` on; limits come from a pilot on others.
+    No setting was chosen on the seeds from `first_seed` on; limits come from a pilot on others.
     """
 
     seeds: int = 60  # rounds of every cell
     goal_seeds: int = 200  # rounds of the cells that goals are held against
     few_seeds: int = 20  # rounds of peers that are slow by far
     queries: int = 0  # rounds of a problem that has queries instead of seeds; 0: all
-    first_seed: int = 10_001
+    first_seed: int = 50_001
     pilot_seeds: int = 11  # from 1 on
     limit: float | None = None  # s; None: the larger of `least` and `factor` times the adaptive planner's pilot median
     least: float = 1.0

@@ -385,7 +385,7 @@ class Sessions(unittest.TestCase):
         cells = self.cells("rooms", "comb")
         runs = self.runs(self.measure(cells))
         self.assertEqual([run["cell"] for run in runs], 3 * [cell.key for cell in cells])
-        self.assertEqual([run["trial"] for run in runs], [seed for seed in (10001, 10002, 10003) for _ in cells])
+        self.assertEqual([run["trial"] for run in runs], [Protocol.first_seed + k for k in range(3) for _ in cells])
         self.assertEqual(self.compiled, ["rooms", "comb"])
 
     def test_measure_some_cells_in_more_rounds(self):

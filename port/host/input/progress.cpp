@@ -12,7 +12,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kTick = 50ms;
+constexpr auto kTick = 200ms;
 constexpr auto kQuiet = 1s;      // on a terminal
 constexpr auto kLongQuiet = 5s;  // elsewhere
 
@@ -51,7 +51,11 @@ void Progress::show(const std::string& step, const std::string& detail) {
 
 void Progress::end() {
   if (!watcher_.joinable()) return;
-  ended_ = true;
+  {
+    const std::lock_guard lock(mutex_);
+    ended_ = true;
+  }
+  woken_.notify_one();
   watcher_.join();
   if (shown_) std::fputs("\r\033[K", stderr);
   shown_ = false;
@@ -59,14 +63,11 @@ void Progress::end() {
 }
 
 void Progress::watch() {
-  for (int tick = 1; !ended_; ++tick) {
-    std::this_thread::sleep_for(kTick);
-    if (tick % 4 == 0 && !ended_) draw();
-  }
+  std::unique_lock lock(mutex_);
+  while (!woken_.wait_for(lock, kTick, [this] { return ended_; })) draw();
 }
 
 void Progress::draw() {
-  const std::lock_guard lock(mutex_);
   const auto lasted = Clock::now() - step_begin_;
   const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(lasted).count();
   const std::string about = detail_.empty() ? "" : ", " + detail_;

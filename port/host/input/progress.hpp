@@ -3,8 +3,8 @@
 // first second on. Elsewhere: one line for each step that has lasted five seconds, and nothing for a quick one.
 #pragma once
 
-#include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -24,14 +24,14 @@ class Progress {
   // another detail is the same step. Costs a lock.
   void show(const std::string& step, const std::string& detail = {});
 
-  // Nothing is being done any more: clears the line. show() may follow.
+  // Nothing is being done any more: clears the line. Does not wait for the next redraw. show() may follow.
   void end();
 
  private:
   using Clock = std::chrono::steady_clock;
 
   void watch();
-  void draw();
+  void draw();  // under the lock
 
   const std::string program_;
   const bool terminal_;
@@ -42,7 +42,8 @@ class Progress {
   Clock::time_point step_begin_;
   bool shown_ = false;      // the line stands on the terminal
   bool announced_ = false;  // the step has had its line elsewhere
-  std::atomic<bool> ended_ = false;
+  bool ended_ = false;
+  std::condition_variable woken_;  // ended_ is set
   std::thread watcher_;
 };
 
