@@ -43,6 +43,7 @@ enum class Wrong {
   quick_separation_too_large,
   quick_vouches_for_limits_that_break,
   steer_beyond_its_limits,
+  steer_below_its_limits,
   steer_nan_at_the_target,
   steer_too_fast,
   steer_counts_its_calls,
@@ -82,7 +83,8 @@ class Cart {
     const Vec2 along{heading.cos, heading.sin};
     const float turn = 2.0F * math::atan2(cross(along, to), dot(along, to)) * target.turn;
     const float most = is(Wrong::steer_beyond_its_limits) ? 2.0F * kTurnRate : kTurnRate;
-    u[1] = math::clamp(turn, -most, most);
+    const float least = is(Wrong::steer_below_its_limits) ? -2.0F * kTurnRate : -most;
+    u[1] = math::clamp(turn, least, most);
     const float speed = target.speed * kSpeed * (is(Wrong::steer_too_fast) ? 1.1F : 0.999F);
     u[0] = math::clamp((speed - s[3]) / target.dt, -kAcceleration, kAcceleration);
     if (is(Wrong::steer_nan_at_the_target)) u[1] = 0.1F * to.x / length(to);

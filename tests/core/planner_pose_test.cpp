@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "last_metres/nimbleness.hpp"
 #include "planner_fixture.hpp"
 #include "search/adaptive_search.hpp"
 
@@ -352,6 +353,22 @@ TEST(PlannerPose, AStartOnTheEdgeIsNoPlanUnlessItIsInside) {
     EXPECT_LE(apart, static_cast<double>(0.7F)) << i;
   }
   EXPECT_EQ(at_once, 200);
+}
+
+// At its brakes' most it slows down to 0 in what is left, v^2 = 2 a s; near the end some time steps are what counts.
+TEST(Pace, IsOneThatTheBrakesAreEnoughFor) {
+  detail::Nimbleness robot{};
+  robot.top_speed = 2;
+  robot.dt = 0.1F;
+  const auto speed = [&](float left, float now, float acceleration, float braking) {
+    return robot.top_speed * detail::pace(robot, left, now, 0.5F * now * now / acceleration, braking);
+  };
+  EXPECT_NEAR(speed(1, 2, 0.5F, 1), 1, 1e-5);
+  EXPECT_NEAR(speed(1, 1.5F, 0.5F, 1), 1, 1e-5) << "whatever it drives at";
+  EXPECT_NEAR(speed(1, 2, 0.5F, 0.25F), 0.5, 1e-5);
+  EXPECT_NEAR(speed(0.15F, 2, 5, 1), 0.5, 1e-5) << "e^-1 of the way is left after three time steps";
+  EXPECT_EQ(speed(100, 2, 5, 1), robot.top_speed);
+  EXPECT_GT(speed(0, 2, 5, 1), 0) << "it arrives";
 }
 
 }  // namespace

@@ -103,6 +103,7 @@ void expect_named(const RobotReport& report, const char* function, const char* p
   ASSERT_NE(fault, nullptr) << report.text();
   EXPECT_THAT(fault->message, HasSubstr(says));
   EXPECT_GT(fault->samples, 0);
+  EXPECT_LE(fault->samples, report.samples);
   EXPECT_THAT(report.text(), HasSubstr(std::string(function) + " (" + promise + "): " + fault->message));
 }
 
@@ -151,6 +152,7 @@ INSTANTIATE_TEST_SUITE_P(
         Expected{Wrong::quick_separation_too_large, "quick_bound", "separation", "separation is 1.1 m"},
         Expected{Wrong::quick_vouches_for_limits_that_break, "quick_bound", "limits", "is beyond them"},
         Expected{Wrong::steer_beyond_its_limits, "steer", "control", "not within -2 and 2"},
+        Expected{Wrong::steer_below_its_limits, "steer", "control", "not within -2 and 2"},
         Expected{Wrong::steer_nan_at_the_target, "steer", "control", "0 / 0"},
         Expected{Wrong::steer_too_fast, "steer", "limits", "it leads beyond the limits, to ["},
         Expected{Wrong::steer_counts_its_calls, "steer", "pure", "asked again it answers"},

@@ -147,6 +147,39 @@ TEST(SketcherOfATrain, SeesThatATrailerHits) {
   EXPECT_EQ(free_steps(room, robot, state, {{20, 17}, 1.0F, 0.1F, 1.0F}), detail::Sketcher::kSteps);
 }
 
+// Its trailer comes near the target, and would be in the wall before the truck did.
+TEST(SketcherOfATrain, ThatBacksUpIsThereWhenItsEndIs) {
+  ChainParameters p;
+  p.trailers = 1;
+  p.min_speed = -1;
+  const Truck robot(p);
+  std::vector<float> state(6);
+  robot.rest({20, 10}, 0, nullptr, state.data());
+  Room room = hall();
+  room.boxes = {{17, 0, 18.2, 20}};
+  EXPECT_EQ(free_steps(room, robot, state, {{18.6F, 10}, -1.0F, 0.1F, 1.0F}), detail::Sketcher::kSteps);
+  EXPECT_LT(free_steps(room, robot, state, {{17.5F, 10}, -1.0F, 0.1F, 1.0F}), detail::Sketcher::kSteps);
+}
+
+// Room for the narrowest body is all that is looked for: what a narrow tractor can reach is free.
+TEST(SketcherOfATrain, OfANarrowTractorReachesItsPlaceBeforeAWall) {
+  ChainParameters p;
+  p.trailers = 1;
+  p.hitch_length = 2;
+  Truck robot(p);
+  const auto square = [&](int body, float half) {
+    const Vec2 corners[] = {{-half, -half}, {half, -half}, {half, half}, {-half, half}};
+    robot.set_body(body, {corners, 4});
+  };
+  square(0, 0.2F);
+  square(1, 1.2F);
+  std::vector<float> state(6);
+  robot.rest({20, 10}, 0, nullptr, state.data());
+  Room room = hall();
+  room.boxes = {{22, 0, 22.5, 20}};
+  EXPECT_EQ(free_steps(room, robot, state, {{21.7F, 10}, 1.0F, 0.1F, 1.0F}), detail::Sketcher::kSteps);
+}
+
 TEST(SketcherOfAUsersRobot, GoesByItsDerivative) {
   const Slider robot(0.5F, 1.5F);
   Room room = hall();

@@ -3,6 +3,8 @@
 #include "host/cli/program.hpp"
 #include "host/import/import.hpp"
 #include "host/robot_file/robot_file.hpp"
+#include "host/run/run.hpp"
+#include "host/workspace/printed.hpp"
 
 namespace krait::host {
 namespace {
@@ -92,12 +94,22 @@ TEST_F(CliHelp, SaysItsVersion) {
   EXPECT_THAT(outcome.output, testing::ContainsRegex("^krait [0-9]+\\.[0-9]+\\.[0-9]+\n$"));
 }
 
+// Metres.
+double narrowest_portal(const std::string& file) {
+  const SceneBytes bytes = SceneBytes::read(file);
+  const krait::Scene scene = open_scene(file, bytes);
+  double width = 1e9;
+  for (Index i = 0; i < scene.portal_count(); ++i) width = std::min(width, static_cast<double>(scene.portal_width(i)));
+  return width;
+}
+
 TEST_F(CliHelp, InfoReportsRegionsPiecesBytesAndTheNarrowestPortal) {
   const Outcome outcome = krait({"info", "room.krait"});
   EXPECT_EQ(outcome.code, 0);
   expect_all(outcome.output, {"room", "triangles", "portals", "narrowest", "convex pieces", "east, south",
                               "west, north", "clearance", "names", "advance(1) of snake:15: at most 1241 placements"});
   expect_all(krait({"info", "room.krait", "--robot", "car"}).output, {"advance(1) of car: at most 1241 placements"});
+  EXPECT_THAT(outcome.output, HasSubstr(printed("the narrowest %.3f m wide", narrowest_portal(path("room.krait")))));
   const auto size = std::filesystem::file_size(path("room.krait"));
   EXPECT_THAT(outcome.output, testing::ContainsRegex("total +" + std::to_string(size)));
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "host/compiler/rings.hpp"
 #include "host/compiler/simplify.hpp"
 #include "host/compiler/snap.hpp"
 #include "host/compiler/unite.hpp"
@@ -124,6 +125,23 @@ TEST(Simplify, ObstaclesOnBothSidesOfAPassageLeaveItItsWidth) {
                       {1000, 340}, {600, 340}, {500, 380}, {400, 340}, {0, 340}};
   EXPECT_EQ(simplify({room}, 50, 280)[0].size(), 4U);
   EXPECT_EQ(simplify({room}, 50, 340)[0].size(), room.size());
+}
+
+TEST(Simplify, WhatIsBehindAWallLeavesNoPassageNarrow) {
+  // A notch in the top of a thin wall: across from it, only the floor below the wall is near, and behind it.
+  const GridRing room{{0, 0}, {1000, 0}, {1000, 1000}, {0, 1000}};
+  const GridRing wall{{100, 400}, {100, 450}, {400, 450}, {500, 420}, {600, 450}, {900, 450}, {900, 400}};
+  EXPECT_THAT(simplify({room, wall}, 100, 150)[1], testing::Not(testing::Contains(GridPoint{500, 420})));
+}
+
+TEST(Rings, ThatTouchInAPointStayApart) {
+  const GridPoint middle{0, 0};
+  Edges edges;
+  append_ring(edges, {{0, -10}, middle, {-10, -5}}, {1, 0});
+  append_ring(edges, {middle, {-2, 10}, {-10, 8}}, {1, 0});
+  const std::vector<GridRing> rings = rings_of(edges);
+  ASSERT_EQ(rings.size(), 2U);
+  for (const GridRing& ring : rings) EXPECT_THAT(ring, testing::AllOf(testing::SizeIs(3), testing::Contains(middle)));
 }
 
 // Triangles thinner than the grid, of lengths over two decades; every eighth along a diagonal.

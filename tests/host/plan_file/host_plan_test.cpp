@@ -168,6 +168,10 @@ TEST_F(PlanTest, AWrongFieldIsNamed) {
   EXPECT_THAT(changed("/controls/0", {1}), HasSubstr("controls[0]: must have 2 numbers"));
   EXPECT_THAT(changed("/controls", Json::array()), HasSubstr("states: must be one more than the controls"));
   EXPECT_THAT(changed("/status", "no_route"), HasSubstr("only in a solved plan"));
+  Json unsolved = good;
+  unsolved["status"] = "no_route";
+  unsolved["states"] = Json::array();
+  EXPECT_THAT(read_error(unsolved), HasSubstr("only in a solved plan"));
   EXPECT_THAT(changed("/origin", {1}), HasSubstr("origin: must be [x, y]"));
   EXPECT_THAT(read_error(Json::array()), HasSubstr("is not a plan"));
 }

@@ -14,6 +14,7 @@
 #include "../cell_map.hpp"
 #include "../ring_oracle.hpp"
 #include "host/reduce/cell_distances.hpp"
+#include "host/reduce/cell_ways.hpp"
 #include "host/reduce/cells.hpp"
 #include "host/reduce/closed.hpp"
 #include "host/reduce/disc.hpp"
@@ -379,6 +380,14 @@ TEST(Crop, RefusesWhatHoldsNothingAndStartsAndGoalsOutside) {
   EXPECT_THAT(complaint(w, {Box{{4, 4}, {10, 11}}, {}, {}, {}, {}}), testing::HasSubstr("goal 'g' lies outside"));
 }
 
+TEST(CellWays, CutNoCorners) {
+  const CellMap map = cells({"...", "..."}, 0.1);
+  const CellMask room{1, 0, 1, 1, 1, 1};  // the way from one end of the first row to the other is by the second row
+  EXPECT_THAT(CellWays(map, room, 0).way_to(2), testing::ElementsAre(0U, 3U, 2U));
+  const CellMask corners{1, 0, 0, 0, 1, 0};
+  EXPECT_THAT(CellWays(map, corners, 0).way_to(4), testing::IsEmpty());
+}
+
 TEST(Corridor, KeepsWhatIsNearTheWayOnly) {
   CellMap map = cells(std::vector<std::string>(100, std::string(100, '.')), 0.1);
   for (int row = 0; row < 90; ++row) map.occupied[cell_number(map, 50, row)] = 1;  // the way leads around its end
@@ -443,6 +452,18 @@ TEST(Reduced, ADrawingHasNoCells) {
   w.max = {10, 10};
   EXPECT_THAT(complaint(w, {{}, {}, Girth{1, 1, 0}, {}, {}}), testing::HasSubstr("give --cell METRES"));
   EXPECT_THAT(complaint(w, {{}, {}, {}, 3.0, {}}), testing::HasSubstr("give --cell METRES"));
+}
+
+TEST(Girth, IsThatOfTheThinnestAndOfTheLargestBody) {
+  RobotSpec train = parse_robot("truck:2");
+  train.bodies = {{{-1, -0.2}, {1, -0.2}, {1, 0.2}, {-1, 0.2}},
+                  {{-1, -0.1}, {1, -0.1}, {1, 0.1}, {-1, 0.1}},
+                  {{-2, -0.3}, {2, -0.3}, {2, 0.3}, {-2, 0.3}}};
+  EXPECT_NEAR(girth_of(train).inner, 0.1, 1e-5);
+  EXPECT_GE(girth_of(train).outer, std::hypot(2, 0.3) - 1e-3);
+  std::swap(train.bodies[1], train.bodies[2]);
+  EXPECT_NEAR(girth_of(train).inner, 0.1, 1e-5);
+  EXPECT_GE(girth_of(train).outer, std::hypot(2, 0.3) - 1e-3);
 }
 
 TEST(Girth, IsThatOfTheBodies) {

@@ -9,7 +9,10 @@
 #include <limits>
 #include <numbers>
 
+#include "host/verify/bodies.hpp"
 #include "host/verify/dynamics.hpp"
+#include "host/verify/geometry.hpp"
+#include "host/verify/limits.hpp"
 #include "plans.hpp"
 
 namespace krait::host::testing {
@@ -346,6 +349,17 @@ TEST(Robot, AMissingParameterOfThePlanIsCaught) {
   expect_complaint(c, "robot: parameter max_speed is missing");
 }
 
+TEST(Robot, ALeastSpeedOfZeroMayBeSpelledOutOrNot) {
+  Case c = arc("car");
+  c.asked.robot.parameters.erase("min_speed");
+  expect_holds(c.verdict());
+  c.plan.robot.parameters["min_speed"] = -1;
+  expect_complaint(c, "robot: parameter min_speed was not asked for");
+  c = arc("car");
+  c.plan.robot.parameters.erase("min_speed");
+  expect_holds(c.verdict());
+}
+
 TEST(Robot, AnUnusableAskedRobotIsAnInputError) {
   Case c = arc("car");
   c.asked.robot.parameters.erase("wheelbase");
@@ -416,6 +430,14 @@ TEST(GoalArea, AGoalOtherThanAskedIsCaught) {
   Case c = arc("car");
   for (Point& p : c.plan.goal_polygon) p.x += 2e-3;
   expect_complaint(c, "goal: the plan's polygon differs by 0.002 m");
+}
+
+TEST(GoalArea, AGoalWithASpikeIsNotTheOneAskedFor) {
+  Case c = arc("car");
+  Ring& goal = c.plan.goal_polygon;
+  const Point foot{goal[0].x + 0.5, goal[0].y};
+  goal.insert(goal.begin() + 1, {foot, {foot.x, foot.y - 0.4}, foot});
+  expect_complaint(c, "goal: the plan's polygon differs by 0.4 m");
 }
 
 TEST(GoalArea, TheGoalIsWhatWasAskedNotWhatThePlanSays) {
@@ -578,6 +600,24 @@ TEST(Limits, ReversingIsCaughtUnlessTheRobotMay) {
   expect_holds(c.verdict());
 }
 
+TEST_P(EveryModel, ReversingIsCaughtUnlessTheRobotMay) {
+  const RobotSpec& spec = GetParam();
+  const auto back = [&](std::size_t, const Row&) { return spec.model == "diff_drive" ? Row{-1, -1} : Row{-0.5, 0}; };
+  Case c = drive(spec, back, 5);
+  c.asked.robot.parameters["min_speed"] = 0;
+  c.plan.robot = c.asked.robot;
+  expect_complaint(c, "speed is beyond its limit of 0 by up to ");
+  c.asked.robot.parameters["min_speed"] = -0.6;
+  c.plan.robot = c.asked.robot;
+  expect_holds(c.verdict());
+}
+
+TEST(Limits, AHitchIsBentByWhatIsLeftOfFullTurns) {
+  Case c = arc("truck", 2);
+  for (std::vector<float>& state : c.plan.states) state.back() += static_cast<float>(2 * std::numbers::pi);
+  expect_holds(c.verdict());
+}
+
 TEST(Limits, AFoldedHitchIsCaught) {
   const auto steer = [](std::size_t step, const Row&) { return step < 5 ? Row{4, 1} : Row{0, 0}; };
   Case c = drive(robot("truck", 1), steer, 40);
@@ -604,6 +644,22 @@ TEST(Limits, AHitchFoldedOnlyBetweenTwoStatesIsCaught) {
   c.asked.robot.parameters["max_hitch_angle"] = (ends + between) / 2;
   c.plan.robot = c.asked.robot;
   expect_complaint(c, "step 13 at 0.0");
+}
+
+TEST(Limits, HoldBetweenSubStepsToo) {
+  const Dynamics dynamics(robot("unicycle2"));
+  const auto complaints_of = [&](const Row& speeds) {
+    Complaints complaints;
+    LimitCheck limits(dynamics, complaints);
+    Leg leg;
+    for (const double speed : speeds) leg.states.push_back({0, 0, 0, speed, 0});
+    limits.check_leg("step 7", leg, 0.1);
+    return complaints.lines();
+  };
+  // The parabolas through these speeds, of which none is above 2.495, reach 2.4950 and 2.5051.
+  EXPECT_THAT(complaints_of({2.4, 2.495, 2.4}), ElementsAre());
+  EXPECT_THAT(complaints_of({2.4, 2.495, 2.49}),
+              ElementsAre("step 7 at 0.05 s: speed is beyond its limit of 2.5 by up to 0.005125"));
 }
 
 // --- obstacles ---
@@ -717,6 +773,9 @@ TEST(Collision, InsideAHoleIsFree) {
   const Verdict verdict = c.verdict();
   expect_holds(verdict);
   EXPECT_NEAR(verdict.clearance, 0.75, 1e-6);
+  c.workspace.min = {1, -2};  // holes have the map's coordinates, as outlines have
+  expect_holds(c.verdict());
+  EXPECT_NEAR(c.verdict().clearance, 0.75, 1e-6);
 }
 
 TEST(Collision, InTheRingAroundAHoleIsNot) {
@@ -791,13 +850,31 @@ TEST(Collision, BoundsWithoutSizeAreAnInputError) {
 // --- bodies against each other ---
 
 // A snake with short hitches that steers as hard as it can until its head meets its tail.
-Case coil(double gap) {
+Case coil(double gap, std::size_t steps = 150) {
   RobotSpec spec = robot("snake", 15);
   spec.parameters["self_collision_gap"] = gap;
   spec.parameters["max_steering"] = 1.4;
   spec.parameters["wheelbase"] = 2.0;
   const auto steer = [](std::size_t step, const Row&) { return step < 10 ? Row{1, 1} : Row{0, 0}; };
-  return drive(spec, steer, 150);
+  return drive(spec, steer, steps);
+}
+
+// The least distance of two bodies that must not meet, in the stored states.
+double least_distance(const Case& c) {
+  const Dynamics dynamics(c.asked.robot);
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::vector<float>& state : c.plan.states) {
+    const std::vector<Frame> frames = dynamics.frames(State(state.begin(), state.end()));
+    const auto placed = [&](std::size_t body) {
+      Ring ring;
+      for (const Point& point : c.asked.robot.bodies[body]) ring.push_back(frames[body].place(point));
+      return hull_of(ring);
+    };
+    for_each_pair(dynamics, [&](std::size_t first, std::size_t second) {
+      least = std::min(least, boost::geometry::distance(placed(first), placed(second)));
+    });
+  }
+  return least;
 }
 
 TEST(SelfCollision, AHeadInItsTailIsCaught) {
@@ -817,6 +894,11 @@ TEST(SelfCollision, BodiesNearerThanTheGapAreNotTested) {
 TEST(SelfCollision, ItsClearanceIsMeasured) {
   const Verdict verdict = straight(robot("snake", 15)).verdict();
   EXPECT_NEAR(verdict.self_clearance, 4 * 0.8 - 0.7, 1e-5);
+  const Case bent = coil(4, 60);
+  const double least = least_distance(bent);
+  ASSERT_GT(least, 0.1);
+  EXPECT_LE(bent.verdict().self_clearance, least + 1e-6);
+  EXPECT_GT(bent.verdict().self_clearance, least - 0.05);
 }
 
 // --- maps of cells ---
