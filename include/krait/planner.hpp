@@ -98,8 +98,10 @@ struct Statistics {
   std::uint64_t improvements = 0;      ///< better plans that improve has found
 };
 
-/// A planner that was not set up answers every call with bad_argument. It is neither copied nor moved: a copy would
-/// write to the same block.
+/// Until an init has succeeded, every member that returns a Status returns that of the last init, bad_argument before
+/// the first; plan() is empty and statistics() is all zeros. The same holds after an init that fails, except that
+/// statistics() keeps the counts of the last search. A planner is neither copied nor moved: a copy would write to the
+/// same block.
 class Planner {
  public:
   /// Not set up.

@@ -32,7 +32,7 @@ enum class Status : std::uint8_t {
   tree_full,           ///< no memory for vertices or expansions, and nothing that may be recycled
   time_used,           ///< set by stop_for_time, for a port that watches a clock
   bad_scene,           ///< Failure::section and element say where; of start: the scene is no longer that of init
-  bad_robot,           ///< a dimension or limit of the robot is unusable
+  bad_robot,           ///< a dimension, limit, body or size of the robot is unusable; Failure::element says which
   bad_argument,        ///< a parameter, pose or goal is NaN, infinite or out of range; Failure::element says which
   start_outside,       ///< the start's position lies outside the scene's bounds
   start_in_collision,  ///< a body of the robot is too near to an obstacle, the bounds or another body at the start, or
