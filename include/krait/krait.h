@@ -288,9 +288,9 @@ typedef struct krait_functions {
   void (*place)(const void* self, const float* s, krait_frame* frames);
 
   /* One of these two: `rates` is asked where `travel` is NULL. */
-  /** Bounds the motion of every body while u is held for dt from s to next, what proves that nothing is jumped over
-      between two states, whatever it writes: false when it is not proven that the limits, which s and next keep, hold
-      all the way. */
+  /** Writes bounds on every body's motion while u is held for dt from s to next, which prove that no obstacle is jumped
+      over. Returns false when the limits, which hold in s and next, are not proven to hold in between; it writes the
+      bounds in either case. */
   bool (*travel)(const void* self, const float* s, const float* u, float dt, const float* next, krait_travel* travel);
   /** Stands for travel: writes the most that every body does at any time of that step, and returns what travel
       returns. */
@@ -404,8 +404,8 @@ typedef struct krait_search_tuning {
       cost_length;       /**< 0 to 10, default 1, in lengths of body 0: C += gamma l^2 / max(C, l), l this length; 0:
                               gamma / C */
   uint32_t kappa,        /**< 1 to 10000, default 10: expansions between updates of the heuristic costs */
-      update_regions;    /**< 0 to 1e6, default 100: and one for so many regions that the last update looked at; 0:
-                              none */
+      update_regions;    /**< 0 to 1e6, default 100: after an update that looked at n regions, the next waits for at
+                              least n / update_regions expansions; 0: no such wait */
   bool raise_goal;       /**< default false: whether a failure right before the goal raises the goal's edges as well */
   uint32_t max_steps,    /**< 1 to 1000, default 40: of one expansion */
       open_steps,        /**< 0 to 1000, default 1000: of one in the open, while it nears its target and crosses one
@@ -467,15 +467,15 @@ typedef struct krait_limits {
     used in threads of their own. */
 typedef struct krait_planner krait_planner;
 
-/** Bytes of the block that krait_init needs, the planner itself among them; 0 vertices count as none; no promise for a
-    robot that it would refuse. O(bodies). */
+/** The bytes of the block that krait_init needs, the planner itself among them. Vertices 0 are counted as no vertices
+    at all, so state a number. Unspecified for a robot that krait_init would refuse. O(bodies). */
 uint64_t krait_bytes_required(const krait_scene* scene, const krait_robot* robot, const krait_limits* limits);
 
-/** The limits that spend a block of `bytes` best: as many vertices as fit, at least 2, and a million iterations; no
-    promise for a robot that krait_init would refuse. Costs some twenty of krait_bytes_required. */
+/** The limits that use a block of `bytes` fully: as many vertices as fit, at least 2, and a million iterations.
+    Unspecified for a robot that krait_init would refuse. Work: 22 times that of krait_bytes_required. */
 krait_limits krait_limits_for(uint64_t bytes, const krait_scene* scene, const krait_robot* robot);
 
-/** The same with room for krait_improve: 0, or 16 to 1e6 legs. */
+/** The same with room for krait_improve: `way_legs` is 0, or 16 to 1e6. */
 krait_limits krait_limits_to_improve(uint64_t bytes, const krait_scene* scene, const krait_robot* robot,
                                      uint32_t way_legs);
 
@@ -530,20 +530,22 @@ typedef struct krait_query {
     Dijkstra over the scene's triangles, O(R log R), and 2,730 distances. */
 KRAIT_NODISCARD krait_status krait_start(krait_planner* planner, const krait_query* query);
 
-/** At most `iterations` expansions more; returns at once when the search has ended. Work of one: max_steps steps of the
-    robot, each with its collision check, and now and then an update of the costs. Driving a way that has reached the
-    goal once more counts as one for every max_steps steps, but not in krait_statistics and krait_limits. The plan does
-    not depend on how a search is cut into calls. */
+/** Runs at most `iterations` more expansions, each of at most max_steps steps; returns at once when the search has
+    ended. A way that reached the goal is driven once more before it becomes the plan: each max_steps steps of that use
+    up one of `iterations`, but do not count in krait_statistics and krait_limits. The plan does not depend on how a
+    search is split into calls. */
 KRAIT_NODISCARD krait_status krait_advance(krait_planner* planner, uint64_t iterations);
 
-/** At most `iterations` more of looking for a plan of fewer steps: the plan is then the best so far, and krait_next
-    begins again with its first state. The plan does not depend on how the iterations are cut into calls. KRAIT_SOLVED;
-    where there is no plan, the search's status; KRAIT_BAD_ARGUMENT where krait_limits has no way_legs. Where the robot
-    is a chain of four bodies or more, most iterations are those of searches that begin anew: their work is that of
-    krait_advance's, they count in krait_statistics and krait_limits as its do, each begins with a Dijkstra, and the
-    last of a series ends with one. Work of any other: at most max_steps steps, near a pose with the choice of lines as
-    in krait_advance, and 16 legs' steps that are not proven, or O(way_legs); the first call after krait_start begins
-    with a Dijkstra. */
+/** Runs at most `iterations` iterations that look for a plan with fewer steps. The plan and its figures in
+    krait_statistics are then those of the best plan so far, and krait_next begins again with its first state. Returns
+    KRAIT_SOLVED; where there is no plan, the search's status; KRAIT_BAD_ARGUMENT where way_legs of krait_limits is 0.
+    The plan does not depend on how iterations are split into calls. For a chain of four or more bodies, most iterations
+    are those of searches that start over in the same tree; they count in krait_statistics and krait_limits as those of
+    krait_advance do.
+    Work per iteration of such a search: that of krait_advance. Of any other: at most max_steps steps along a line, with
+    the choice of lines to a pose as in krait_advance after at most every third, and the unproven steps of 16 legs; or
+    O(way_legs). The first call after krait_start adds one Dijkstra, and so does the begin of each search and the end of
+    the last of a series. */
 KRAIT_NODISCARD krait_status krait_improve(krait_planner* planner, uint64_t iterations);
 
 /** Ends a search as KRAIT_TIME_USED, for a program whose clock says so. No effect once it has ended. O(1). */

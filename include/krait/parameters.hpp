@@ -29,9 +29,11 @@ struct SearchTuning {
   // Eqn 9.
   float gamma = 20.0F;       ///< 0 … 1e6: how much a failure raises edge costs; 0: costs never change
   float cost_length = 1.0F;  ///< 0 … 10, in lengths of body 0: C += gamma l^2 / max(C, l), l this length; 0: gamma / C
-  std::uint32_t kappa = 10;            ///< 1 … 10000: expansions between updates of the heuristic costs
-  std::uint32_t update_regions = 100;  ///< 0 … 1e6: and one for so many regions that the last update looked at; 0: none
-  bool raise_goal = false;             ///< whether a failure right before the goal raises the goal's edges as well
+  std::uint32_t kappa = 10;  ///< 1 … 10000: expansions between updates of the heuristic costs
+  /// 0 … 1e6: after an update that looked at n regions, the next waits for at least n / update_regions expansions; 0:
+  /// no such wait.
+  std::uint32_t update_regions = 100;
+  bool raise_goal = false;  ///< whether a failure right before the goal raises the goal's edges as well
   // Algorithm 2.
   std::uint32_t max_steps = 40;     ///< 1 … 1000: of one expansion
   std::uint32_t open_steps = 1000;  ///< 0 … 1000: of one in the open, while it nears its target and crosses one portal

@@ -25,7 +25,7 @@ AdaptiveSearch& opened(Planner& planner);
 const AdaptiveSearch& opened(const Planner& planner);
 }  // namespace detail
 
-/// What a planner is made from; all of it must outlive the planner and stay where it is.
+/// The arguments of Planner::init; all of it must outlive the planner and stay where it is.
 struct Setup {
   static constexpr std::size_t kAlignment = 8;  ///< bytes, of the block
 
@@ -35,11 +35,11 @@ struct Setup {
   Robot robot;                   ///< refers to a robot of any model, which is no temporary
 };
 
-/// Sees a search as it goes: refers to what is called, which must outlive it; by default to nothing. A watched step
-/// costs one call through a pointer more.
+/// Observes a search. Holds a reference to a callable, which must outlive it, or to none. Each observed step costs one
+/// indirect call.
 class Watch {
  public:
-  Watch() = default;  ///< calls nothing
+  Watch() = default;  ///< refers to no callable
   /// Calls watch(from, to) with states, and watch.expands(vertex, target) where there is such a member.
   template <class W>
   requires(!std::same_as<std::remove_cvref_t<W>, Watch> && std::invocable<W&, const float*, const float*>)
@@ -104,22 +104,23 @@ struct Statistics {
 /// same block.
 class Planner {
  public:
-  /// Not set up.
+  /// A planner without a block: call init before all else. O(1).
   Planner();
   Planner(const Planner&) = delete;             ///< would write to the same block
-  Planner& operator=(const Planner&) = delete;  ///< likewise
+  Planner& operator=(const Planner&) = delete;  ///< would write to the same block
 
-  /// Bytes of the block that init needs; 0 vertices count as none. The same on every target. No promise for a
-  /// robot that init would refuse. O(1).
+  /// The bytes of the block that init needs, the same on every target. Limits::vertices 0 is counted as no vertices at
+  /// all, so state a number. Unspecified for a robot that init would refuse. O(1).
   static std::uint64_t bytes_required(const Scene& scene, const Robot& robot, const Limits& limits);
 
-  /// The limits that spend a block of `bytes` best: as many vertices and expansions as fit beside `way_legs` legs, at
-  /// least 2. No promise for a robot that init would refuse. O(log kMost).
+  /// The limits that use a block of `bytes` fully: as many vertices and expansions as fit beside `way_legs` legs, at
+  /// least 2 vertices, even where those do not fit. Unspecified for a robot that init would refuse. Work: 22 times that
+  /// of bytes_required.
   static Limits limits_for(std::uint64_t bytes, const Scene& scene, const Robot& robot, std::uint32_t way_legs = 0);
 
-  /// Cuts the block up: as many vertices as fit where the limits state none. Copies parameters and limits. Returns ok,
-  /// or why not: bad_arithmetic, bad_argument (a scene that was not opened, too), bad_robot, arena_too_small. May be
-  /// called again.
+  /// Divides the block into its arrays; with Limits::vertices 0, allocates as many vertices as fit. Copies parameters
+  /// and limits. Returns ok; or bad_arithmetic; bad_argument for the block, a scene that was not opened, a parameter or
+  /// a limit; bad_robot; or arena_too_small. May be called again, which ends every search and plan.
   [[nodiscard]] Failure init(const Setup& setup, const Parameters& parameters = {}, const Limits& limits = {});
 
   /// Begins a search, ending any other. Returns searching; or solved, when a plan may end with the start; or no_route,
@@ -128,27 +129,28 @@ class Planner {
   /// 2,730 distances.
   [[nodiscard]] Status start(const Query& query);
 
-  /// At most `iterations` expansions more; returns at once when the search has ended. Where an expansion comes so near
-  /// to the goal that braking may end there, it brakes, and from every fourth state near a pose it drives the shortest
-  /// few of at most 216 lines to it; such steps count as steps of the expansion for the work of a call, and it goes on
-  /// where they lead to nothing. A way that has reached the goal is driven once more before it is returned as a plan:
-  /// up to max_steps steps of it count as one of `iterations` here, but not in Statistics and Limits. The result does
-  /// not depend on how a search is cut into calls.
+  /// Runs at most `iterations` more expansions, each of at most max_steps steps; returns at once when the search has
+  /// ended. Steps that brake or drive the last metres to a pose count as steps of their expansion, which continues from
+  /// where they began if they do not end in the goal. A way that reached the goal is driven once more before it becomes
+  /// the plan: each max_steps steps of that use up one of `iterations`, but do not count in Statistics and Limits. The
+  /// result does not depend on how a search is split into calls.
   [[nodiscard]] Status advance(std::uint64_t iterations);
 
-  /// The same, and calls watch(from, to), states, for every step that the tree grows by; before an expansion
-  /// watch.expands(vertex, target), where there is such a member.
+  /// The same, and calls watch(from, to) with the two states of every step that the tree grows by, and
+  /// watch.expands(vertex, target) before each expansion, where there is such a member.
   [[nodiscard]] Status advance(std::uint64_t iterations, const Watch& watch);
 
-  /// At most `iterations` more of looking for a plan of fewer steps; plan() and Statistics::plan_steps, plan_length,
-  /// plan_duration and hash are then those of the best so far, which was driven and proven as the first one was. Where
-  /// the robot is a chain of four bodies or more, most iterations are those of searches that begin anew, in the same
-  /// tree; their work is that of an iteration of advance, they count in Statistics and Limits as its do, each begins
-  /// with a Dijkstra, and the last of a series ends with one. Work of any other: at most max_steps steps, near a pose
-  /// with the choice of lines as in advance at every third at most, and 16 legs' steps that are not proven, or
-  /// O(way_legs); the first call after start begins with one Dijkstra. The result does not depend on how the iterations
-  /// are cut into calls. Plans and their cursors from before the call end with it. Returns status() and does nothing
-  /// where that is not solved or the plan has no steps; bad_argument where Limits::way_legs is 0.
+  /// Runs at most `iterations` iterations that look for a plan with fewer steps. plan() and the plan's figures in
+  /// Statistics are then those of the best plan so far, proven like the first. Invalidates earlier plans and cursors.
+  /// Returns status(); does nothing unless that is solved and the plan has steps; bad_argument where Limits::way_legs
+  /// is 0. The result does not depend on how iterations are split into calls. For a chain of four or more bodies, most
+  /// iterations are those of searches that start over in the same tree; they count in Statistics and Limits as those of
+  /// advance do.
+  ///
+  /// Work per iteration of such a search: that of advance. Of any other: at most max_steps steps along a line, with the
+  /// choice of lines to a pose as in advance after at most every third, and the unproven steps of 16 legs; or
+  /// O(way_legs). The first call after start adds one Dijkstra, and so does the begin of each search and the end of the
+  /// last of a series.
   [[nodiscard]] Status improve(std::uint64_t iterations);
 
   /// Ends the search as time_used, for a port whose clock says so. No effect once it has ended. O(1).

@@ -122,10 +122,10 @@ class Scene {
 
   std::uint32_t bytes() const { return header_.total_bytes; }  ///< length of the file; 0 of one that was not opened
 
-  /// A check sum of the bytes as they are now, by which a planner finds at each start that they are no longer those of
-  /// its init: of the header, whose CRC differs from file to file, and of up to 256 words spread evenly over the
-  /// rest. So it sees another file, and any run of changed bytes longer than a 256th of this one and a word; of a
-  /// single changed word elsewhere only open finds. 0 for a scene that was not opened. Work: reads 310 words at most.
+  /// A checksum, taken now, of the header and of up to 256 words spread evenly over the rest of the file. A planner
+  /// compares it at each start with that of init. It detects another file, whose header has another CRC, and any
+  /// changed run longer than 1/256 of the file plus a word; single changed words elsewhere are detected by open only. 0
+  /// for a scene that was not opened. Work: reads at most 310 words.
   std::uint32_t fingerprint() const;
 
   const format::Header& header() const { return header_; }  ///< a copy of the file's, which this view owns

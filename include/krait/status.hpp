@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// \file
-/// What the core answers: how a call has ended, what was wrong, and why a search has found no plan; and what a caller
-/// must see to himself.
+/// Statuses and their details, why a search found no plan, and the hook for checked preconditions.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +12,7 @@
 #endif
 
 #ifndef KRAIT_ASSERT
-/// What a caller must see to, such as that an index is below a count. It is checked where the build names a header,
+/// A precondition, such as that an index is below a count. It is checked where the build names a header,
 /// KRAIT_ASSERT_HEADER, that defines the macro as an expression of type void; otherwise the condition is not evaluated,
 /// and costs nothing.
 #define KRAIT_ASSERT(condition) static_cast<void>(sizeof((condition) ? 1 : 0))

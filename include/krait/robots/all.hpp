@@ -12,9 +12,9 @@
 #include "krait/robots/unicycle.hpp"
 #include "krait/robots/unicycle2.hpp"
 
-/// MODEL(name, class, file, trailers) for every model: what users call it; its class; the name of its header and
-/// source; and as many trailers as one of it has where nobody says, as in tests, or - where it never has any. CMake and
-/// bash read these lines, too: one a model, as they stand.
+/// MODEL(name, class, file, trailers) for every model: its name in commands and files; its class; the name of its
+/// header and source; and its default number of trailers, used by tests and tools, or - for a model without trailers.
+/// CMake and bash parse these lines: keep one model per line in this form.
 // clang-format off
 #define KRAIT_MODELS(MODEL)                                  \
   MODEL(snake, Snake, snake, 15)                             \

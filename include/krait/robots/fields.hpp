@@ -11,7 +11,8 @@ template <class P, class Number>
 struct ParameterField {
   const char* name;       ///< that of the member, which is that in a ROBOT.json, too
   Number P::*member;      ///< where it stands
-  const char* unit = "";  ///< in words, plural; "": no ROBOT.json says it, since the robot's class or its model does
+  const char* unit = "";  ///< in words, plural; empty for fields that ROBOT.json does not contain because the model
+                          ///< determines them
   float least = 0.0F;     ///< in the unit
   float most = 0.0F;      ///< in the unit
 };

@@ -44,11 +44,11 @@ struct KinematicTruckParameters {
   }
 };
 
-/// A car whose speed and steering angle change at once, and trailers that roll without slip. While a control is held it
-/// moves as a truck does whose speed and steering angle are held, which answers for its bodies, hitches and bounds. It
-/// owns its parameters and polygons and allocates nothing: 2 KB. Its members are those that RobotModel says; every
-/// function of a state is O(trailers), except those of the car alone: track and integrate_lead, and steer, which are
-/// O(1).
+/// A car whose speed and steering angle change at once, and trailers that roll without slip. While a control is held,
+/// it moves like a truck whose speed and steering angle are held, so a Chain computes its bodies, hitches and bounds.
+/// It owns its parameters and polygons and allocates nothing: 2 KB. Its members are those that RobotModel describes;
+/// every function of a state is O(trailers), except those of the car alone, which are O(1): track, integrate_lead and
+/// steer.
 class KinematicTruck {
  public:
   using Parameters = KinematicTruckParameters;                        ///< what it is made from
