@@ -91,7 +91,8 @@ enum class WhenFull : std::uint8_t {
   stop      ///< ends as tree_full
 };
 
-/// What a search may use. lib/MEMORY.md says how many bytes of the block each needs.
+/// What a search may use. Planner::init refuses a number out of its range as bad_argument, with the Argument of its
+/// name. lib/MEMORY.md says how many bytes of the block each needs.
 struct Limits {
   static constexpr std::uint32_t kMost = (1U << 22U) - 2048;  ///< the most vertices, and the most expansions
 

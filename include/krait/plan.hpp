@@ -41,28 +41,32 @@ class PlanPath {
 
 }  // namespace detail
 
-/// Walks along a plan: s0 u0 s1 u1 … sL. Its memory, about a kilobyte, is its own; the robot and the planner must
-/// outlive it, and the planner's next start, improve or init ends it.
+/// Walks along a plan: s0 u0 s1 u1 … sL. It owns its memory, about a kilobyte. The robot and the planner must outlive
+/// it, and the planner's next start, improve or init invalidates it.
 class PlanCursor {
  public:
-  /// At the end of no plan, without a state.
+  /// A cursor of no plan: it is done and has no state.
   PlanCursor();
-  /// For the library: Plan::cursor makes them. `start` is robot.state_size() floats, which must stay.
+  /// For the library: Plan::cursor makes them. `start` is robot.state_size() floats, which must stay. As much work as
+  /// advance.
   PlanCursor(const Robot& robot, const detail::PlanPath& path, const float* start, float dt);
 
   int state_size() const;    ///< floats of a state
   int control_size() const;  ///< floats of a control
 
-  /// Whether this is the last state.
+  /// Whether this is the last state. O(1).
   bool done() const;
-  /// state_size() floats of the cursor's own, valid until the next advance.
+  /// state_size() floats in the cursor, valid until its next advance. O(1).
   const float* state() const;
-  /// control_size() floats of the cursor's own, held for dt from this state on; not when done.
+  /// control_size() floats in the cursor, held for dt from this state on, valid until its next advance; must not be
+  /// called when done. O(1).
   const float* control() const;
-  /// The state that the control leads to, of the cursor's own, too; not when done.
+  /// The state that the control leads to: state_size() floats in the cursor, valid until its next advance; must not be
+  /// called when done. O(1).
   const float* next() const;
 
-  /// On to the next state; not when done. Work: one control and the Runge-Kutta steps of a time step.
+  /// Goes on to the next state; must not be called when done. Work: one control and the Runge-Kutta steps of a time
+  /// step of the plan and of the tree beside it.
   void advance();
 
  private:
@@ -72,7 +76,7 @@ class PlanCursor {
   alignas(std::uint64_t) std::byte walk_[kWalkBytes];
 };
 
-/// What a search found, in the planner's memory: valid until its next start or improve.
+/// What a search found, in the planner's memory: valid until its next start, improve or init.
 class Plan {
  public:
   Plan() = default;  ///< an empty one
@@ -82,11 +86,12 @@ class Plan {
   bool empty() const { return start_ == nullptr; }                          ///< whether there is no plan
   std::uint32_t steps() const { return steps_; }                            ///< controls, each held for dt()
   int state_size() const { return empty() ? 0 : robot_.state_size(); }      ///< floats of a state; 0 for no plan
-  int control_size() const { return empty() ? 0 : robot_.control_size(); }  ///< floats of a control; likewise
+  int control_size() const { return empty() ? 0 : robot_.control_size(); }  ///< floats of a control; 0 for no plan
   float dt() const { return dt_; }                                          ///< seconds, a time step
   float duration() const { return dt_ * static_cast<float>(steps_); }       ///< seconds
 
-  /// From the first state; of an empty plan one that is done and has no state.
+  /// A cursor at the first state; of an empty plan one that is done and has no state. As much work as
+  /// PlanCursor::advance.
   PlanCursor cursor() const { return empty() ? PlanCursor() : PlanCursor(robot_, path_, start_, dt_); }
 
   /// Metres, of the line through the positions; 0 for no plan. O(steps).
@@ -95,7 +100,8 @@ class Plan {
   /// FNV-1a 64 over s0, u0, s1, u1, …, sL; 0 for no plan. O(steps).
   std::uint64_t hash() const;
 
-  /// (steps() + 1) * state_size() and steps() * control_size() floats into the caller's arrays. O(steps).
+  /// Writes (steps() + 1) * state_size() and steps() * control_size() floats into the caller's arrays; nothing for no
+  /// plan. O(steps).
   void copy(float* states, float* controls) const;
 
  private:

@@ -186,7 +186,8 @@ class Scene {
     KRAIT_ASSERT(start < start_count());
     return nth_name(1 + header_.goals + start);
   }
-  /// A start of the scene.
+  /// A start of the scene, 0 … start_count() - 1, which is not checked. Its angles lie in the file's bytes and stay
+  /// valid for as long as these. O(1).
   ScenePose start(Index start) const;
 
   // Obstacles.

@@ -35,7 +35,7 @@ float longest_plan_step(const Robot& robot, float dt);
 bool can_integrate(const Robot& robot, float dt);
 
 // The longest time step of at least 0.001 s and at most dt that needs at most kMostParts; 0 where there is none. At
-// most 24 evaluations of the robot's fastest rate.
+// most 25 evaluations of the robot's fastest rate.
 float longest_time_step(const Robot& robot, float dt);
 
 // A Runge-Kutta step of dt seconds, whose leading components may be known before the rest.
