@@ -386,6 +386,9 @@ krait_robot krait_own_robot(const krait_functions* functions, const void* self);
 /** Floats of a state, at most KRAIT_MAX_STATE; 0 where the robot's parameters cannot be used. O(bodies). */
 uint32_t krait_state_size(const krait_robot* robot);
 
+/** Floats of a control, at most KRAIT_MAX_CONTROL; 0 where the robot's parameters cannot be used. O(bodies). */
+uint32_t krait_control_size(const krait_robot* robot);
+
 /** Writes the state of the robot standing still there, krait_state_size floats. False, and nothing written, where the
     robot's parameters cannot be used, where the pose of a robot with trailers has another number of angles, and for a
     robot of your own. O(bodies). */
@@ -635,9 +638,9 @@ krait_statistics krait_statistics_of(const krait_planner* planner);
 /* ---- The plan ---- */
 
 /** Writes the next state of a solved plan, from the first on, and the control that is held for `dt` from it on: zeros
-    with the last state. `state` has room for krait_state_size floats, `control` for KRAIT_CONTROL, or a robot of your
-    own's control_size. False, and nothing written, behind the last state, or without a plan. Work: that of a time
-    step's motion, and O(legs of the plan). */
+    with the last state. `state` has room for krait_state_size floats, `control` for krait_control_size. Returns false,
+    and writes nothing, behind the last state or without a plan. Work: that of a time step's motion, and O(legs of the
+    plan). */
 bool krait_next(krait_planner* planner, float* state, float* control);
 
 /** Lets krait_next begin again with the first state, as krait_start does. O(1). */

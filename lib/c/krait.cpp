@@ -117,6 +117,8 @@ uint32_t krait_find_goal(const krait_scene* scene, const char* name) { return vi
 
 uint32_t krait_state_size(const krait_robot* robot) { return robot->model->state_size(*robot); }
 
+uint32_t krait_control_size(const krait_robot* robot) { return robot->model->control_size(*robot); }
+
 bool krait_rest(const krait_robot* robot, krait_pose pose, float* state) {
   return robot->model->rest(*robot, pose, state);
 }

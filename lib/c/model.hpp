@@ -16,6 +16,7 @@ struct krait_model {
   // Makes the robot at `place`.
   krait::Robot (*make)(void* place, const krait_robot& from);
   std::uint32_t (*state_size)(const krait_robot& from);
+  std::uint32_t (*control_size)(const krait_robot& from);
   bool (*rest)(const krait_robot& from, const krait_pose& pose, float* state);
   std::uint64_t (*pools)(const krait::Scene& scene, const krait_robot& from, const krait::Limits& limits);
   krait::Limits (*limits_for)(std::uint64_t pools, const krait::Scene& scene, const krait_robot& from,
@@ -72,6 +73,11 @@ struct Model {
     return robot.sound() ? static_cast<std::uint32_t>(robot.state_size()) : 0;
   }
 
+  static std::uint32_t control_size(const krait_robot& from) {
+    const R robot = make_robot<R>(from);
+    return robot.sound() ? static_cast<std::uint32_t>(robot.control_size()) : 0;
+  }
+
   static bool rest(const krait_robot& from, const krait_pose& pose, float* state) {
     const R robot = make_robot<R>(from);
     if (!robot.sound()) return false;
@@ -90,7 +96,7 @@ struct Model {
 };
 
 template <class R>
-inline constexpr krait_model kModel = {sizeof(R),      Model<R>::make,  Model<R>::state_size,
+inline constexpr krait_model kModel = {sizeof(R),      Model<R>::make,  Model<R>::state_size, Model<R>::control_size,
                                        Model<R>::rest, Model<R>::pools, Model<R>::limits_for};
 
 // The robot of the library's class R with its defaults, and as many trailers where it may have any.

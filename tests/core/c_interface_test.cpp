@@ -135,6 +135,7 @@ TEST(CInterface, TrailersThatAreNoneAreRefused) {
         robot.bodies = shapes;
         float state[KRAIT_MAX_STATE];
         EXPECT_EQ(krait_state_size(&robot), 0U);
+        EXPECT_EQ(krait_control_size(&robot), 0U);
         EXPECT_FALSE(krait_rest(&robot, kPose, state));
         EXPECT_EQ(plan(robot).failure.status, KRAIT_BAD_ROBOT) << trailers;
       }
@@ -187,6 +188,13 @@ TEST(CInterface, RestTakesAnglesOfEveryTrailerOrOfNone) {
   ASSERT_TRUE(krait_rest(&robot, {1, 2, 3, nullptr, 0}, state));
   const float straight[] = {1, 2, 3, 0, 0, 3, 3};
   EXPECT_EQ(std::memcmp(state, straight, sizeof straight), 0);
+}
+
+TEST(CInterface, EveryRobotOfTheLibraryHasTwoControls) {
+  for (const krait_robot& robot : {krait_snake(3), krait_truck(2), krait_kinematic_truck(1), krait_car(),
+                                   krait_unicycle(), krait_unicycle2(), krait_diff_drive()}) {
+    EXPECT_EQ(krait_control_size(&robot), static_cast<std::uint32_t>(KRAIT_CONTROL));
+  }
 }
 
 TEST(CInterface, ACarHasNoTrailerToTakeAnAngle) {

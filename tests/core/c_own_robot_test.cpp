@@ -439,6 +439,7 @@ TEST(OwnRobotInC, ItsCheckWritesNoMoreThanThereIsRoomFor) {
 TEST(OwnRobotInC, HasItsOwnStates) {
   const InC in_c(bare(2), 2);
   EXPECT_EQ(krait_state_size(&in_c.robot()), 7U);
+  EXPECT_EQ(krait_control_size(&in_c.robot()), 2U);
   float state[KRAIT_MAX_STATE];
   EXPECT_FALSE(krait_rest(&in_c.robot(), {2, 6, 0, nullptr, 0}, state));
 }
