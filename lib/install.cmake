@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# What `cmake --install` puts down: headers, the archive, the page on the scene format, licence and notices, and what
+# What `cmake --install` puts down: headers, the archive, the pages that headers name, licence and notices, and what
 # find_package and pkg-config read. Box2D's part is inside the archive; Eigen's headers are the user's.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -15,6 +15,12 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/krait DESTINATION ${CMAKE_INSTAL
   FILES_MATCHING PATTERN *.hpp PATTERN version.h PATTERN robot_check.hpp EXCLUDE)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/NOTICE
   ${PROJECT_SOURCE_DIR}/include/krait/FORMAT.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# In the folders that they have here, which the comments of headers name.
+foreach(folder lib lib/robot)
+  file(GLOB pages CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.md)
+  install(FILES ${pages} DESTINATION ${CMAKE_INSTALL_DOCDIR}/${folder})
+endforeach()
+install(FILES ${PROJECT_SOURCE_DIR}/bench/ABLATIONS.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/bench)
 
 install(EXPORT krait-targets NAMESPACE krait:: DESTINATION ${package_folder})
 write_basic_package_version_file(krait-config-version.cmake

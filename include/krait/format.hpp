@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// \file
-/// The bytes of a scene file: header and sections. FORMAT.md beside this file says what they mean;
-/// the scene compiler writes these records and Scene::open checks them.
+/// The bytes of a scene file: header and sections. FORMAT.md, which is installed as share/doc/krait/FORMAT.md, says
+/// what they mean; the scene compiler writes these records and Scene::open checks them.
 #pragma once
 
 #include <cstddef>
@@ -71,11 +71,11 @@ struct Header {
   std::uint32_t crc32;        ///< CRC-32 (IEEE 802.3, reflected) of the bytes from offset 16 to the end
 
   double origin_x;     ///< world = origin + local: whole metres, at most 1e9 either way
-  double origin_y;     ///< likewise
-  float bounds_min_x;  ///< the workspace: local metres, on the grid
-  float bounds_min_y;  ///< likewise
-  float bounds_max_x;  ///< likewise, above bounds_min_x
-  float bounds_max_y;  ///< likewise, above bounds_min_y
+  double origin_y;     ///< the same of y
+  float bounds_min_x;  ///< the least x of the workspace: local metres, on the grid
+  float bounds_min_y;  ///< the least y: local metres, on the grid
+  float bounds_max_x;  ///< the largest x: local metres, on the grid, above bounds_min_x
+  float bounds_max_y;  ///< the largest y: local metres, on the grid, above bounds_min_y
 
   // Each count is at most 2^27, or 65,534 where it is of something that is named by an index of 2 bytes.
   std::uint32_t vertices;        ///< count, of the triangles' corners
@@ -91,16 +91,16 @@ struct Header {
   float bucket_size;  ///< metres, a multiple of kGrid; bucket (i, j) covers bounds_min + [i, i+1] x [j, j+1] *
                       ///< bucket_size
   std::uint32_t bucket_columns;         ///< as many as cover the bounds, none to spare
-  std::uint32_t bucket_rows;            ///< likewise; columns times rows is at most kMaxCells
+  std::uint32_t bucket_rows;            ///< as many as cover the bounds; columns times rows is at most kMaxCells
   std::uint32_t bucket_triangles;       ///< length of all lists of triangles together
   std::uint32_t bucket_pieces;          ///< length of all lists of pieces together
   std::uint32_t most_bucket_triangles;  ///< largest list of one bucket: bounds the work of a look-up
-  std::uint32_t most_bucket_pieces;     ///< likewise
+  std::uint32_t most_bucket_pieces;     ///< the same of pieces
 
   float clearance_cell;  ///< metres, a multiple of 8 kGrid; cell (i, j) covers bounds_min + [i, i+1] x [j, j+1] *
                          ///< clearance_cell
   std::uint32_t clearance_columns;  ///< as many as cover the bounds, none to spare
-  std::uint32_t clearance_rows;     ///< likewise; columns times rows is at most kMaxCells
+  std::uint32_t clearance_rows;     ///< as many as cover the bounds; columns times rows is at most kMaxCells
   float clearance_unit;  ///< metres, clearance_cell / kClearanceUnits; a cell's byte times this bounds from below the
                          ///< distance from any point of the widened cell to the nearest obstacle or bound; 0 where the
                          ///< cell meets one

@@ -396,16 +396,21 @@ KRAIT_NODISCARD bool krait_rest(const krait_robot* robot, krait_pose pose, float
 
 /* ---- Planning ---- */
 
-/** How the search goes about it. The defaults are measured (bench/ABLATIONS.md), and few programs change them. Ranges
-    include their ends where nothing else is said. */
+/** How the search proceeds. The defaults are measured (bench/ABLATIONS.md, which is installed below share/doc/krait),
+    and few programs change them. Ranges include their ends where nothing else is said.
+    The group of states with the largest weight grows. The weight is (epsilon + 1 - h / h_max)^alpha beta^n after n
+    selections of the group, where h is the cost of the shortest path of regions to the goal and h_max the largest h.
+    The cost C of an edge between two regions is at first the distance of their centroids, metres. An expansion that
+    fails raises the costs of the edges of the next region on the shortest path. */
 typedef struct krait_search_tuning {
   uint32_t group_sample; /**< 1 to 65535, default 12: states that a group keeps to grow from, a random sample of all */
   float alpha,           /**< 1 to 64, default 8: strength of the heuristic */
-      beta,              /**< above 0, below 1, default 0.85: a group's weight shrinks by this with each selection */
+      beta,              /**< above 0, below 1, default 0.85: a group's weight shrinks by this factor with each
+                              selection */
       epsilon;           /**< above 0, up to 1, default 0.01: keeps every weight positive */
   float gamma,           /**< 0 to 1e6, default 20: how much a failure raises edge costs; 0: costs never change */
-      cost_length;       /**< 0 to 10, default 1, in lengths of body 0: C += gamma l^2 / max(C, l), l this length; 0:
-                              gamma / C */
+      cost_length;       /**< 0 to 10, default 1, in lengths of body 0: with this length l, a failure raises C by
+                              gamma l^2 / max(C, l); 0: by gamma / C */
   uint32_t kappa,        /**< 1 to 10000, default 10: expansions between updates of the heuristic costs */
       update_regions;    /**< 0 to 1e6, default 100: after an update that looked at n regions, the next waits for at
                               least n / update_regions expansions; 0: no such wait */

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 /// \file
-/// The numbers that steer a search. Defaults first; `paper()` returns the paper's own.
+/// The numbers that steer a search. Defaults first; `paper()` returns those of the paper: A. Wells and E. Plaku,
+/// "Adaptive Sampling-Based Motion Planning for Mobile Robots with Differential Constraints", TAROS 2015, from which
+/// come the numbers of equations and algorithms. Pages that are named here are installed below share/doc/krait.
 #pragma once
 
 #include <cstdint>
@@ -13,39 +15,43 @@ namespace krait {
 /// The largest SearchTuning::group_sample: as large as a group's sample of the states that reached its region can be.
 inline constexpr std::uint32_t kUnboundedSample = 65535;
 
-/// How the search goes about it. The defaults are measured (bench/ABLATIONS.md, which also has what half and twice of
+/// How the search proceeds. The defaults are measured (bench/ABLATIONS.md, which also states what half and twice of
 /// each cost), and few programs change them.
 struct SearchTuning {
-  static constexpr std::uint32_t kMostSteps = 1000;     ///< the most max_steps and open_steps
-  static constexpr std::uint32_t kMostDoomedSteps = 3;  ///< the most doomed_steps
-  static constexpr std::uint32_t kMostCandidates = 8;   ///< the most candidates
+  static constexpr std::uint32_t kMostSteps = 1000;     ///< the largest max_steps and open_steps
+  static constexpr std::uint32_t kMostDoomedSteps = 3;  ///< the largest doomed_steps
+  static constexpr std::uint32_t kMostCandidates = 8;   ///< the largest candidates
 
-  // Eqns 5 and 6.
+  // The states of the tree are in groups, one for each region that the tree has reached (Eqns 5 and 6).
   std::uint32_t group_sample = 12;  ///< 1 … 65535: states that a group keeps to grow from, a random sample of all
-  // Eqn 7.
+  // The group with the largest weight grows. The weight is (epsilon + 1 - h / h_max)^alpha beta^n after n selections of
+  // the group, where h is the cost of the shortest path of regions to the goal and h_max the largest h (Eqn 7).
   float alpha = 8.0F;     ///< 1 … 64: strength of the heuristic
-  float beta = 0.85F;     ///< above 0, below 1: a group's weight shrinks by this with each selection
+  float beta = 0.85F;     ///< above 0, below 1: a group's weight shrinks by this factor with each selection
   float epsilon = 0.01F;  ///< above 0, up to 1: keeps every weight positive
-  // Eqn 9.
-  float gamma = 20.0F;       ///< 0 … 1e6: how much a failure raises edge costs; 0: costs never change
-  float cost_length = 1.0F;  ///< 0 … 10, in lengths of body 0: C += gamma l^2 / max(C, l), l this length; 0: gamma / C
+  // The cost C of an edge between two regions is at first the distance of their centroids, metres. An expansion that
+  // fails raises the costs of the edges of the next region on the shortest path (Eqn 9).
+  float gamma = 20.0F;  ///< 0 … 1e6: how much a failure raises edge costs; 0: costs never change
+  /// 0 … 10, in lengths of body 0: with this length l, a failure raises C by gamma l^2 / max(C, l); 0: by gamma / C, as
+  /// in Eqn 9.
+  float cost_length = 1.0F;
   std::uint32_t kappa = 10;  ///< 1 … 10000: expansions between updates of the heuristic costs
   /// 0 … 1e6: after an update that looked at n regions, the next waits for at least n / update_regions expansions; 0:
   /// no such wait.
   std::uint32_t update_regions = 100;
   bool raise_goal = false;  ///< whether a failure right before the goal raises the goal's edges as well
-  // Algorithm 2.
+  // An expansion drives from a state of the group toward a target (Algorithm 2).
   std::uint32_t max_steps = 40;     ///< 1 … 1000: of one expansion
   std::uint32_t open_steps = 1000;  ///< 0 … 1000: of one in the open, while it nears its target and crosses one portal
   std::uint32_t path_regions = 6;   ///< 1 … 64: targets come from that many regions after the group's own
-  float near_radius = 0.7F;         ///< 0 … 10, in lengths of body 0: a target so near is reached
-  float goal_near_radius = 0.0F;    ///< 0 … 10, likewise of a target in the goal; 0: only the goal ends an expansion
+  float near_radius = 0.7F;         ///< 0 … 10, in lengths of body 0: a target counts as reached within this distance
+  float goal_near_radius = 0.0F;    ///< 0 … 10, the same of a target in the goal; 0: only the goal ends an expansion
   float stray_share = 0.1F;         ///< 0 … 1: share of expansions toward a random point of the workspace instead
   float gentle_share = 0.35F;  ///< 0 … 1: share of expansions from a group that was often selected that turn gently
   std::uint32_t sight_tries = 16;  ///< 0 … 64: points drawn for one in sight of the vertex; 0: any point will do
   std::uint32_t candidates = 4;    ///< 0 … 8: ways that are sketched before one is driven; 0: any way will do
   std::uint32_t least_sketch = 8;  ///< 0 … 20: steps of a sketch, of 2 dt, below which no way is driven and costs rise
-  std::uint32_t doomed_steps = 2;  ///< 0 … 3: so many states before a collision are not kept to grow from
+  std::uint32_t doomed_steps = 2;  ///< 0 … 3: this many states before a collision are not kept to grow from
   /// Expansions, 0 … 1e9: tries last 1, 1, 2, 1, 1, 2, 4, … of it, and of as many again for every 90 regions of the way
   /// from the start; 0: one try for ever.
   std::uint32_t restart_unit = 4000;
@@ -58,7 +64,7 @@ struct SearchTuning {
   bool prune_portals = true;        ///< whether portals too narrow for the robot are removed before the search
 };
 
-/// What a parameter may be: from least to most, both included.
+/// The range of a parameter, from least to most, both included.
 struct ParameterRange {
   float least = 0.0F;  ///< in the parameter's unit
   float most = 0.0F;   ///< in the parameter's unit; infinity where it has no end
@@ -70,7 +76,7 @@ struct Parameters {
   float clearance = 1e-3F;    ///< 0 … 10 m: a plan keeps it between bodies and everything, on top of rounding
   float goal_margin = 0.03F;  ///< 0 … 10 m, at most a tenth of the goal's size: how deep inside the plan must end
   float end_speed = 0.0F;  ///< m/s, 0 … infinity: a plan ends no faster, to 5 mm/s; 0: at rest; infinity: at any speed
-  SearchTuning tuning;     ///< how the search goes about it
+  SearchTuning tuning;     ///< how the search proceeds
 
   /// Algorithms 1 and 2 with the paper's constants: discrete collision checks, no pruning, Eqn 9 as printed.
   static Parameters paper();

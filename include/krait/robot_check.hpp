@@ -52,7 +52,8 @@ struct RobotRanges {
   bool anywhere = true;  ///< whether it moves alike wherever it stands, which is checked then
   float leaving = 0.0F;  ///< 0 … 1: share of steered steps that may leave the limits, as where hitches fold
   // A Runge-Kutta step of step_rate / fastest_rate(dt) seconds, and at most dt, is to be accurate to step_error, in
-  // metres and radians: as the library makes them while the tree grows (lib/DESIGN.md, "Integration").
+  // metres and radians: as the library makes them while the tree grows (lib/DESIGN.md, "Integration", which is
+  // installed below share/doc/krait).
   float step_rate = 0.32F;   ///< 0 or more, without a unit; 0: not checked
   float step_error = 5e-4F;  ///< metres and radians, 0 or more
   /// Makes a state of the numbers that were drawn, where components depend on each other; none: they are the state.

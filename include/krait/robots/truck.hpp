@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// \file
-/// A tractor with trailers that roll without slip: they follow with the rear axle's speed, s = v cos psi.
-/// A steady turn needs R^2 > N d^2 for the tail to follow; the steering keeps the curvature below that (chain.cpp).
+/// A tractor with trailers that roll without slip: they follow with the rear axle's speed, s = v cos psi. N trailers of
+/// hitch length d follow a steady turn of radius R only where R^2 > N d^2; the steering turns no tighter.
 #pragma once
 
 #include "krait/robots/chain.hpp"
