@@ -36,7 +36,7 @@ extern "C" {
 #define KRAIT_MAX_BODIES 32   /**< bodies, any robot's */
 #define KRAIT_CONTROL 2       /**< floats of a control of the library's robots */
 
-/* ---- Answers ---- */
+/* ---- Statuses ---- */
 
 /** How a call or a search has ended: one of KRAIT_OK to KRAIT_INTERNAL. */
 typedef uint8_t krait_status;
@@ -100,7 +100,7 @@ KRAIT_NODISCARD krait_failure krait_open(krait_scene* scene, const void* file, s
 typedef struct krait_scene_facts {
   const char* name; /**< UTF-8 in the file's bytes, safe to print */
   double origin_x,  /**< whole metres: world = origin + local; all that follows is local */
-      origin_y;     /**< likewise */
+      origin_y;     /**< whole metres, of y */
   float min_x,      /**< metres: the least x of the workspace */
       min_y,        /**< metres: the least y */
       max_x,        /**< metres: the largest x */
@@ -114,7 +114,7 @@ krait_scene_facts krait_facts(const krait_scene* scene);
 /** A robot's place. */
 typedef struct krait_pose {
   float x,              /**< metres, local coordinates, of the position */
-      y,                /**< likewise */
+      y,                /**< metres, local coordinates, of the position */
       heading;          /**< radians, of body 0 */
   const float* angles;  /**< radians: the headings of its trailers, or NULL for `heading`; not owned */
   uint32_t angle_count; /**< how many they are: all trailers', or 0 for `heading`; 0 with NULL */
@@ -163,7 +163,7 @@ typedef struct krait_kinematic_truck_parameters {
   float wheelbase,        /**< metres, > 0: rear axle to front axle; default 0.8 */
       hitch_length;       /**< metres, > 0: axle to axle; default 0.8 */
   float max_speed,        /**< m/s, > 0: of the rear axle; default 2.5 */
-      min_speed;          /**< m/s, <= 0: likewise; below 0 it may reverse; default 0 */
+      min_speed;          /**< m/s, <= 0: of the rear axle; below 0 it may reverse; default 0 */
   float max_steering;     /**< radians, above 0, up to 1.5: of the steering angle, either way; default 1 */
   int self_collision_gap; /**< >= 1: bodies i and j are tested against each other where |i - j| is at least this;
                                default 2 */
@@ -217,7 +217,7 @@ typedef struct krait_polygon {
 /** Where an expansion steers to. */
 typedef struct krait_target {
   float x,     /**< metres, local coordinates */
-      y;       /**< likewise */
+      y;       /**< metres, local coordinates */
   float speed; /**< share of the top speed in (0, 1]; in [-1, 0): backwards; 0: to rest */
   float dt;    /**< seconds that the control will be held */
   float turn;  /**< share of the sharpest turn in (0, 1] */
@@ -226,7 +226,7 @@ typedef struct krait_target {
 /** A body's frame in the workspace: its origin and the sine and cosine of its heading. */
 typedef struct krait_frame {
   float x,   /**< metres, local coordinates */
-      y;     /**< likewise */
+      y;     /**< metres, local coordinates */
   float sin, /**< -1 to 1 */
       cos;   /**< -1 to 1 */
 } krait_frame;
@@ -419,8 +419,9 @@ typedef struct krait_search_tuning {
       open_steps,        /**< 0 to 1000, default 1000: of one in the open, while it nears its target and crosses one
                               portal */
       path_regions;      /**< 1 to 64, default 6: targets come from that many regions after the group's own */
-  float near_radius,     /**< 0 to 10, default 0.7, in lengths of body 0: a target so near is reached */
-      goal_near_radius, /**< 0 to 10, default 0, likewise of a target in the goal; 0: only the goal ends an expansion */
+  float near_radius,     /**< 0 to 10, default 0.7, in lengths of body 0: a target counts as reached within this
+                              distance */
+      goal_near_radius, /**< 0 to 10, default 0, the same of a target in the goal; 0: only the goal ends an expansion */
       stray_share,      /**< 0 to 1, default 0.1: share of expansions toward a random point of the workspace instead */
       gentle_share;     /**< 0 to 1, default 0.35: share of expansions from a group that was often selected that turn
                              gently */
@@ -428,7 +429,7 @@ typedef struct krait_search_tuning {
       candidates,       /**< 0 to 8, default 4: ways that are sketched before one is driven; 0: any way will do */
       least_sketch;     /**< 0 to 20, default 8: sketched steps, of 2 dt, below which no way is driven and costs are
                              raised */
-  uint32_t doomed_steps, /**< 0 to 3, default 2: so many states before a collision are not kept to grow from */
+  uint32_t doomed_steps, /**< 0 to 3, default 2: this many states before a collision are not kept to grow from */
       restart_unit;      /**< expansions, 0 to 1e9, default 4000: tries last 1, 1, 2, 1, 1, 2, 4, ... of it, and of
                               as many again for every 90 regions of the way from the start; 0: one try for ever */
   float slowest,         /**< 0.05 to 1, default 1: speed set-points are uniform from this share of the top speed to all
@@ -487,8 +488,8 @@ krait_limits krait_limits_for(uint64_t bytes, const krait_scene* scene, const kr
 krait_limits krait_limits_to_improve(uint64_t bytes, const krait_scene* scene, const krait_robot* robot,
                                      uint32_t way_legs);
 
-/** What a planner is made from. Block, scene and file must outlive it and stay where they are; the robot is copied, and
-    so are its bodies, but for what a robot of your own points to. */
+/** The arguments of krait_init. Block, scene and file must outlive the planner and stay where they are; the robot is
+    copied, and so are its bodies, but for what a robot of your own points to. */
 typedef struct krait_setup {
   void* block;              /**< the caller's, aligned to 8; the planner alone writes to it */
   uint64_t bytes;           /**< length of the block */
@@ -510,7 +511,7 @@ typedef struct krait_goal {
   uint32_t index;          /**< of the scene's goals, or KRAIT_NONE for the disc */
   float x,                 /**< metres, local coordinates, in the scene's bounds: of the disc that the position ends
                                 in */
-      y,                   /**< likewise */
+      y,                   /**< metres, local coordinates, in the scene's bounds */
       radius;              /**< metres, > 0; x, y and radius are not looked at for the scene's goals */
   float heading;           /**< radians, -8192 to 8192, of body 0 */
   float heading_tolerance; /**< radians, above 0 and at most pi: how far off the heading may be; 0: the heading is free,
@@ -527,7 +528,7 @@ krait_goal krait_disc_goal(float x, float y, float radius);
     krait_start, as in C++. O(1). */
 krait_goal krait_pose_goal(float x, float y, float radius, float heading, float heading_tolerance);
 
-/** What a search is to find. */
+/** A planning problem. */
 typedef struct krait_query {
   const float* start; /**< krait_state_size floats, copied; the position in local coordinates */
   krait_goal goal;    /**< copied */
@@ -568,7 +569,7 @@ KRAIT_NODISCARD krait_status krait_improve(krait_planner* planner, uint64_t iter
 /** Ends a search as KRAIT_TIME_USED, for a program whose clock says so. No effect once it has ended. O(1). */
 void krait_stop_for_time(krait_planner* planner);
 
-/** The last answer of krait_init, krait_start or the search, with its details. O(1). */
+/** Returns the last status of krait_init, krait_start or the search, with its details. O(1). */
 KRAIT_NODISCARD krait_failure krait_last_failure(const krait_planner* planner);
 
 /** What a start lies against. */
@@ -588,7 +589,7 @@ typedef struct krait_contact {
   float distance; /**< metres; 0 where they overlap */
   float needed;   /**< metres that they must keep: the clearance, and what rounding needs */
   float x,        /**< metres, local coordinates: the middle between their nearest points, or a point of both */
-      y;          /**< likewise */
+      y;          /**< metres, local coordinates, of the same point */
 } krait_contact;
 
 /** After KRAIT_START_IN_COLLISION; KRAIT_NO_CONTACT elsewhere. O(pieces near the robot + bodies^2). */
@@ -599,7 +600,7 @@ typedef struct krait_bottleneck {
   float width;  /**< metres, of a disc that passes there; 0 where no way leads to the goal at all */
   float needed; /**< metres, of the disc that lies in body 0, with the clearance on both sides */
   float x,      /**< metres, local coordinates: the place, where there is a way */
-      y;        /**< likewise */
+      y;        /**< metres, local coordinates, of the same place */
   bool at_goal; /**< whether the place is the roomiest of the goal itself: the robot cannot stand in it */
 } krait_bottleneck;
 
@@ -610,21 +611,21 @@ krait_bottleneck krait_bottleneck_of(krait_planner* planner);
 /** Where a search that has started has made most of its expansions, as a rule in vain. */
 typedef struct krait_effort {
   float x,        /**< metres, local coordinates: the middle of a triangle of the scene */
-      y;          /**< likewise */
-  uint32_t tries; /**< expansions from there since the search last began anew; 0: none */
+      y;          /**< metres, local coordinates, of the same point */
+  uint32_t tries; /**< expansions from there since the last restart; 0: none */
 } krait_effort;
 /** Returns the effort of a search that has started, the first place among equals. O(R). */
 krait_effort krait_effort_of(const krait_planner* planner);
 
-/** What a search has done so far, and those that krait_improve made after it. */
+/** What a search and the calls of krait_improve after it have done so far. */
 typedef struct krait_statistics {
-  uint64_t iterations,   /**< expansions; of a long one every max_steps steps */
+  uint64_t iterations,   /**< expansions; each max_steps steps of a long one count as one */
       restarts,          /**< tries after the first (krait_search_tuning's restart_unit) */
-      vertices,          /**< that the motion tree grew by */
-      recycled,          /**< of those kept to grow from, given up for want of memory */
+      vertices,          /**< that were added to the motion tree */
+      recycled,          /**< of those kept to grow from, dropped for lack of memory */
       collision_checks,  /**< placements of the whole robot that were tested */
-      dijkstra_runs,     /**< shortest paths of all regions found anew */
-      regions_repaired,  /**< shortest paths that changed by a repair in place of a run */
+      dijkstra_runs,     /**< how often the shortest paths of all regions were computed */
+      regions_repaired,  /**< shortest paths that were recomputed by a repair in place of a run */
       plans_refused;     /**< ways to the goal that did not hold as driven */
   uint64_t bytes_used,   /**< of the block behind the planner itself: tables, and what vertices and expansions took at
                               most */
@@ -655,16 +656,16 @@ void krait_rewind(krait_planner* planner);
 /* These two are in an archive of their own, krait::c_robot_check (-lkrait_c_robot_check -lkrait_robot_check, before the
     others), which allocates and needs C++'s run-time library. */
 
-/** From low to high, both included. */
+/** The range of a component, which includes both ends. */
 typedef struct krait_range {
   float low;  /**< in the component's own unit */
-  float high; /**< likewise, not below low */
+  float high; /**< in the component's own unit, not below low */
 } krait_range;
 
 /** Where a robot's states and controls lie, in its own units, and what holds of it. Nothing in it is owned. */
 typedef struct krait_ranges {
   const krait_range* state;   /**< one a component; drawn evenly, but for the position now and then at the ends */
-  const krait_range* control; /**< one a component: the limits that steer keeps to; drawn likewise */
+  const krait_range* control; /**< one a component: the limits that steer keeps to; drawn in the same way */
   const float* dt;            /**< seconds: the time steps to be tried */
   uint32_t dt_count;          /**< of them; 0: 0.1 s alone */
   /** The components of the state that are headings, in radians: turning the robot adds to them and changes nothing else
@@ -683,10 +684,11 @@ typedef struct krait_ranges {
 /** All fields with their defaults; both arrays must stay. O(1). */
 krait_ranges krait_default_ranges(const krait_range* state, const krait_range* control);
 
-/** Draws so many states and controls from the ranges, and returns how many promises of krait_functions the robot breaks
-    at one; 0: none was found to be broken, which is no proof. Writes a line for each into `text`: what is broken, by
-    how much and where in the worst case, and what to do. It writes at most `bytes`, the zero at the end among them;
-    `text` may be NULL where `bytes` is 0. The same for the same seed. Work: some thousand derivatives a sample. */
+/** Draws `samples` states and controls from the ranges, and returns how many promises of krait_functions the robot
+    breaks at one of them; 0: none was found to be broken, which is no proof. Writes a line for each into `text`: what
+    is broken, by how much and where in the worst case, and what to do. It writes at most `bytes`, the zero at the end
+    among them; `text` may be NULL where `bytes` is 0. The same for the same seed. Work: some thousand derivatives a
+    sample. */
 uint32_t krait_check_robot(const krait_robot* robot, const krait_ranges* ranges, uint32_t samples, uint64_t seed,
                            char* text, size_t bytes);
 

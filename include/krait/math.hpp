@@ -123,7 +123,7 @@ template <class T>
   return hidden;
 }
 
-// Inlined into each planner, whose copies' branches would count anew; tests/arithmetic takes both sides of every one,
+// Inlined into each planner, whose copies' branches would count again; tests/arithmetic takes both sides of every one,
 // in programs built with other options or run in other modes. GCOVR_EXCL_BR_START
 
 /// Whether the code around the call neither fuses, reorders nor simplifies float operations.

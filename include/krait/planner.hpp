@@ -71,22 +71,22 @@ class Watch {
   void (*expands_)(const void* self, Index vertex, const Target& target) = nullptr;
 };
 
-/// What a search is to find.
+/// A planning problem.
 struct Query {
   const float* start = nullptr;  ///< robot.state_size() floats, copied; the position in the scene's local coordinates
   Goal goal = Goal::named(0);    ///< copied
   std::uint64_t seed = 1;        ///< any; the same seed, the same plan
 };
 
-/// What a search has done so far, and those that improve made after it, by the names of the plan's JSON.
+/// What a search and the calls of improve after it have done so far. The names are those in the plan's JSON.
 struct Statistics {
-  std::uint64_t iterations = 0;        ///< expansions; of a long one every max_steps steps
+  std::uint64_t iterations = 0;        ///< expansions; each max_steps steps of a long one count as one
   std::uint64_t restarts = 0;          ///< tries after the first (SearchTuning::restart_unit)
-  std::uint64_t vertices = 0;          ///< that the motion tree grew by
-  std::uint64_t recycled = 0;          ///< of those kept to grow from, given up for want of memory
+  std::uint64_t vertices = 0;          ///< that were added to the motion tree
+  std::uint64_t recycled = 0;          ///< of those kept to grow from, dropped for lack of memory
   std::uint64_t collision_checks = 0;  ///< placements of the whole robot that were tested
-  std::uint64_t dijkstra_runs = 0;     ///< shortest paths of all regions found anew
-  std::uint64_t regions_repaired = 0;  ///< shortest paths that changed by a repair in place of a run
+  std::uint64_t dijkstra_runs = 0;     ///< how often the shortest paths of all regions were computed
+  std::uint64_t regions_repaired = 0;  ///< shortest paths that were recomputed by a repair in place of a run
   std::uint64_t plans_refused = 0;     ///< ways to the goal that did not hold as driven
   std::uint64_t bytes_used = 0;        ///< of the block: tables, and what vertices and expansions took at most
   std::uint64_t bytes_given = 0;       ///< length of the block

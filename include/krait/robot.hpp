@@ -53,11 +53,11 @@ class Robot {
            backing_body() >= 0 && backing_body() < body_count_;
   }
   bool leads() const { return functions_->leads; }          ///< whether leading components are integrated first
-  bool has_speed() const { return functions_->has_speed; }  ///< whether the robot says how fast it moves
+  bool has_speed() const { return functions_->has_speed; }  ///< whether the robot has the function `speed`
   /// Whether the robot was compiled with the library's arithmetic.
   bool exact() const { return functions_ == nullptr || functions_->exact(self_); }
   const detail::Parking* parking() const { return functions_->parking; }  ///< the library's own; null where not kParks
-  const detail::Docking* docking() const { return functions_->docking; }  ///< likewise; null where not kDocks
+  const detail::Docking* docking() const { return functions_->docking; }  ///< the library's own; null where not kDocks
   bool answers_proven() const { return functions_->answers_proven; }      ///< kAnswersProven of its class
 
   /// Writes the frame of every body in s.
@@ -105,12 +105,12 @@ class Robot {
   bool within_limits(const float* s) const { return functions_->within_limits(self_, s); }
   /// Whether s is so far within them that the tree may keep it.
   bool keeps_reserve(const float* s) const { return functions_->keeps_reserve(self_, s); }
-  /// Writes what bounds the motion of every body while u is held for dt seconds from s to next; false where the limits
-  /// are not proven to hold all the way.
+  /// Writes bounds on the motion of every body while u is held for dt seconds from s to next; returns false where the
+  /// limits are not proven to hold in between.
   bool travel(const float* s, const float* u, float dt, const float* next, Travel* travel) const {
     return functions_->travel(self_, s, u, dt, next, travel);
   }
-  /// What can be said of the same step at little cost; nothing, for a robot that does not.
+  /// A cheap bound on the same step; one that proves nothing for a robot without that function.
   QuickBound quick_bound(const float* s, const float* u, float dt, const float* next) const {
     return functions_->quick_bound(self_, s, u, dt, next);
   }
@@ -118,15 +118,15 @@ class Robot {
   bool sketch(float* s, Pose* poses, const float* u, float dt) const {
     return functions_->sketch(self_, s, poses, u, dt);
   }
-  /// 1/s: how fast the dynamics can change within a time step of dt seconds; 0 where the robot does not say.
+  /// 1/s: how fast the dynamics can change within a time step of dt seconds; 0 for a robot without that function.
   float fastest_rate(float dt) const { return functions_->fastest_rate(self_, dt); }
-  /// m/s, at least 0; 0 where the robot does not say.
+  /// m/s, at least 0; 0 for a robot without that function.
   float speed(const float* s) const { return functions_->speed(self_, s); }
-  /// Metres along body 0's x axis, negative backwards; 0 where the robot does not say.
+  /// Metres along body 0's x axis, negative backwards; 0 for a robot without that function.
   float stopping_way(const float* s) const { return functions_->stopping_way(self_, s); }
-  /// Metres, of the sharpest turn that it drives for long; `length` where the robot does not say.
+  /// Metres, of the sharpest turn that it drives for long; `length` for a robot without that function.
   float turning_radius(float length) const { return functions_->turning_radius(self_, length); }
-  /// m/s, straight ahead; `length` metres a second where the robot does not say.
+  /// m/s, straight ahead; `length` metres a second for a robot without that function.
   float top_speed(float length) const { return functions_->top_speed(self_, length); }
   /// Writes to s the state of standing still there: metres, radians; `angles` are `count` headings of the bodies after
   /// the first, none: they have `heading`. False, and nothing is written, where the robot has no such function or

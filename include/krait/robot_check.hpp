@@ -35,16 +35,16 @@ struct RobotReport {
   std::string text() const;
 };
 
-/// From low to high, both included.
+/// The range of a component, which includes both ends.
 struct RobotRange {
   float low;   ///< in the component's own unit
-  float high;  ///< likewise, not below low
+  float high;  ///< in the component's own unit, not below low
 };
 
 /// Where a robot's states and controls lie, in its own units, and what holds of it.
 struct RobotRanges {
   std::vector<RobotRange> state;    ///< one a component; drawn evenly, but for the position now and then at the ends
-  std::vector<RobotRange> control;  ///< one a component: the limits that steer keeps to; drawn likewise
+  std::vector<RobotRange> control;  ///< one a component: the limits that steer keeps to; drawn in the same way
   std::vector<float> dt = {0.1F};   ///< seconds: the time steps to be tried
   /// The components of the state that are headings, in radians: turning the robot adds to them and changes nothing else
   /// but the position. Whether it moves alike in every direction is checked where there are any.
@@ -60,8 +60,8 @@ struct RobotRanges {
   std::function<void(std::vector<float>& state)> arrange = {};
 };
 
-/// Draws so many states and controls from the ranges and names every promise of the concept that the robot breaks at
-/// one, in the worst case found. The same for the same seed. What it does not find is not proven: samples are no proof.
+/// Draws `samples` states and controls from the ranges and reports every promise of the concept that the robot breaks
+/// at one of them, with the worst case found. Returns the same report for the same seed. An empty report is no proof.
 /// Work: some thousand derivatives a sample.
 RobotReport check_robot(const Robot& robot, const RobotRanges& ranges, int samples = 1000, std::uint64_t seed = 1);
 

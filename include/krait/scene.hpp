@@ -109,8 +109,8 @@ struct ScenePose {
 };
 
 /// A view of a scene file that was checked. It refers to the file's bytes, which must stay, unchanged, for as long as
-/// it is used; copies are views of the same bytes. Every function of it is O(1) where it does not say more. One that
-/// was not opened answers bytes, fingerprint, inside_bounds and the counts only.
+/// it is used; copies are views of the same bytes. Every function is O(1) where nothing else is stated. Of a scene that
+/// was not opened only bytes, fingerprint, inside_bounds and the counts may be called.
 class Scene {
  public:
   static constexpr std::uint8_t kHeaderSection = 255;  ///< Failure::section for the header; the element is an offset

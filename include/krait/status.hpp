@@ -134,7 +134,7 @@ struct Bottleneck {
 /// The place where a search has tried most, as a rule in vain.
 struct Effort {
   Vec2 at{};                ///< the middle of a region, local coordinates
-  std::uint32_t tries = 0;  ///< expansions from there since the search last began anew; 0: none
+  std::uint32_t tries = 0;  ///< expansions from there since the last restart; 0: none
 };
 
 }  // namespace krait

@@ -14,7 +14,7 @@ class Car : public Truck {
   explicit Car(const ChainParameters& parameters) : Truck(centred(parameters)) {}
 
   using Chain::steer;  ///< it has no trailers
-  using Chain::track;  ///< likewise
+  using Chain::track;  ///< it has no trailers
 
   /// Those of a car of 1.2 m by 0.6 m; else the chain's.
   static ChainParameters defaults() {
@@ -32,7 +32,7 @@ class Car : public Truck {
   }
 };
 
-/// Its answers need no second look.
+/// The library does not check its results.
 template <>
 inline constexpr bool kAnswersProven<Car> = true;
 

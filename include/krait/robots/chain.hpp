@@ -59,7 +59,7 @@ struct ChainParameters {
 /// O(trailers), except those of the car alone: steer, track, speed, stopping_way and integrate_lead, which are O(1).
 class Chain {
  public:
-  using Parameters = ChainParameters;  ///< what it is made from
+  using Parameters = ChainParameters;  ///< what its constructor copies
   static constexpr int kCarState = 5;  ///< floats of the car's state, which moves as if it pulled nothing
   static constexpr int kMaxState = kCarState + kMaxTrailers;                      ///< floats of a state, at most
   static constexpr int kMaxControl = 2;                                           ///< floats of a control
@@ -98,8 +98,8 @@ class Chain {
   void steer(StateView s, const Pose* poses, const Target& target, Steering& steering, ControlRef u) const;
   /// Brings the car back to its reference's line within half a dozen wheelbases. The trailers follow.
   void track(StateView s, StateView reference, float dt, ControlRef u) const;
-  /// Metres: how far a body may be off by the errors of the trailers' headings, radians, which it carries over dt
-  /// seconds: they fade while trailers are pulled and grow while they are pushed.
+  /// Updates the errors of the trailers' headings, radians, over dt seconds: they fade while trailers are pulled and
+  /// grow while they are pushed. Returns in metres how far they can displace a body.
   float carry_errors(StateView s, const Pose* poses, ControlView u, float dt, float* errors) const;
   /// m/s, of the front wheels.
   float speed(StateView s) const { return math::absolute(s[3]); }
@@ -146,16 +146,16 @@ class Chain {
   /// A rough step; of the trailers' headings in s it moves the first only.
   bool sketch(StateRef s, Pose* poses, ControlView u, float dt) const;
 
-  /// What the trailers' part of a Runge-Kutta step must know of the body ahead, by stage.
+  /// What integrate_lead hands to integrate_rest: the motion of the body ahead, by stage of the Runge-Kutta step.
   struct Lead {
     static constexpr int kStages = 4;  ///< derivatives of a step
     float turn[kStages];               ///< radians, since the step began
     float pull[kStages];               ///< radians a second: its speed along itself, by the hitch's length
     bool little;                       ///< whether no angle changes by more than kSmallAngle
   };
-  /// The car's part of a Runge-Kutta step, and what the trailers must know of it.
+  /// What a Runge-Kutta step adds to the car's part of the state, and in `lead` what integrate_rest needs of it.
   void integrate_lead(StateView s, const Pose* poses, ControlView u, float dt, Lead& lead, float* d) const;
-  /// The trailers' part.
+  /// What the same step adds to the trailers' headings, by what integrate_lead left.
   void integrate_rest(StateView s, const Pose* poses, float dt, const Lead& lead, float* d) const;
 
  protected:

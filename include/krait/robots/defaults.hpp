@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// \file
-/// What stands for the functions that a robot may have (model.hpp) where it has none.
+/// The functions that are optional for a robot (model.hpp): its own where it has one, else the default.
 #pragma once
 
 #include "krait/robots/model.hpp"
@@ -29,7 +29,7 @@ inline Travel travel_of(const BodyRates& most, float dt) {
 }
 
 // Bounds every body's motion while u is held for dt, by the robot's travel or by its rates. False where its limits are
-// not proven to hold all the way.
+// not proven to hold in between.
 template <RobotModel R>
 bool travel(const R& robot, StateView s, ControlView u, float dt, StateView next, Travel* travel) {
   if constexpr (StatesTravel<R>) {
@@ -42,14 +42,14 @@ bool travel(const R& robot, StateView s, ControlView u, float dt, StateView next
   }
 }
 
-// Changes u, the reference's control, so that the robot comes back from s to the reference; a robot may say how.
+// Changes u, the reference's control, so that the robot comes back from s to the reference. Default: u stays.
 template <RobotModel R>
 void track(const R& robot, StateView s, StateView reference, float dt, ControlRef u) {
   if constexpr (requires { robot.track(s, reference, dt, u); }) robot.track(s, reference, dt, u);
 }
 
-// Carries the errors of a state's components over a time step, and returns the metres that a body may be off then; a
-// robot may say.
+// Updates the errors of a state's components over a time step, and returns the metres that a body may be off then.
+// Default: 0, and the errors stay.
 template <RobotModel R>
 float carry_errors(const R& robot, StateView s, const Pose* poses, ControlView u, float dt, float* errors) {
   if constexpr (requires {
@@ -59,7 +59,7 @@ float carry_errors(const R& robot, StateView s, const Pose* poses, ControlView u
   return 0.0F;
 }
 
-// Whether the state is within the limits, and far enough for the tree; a robot may say.
+// Whether the state is within the limits, and far enough for the tree. Default: within_limits.
 template <RobotModel R>
 bool keeps_reserve(const R& robot, StateView s) {
   if constexpr (requires {
@@ -69,7 +69,7 @@ bool keeps_reserve(const R& robot, StateView s) {
   return robot.within_limits(s);
 }
 
-// How many of the state's first components move by themselves; a robot may say.
+// How many of the state's first components depend on no others. Default: all.
 template <RobotModel R>
 int leading_size(const R& robot) {
   if constexpr (requires {
@@ -79,7 +79,7 @@ int leading_size(const R& robot) {
   return robot.state_size();
 }
 
-// Bodies i and j are tested against each other when |i - j| is at least this; a robot may say otherwise.
+// Bodies i and j are tested against each other when |i - j| is at least this. Default: 2.
 template <RobotModel R>
 int self_collision_gap(const R& robot) {
   if constexpr (requires {
@@ -89,7 +89,7 @@ int self_collision_gap(const R& robot) {
   return 2;
 }
 
-// Whether its functions compute floats as written; a robot may say.
+// Whether its functions compute floats as written. Default: true.
 template <RobotModel R>
 bool exact(const R& robot) {
   if constexpr (requires {
@@ -99,7 +99,7 @@ bool exact(const R& robot) {
   return true;
 }
 
-// Whether the dimensions and limits can be used; a robot may say.
+// Whether the dimensions and limits can be used. Default: true.
 template <RobotModel R>
 bool sound(const R& robot) {
   if constexpr (requires {
@@ -109,7 +109,7 @@ bool sound(const R& robot) {
   return true;
 }
 
-// A robot may say.
+// A cheap bound on a step of the whole robot. Default: one that proves nothing.
 template <RobotModel R>
 QuickBound quick_bound(const R& robot, StateView s, ControlView u, float dt, StateView next) {
   if constexpr (requires {
@@ -119,7 +119,7 @@ QuickBound quick_bound(const R& robot, StateView s, ControlView u, float dt, Sta
   return {};
 }
 
-// How fast the dynamics can change within a time step of dt seconds, 1/s; a robot may say.
+// How fast the dynamics can change within a time step of dt seconds, 1/s. Default: 0.
 template <RobotModel R>
 float fastest_rate(const R& robot, float dt) {
   if constexpr (requires {
@@ -129,20 +129,20 @@ float fastest_rate(const R& robot, float dt) {
   return 0.0F;
 }
 
-// Whether the robot says how fast it moves in a state.
+// Whether the robot has the function `speed`.
 template <class R>
 inline constexpr bool kHasSpeed = requires(const R& robot, StateView s) {
   { robot.speed(s) } -> std::same_as<float>;
 };
 
-// How fast it moves in a state, m/s; 0 where it does not say.
+// How fast it moves in a state, m/s. Default: 0.
 template <RobotModel R>
 float speed_of(const R& robot, StateView s) {
   if constexpr (kHasSpeed<R>) return robot.speed(s);
   return 0.0F;
 }
 
-// How far ahead, along body 0, braking would end, metres; a robot may say.
+// How far ahead, along body 0, braking would end, metres. Default: 0.
 template <RobotModel R>
 float stopping_way(const R& robot, StateView s) {
   if constexpr (requires {
@@ -152,7 +152,7 @@ float stopping_way(const R& robot, StateView s) {
   return 0.0F;
 }
 
-// Metres, of the sharpest turn that the robot drives for long; a robot may say, and else it is `length`.
+// Metres, of the sharpest turn that the robot drives for long. Default: `length`.
 template <RobotModel R>
 float turning_radius(const R& robot, float length) {
   if constexpr (requires {
@@ -162,7 +162,7 @@ float turning_radius(const R& robot, float length) {
   return length;
 }
 
-// m/s, straight ahead; a robot may say, and else it is `length` metres a second.
+// m/s, straight ahead. Default: `length` metres a second.
 template <RobotModel R>
 float top_speed(const R& robot, float length) {
   if constexpr (requires {
@@ -189,7 +189,7 @@ bool rest(const R& robot, Vec2 position, float heading, const float* angles, std
   return false;
 }
 
-// Whether the robot can drive backwards; a robot may say.
+// Whether the robot can drive backwards. Default: false.
 template <RobotModel R>
 bool reversible(const R& robot) {
   if constexpr (requires {
@@ -199,7 +199,7 @@ bool reversible(const R& robot) {
   return false;
 }
 
-// The body that steer brings to the target's point when it drives backwards; a robot may say.
+// The body that steer brings to the target's point when it drives backwards. Default: 0.
 template <RobotModel R>
 int backing_body(const R& robot) {
   if constexpr (requires {
@@ -234,8 +234,8 @@ void runge_kutta(const R& robot, StateView state, ControlView u, float dt, float
   for (int i = 0; i < n; ++i) d[i] = sixth * ((k1[i] + k[i]) + 2.0F * k23[i]);
 }
 
-// Moves the state s and its frames `poses` by dt under u. False where it leaves the robot's limits. A robot may have it
-// as sketch(s, poses, u, dt); else it is a step by the midpoint rule.
+// Moves the state s and its frames `poses` by dt under u, roughly. False where it leaves the robot's limits. Default: a
+// step by the midpoint rule.
 template <RobotModel R>
 bool sketch(const R& robot, StateRef s, Pose* poses, ControlView u, float dt) {
   if constexpr (requires {

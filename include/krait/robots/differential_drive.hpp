@@ -34,7 +34,7 @@ struct DifferentialDriveParameters {
 /// that RobotModel says, and take O(1).
 class DifferentialDrive : public PlanarBody {
  public:
-  using Parameters = DifferentialDriveParameters;                                     ///< what it is made from
+  using Parameters = DifferentialDriveParameters;                                     ///< what its constructor copies
   static constexpr int kMaxState = 5;                                                 ///< floats of a state
   static constexpr int kMaxControl = 2;                                               ///< floats of a control
   static constexpr const char* kStateNames[] = {"x", "y", "theta", "left", "right"};  ///< of a state's components
@@ -105,7 +105,7 @@ class DifferentialDrive : public PlanarBody {
   DifferentialDriveParameters parameters_;
 };
 
-/// Its answers need no second look.
+/// The library does not check its results.
 template <>
 inline constexpr bool kAnswersProven<DifferentialDrive> = true;
 /// It turns on the spot.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// \file
-/// What the parameters of the library's robots are called and may be, for the files, help and pages of a workstation.
-/// Nothing of it is in a program that does not ask.
+/// Names, units and ranges of the parameters of the library's robots, for the files, help and pages of a workstation. A
+/// program that does not use them does not contain them.
 #pragma once
 
 namespace krait {
@@ -42,7 +42,7 @@ struct Extremes {
   float braking;  ///< m/s^2, straight ahead at top speed; 0: it stops at once
 };
 
-/// The parameters that a robot of class R has where nobody says others.
+/// The parameters that a robot of class R has by default.
 template <class R>
 constexpr typename R::Parameters defaults_of() {
   if constexpr (requires { R::defaults(); }) {

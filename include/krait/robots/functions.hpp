@@ -20,18 +20,18 @@ struct alignas(8) Lead {
 struct Parking;
 extern const Parking kParking;
 
-// How robots push trailers back to a pose; likewise.
+// How robots push trailers back to a pose; the library's own.
 struct Docking;
 extern const Docking kDocking;
 
-// Each function is asked of the robot at `self`, and does what the member of its name does (model.hpp) or, where
-// a model has none, the function that stands for it. Arrays have as many elements as the robot's sizes say.
+// Each function is called for the robot at `self`, and does what the member of its name does (model.hpp) or, where a
+// model has none, its default (defaults.hpp). Arrays have as many elements as the robot's sizes say.
 struct RobotFunctions {
   std::uint8_t max_state;
   std::uint8_t max_control;
   std::uint8_t max_bodies;
   bool leads;              // whether the leading components are integrated first
-  bool has_speed;          // whether the robot says how fast it moves
+  bool has_speed;          // whether the robot has the function `speed`
   bool answers_proven;     // kAnswersProven
   const Parking* parking;  // null where not kParks
   const Docking* docking;  // null where not kDocks

@@ -51,7 +51,7 @@ struct KinematicTruckParameters {
 /// steer.
 class KinematicTruck {
  public:
-  using Parameters = KinematicTruckParameters;                        ///< what it is made from
+  using Parameters = KinematicTruckParameters;                        ///< what its constructor copies
   static constexpr int kCarState = 3;                                 ///< floats of the car's state
   static constexpr int kMaxState = kCarState + kMaxTrailers;          ///< floats of a state, at most
   static constexpr int kMaxControl = 2;                               ///< floats of a control
@@ -60,7 +60,7 @@ class KinematicTruck {
   using Lead = Chain::Lead;                                           ///< what the trailers must know of the car
 
   /// Copies the parameters; sound() says whether they can be used. A number of trailers that is out of range becomes
-  /// -1, as a chain's.
+  /// -1, as in a Chain.
   explicit KinematicTruck(const KinematicTruckParameters& parameters);
 
   const KinematicTruckParameters& parameters() const { return parameters_; }  ///< its own copy
@@ -91,7 +91,8 @@ class KinematicTruck {
   /// Brings the car back to its reference's line within half a dozen wheelbases. The trailers follow; backwards it
   /// brings the backing body back to its line, and all hitches to the reference's.
   void track(StateView s, StateView reference, float dt, ControlRef u) const;
-  /// As a chain's.
+  /// Updates the errors of the trailers' headings over dt seconds; returns in metres how far they can displace a body
+  /// (Chain::carry_errors).
   float carry_errors(StateView s, const Pose* poses, ControlView u, float dt, float* errors) const;
   /// Metres, of body 0: as far as the wheels steer, but no tighter than the trailers follow.
   float turning_radius() const { return truck_.turning_radius(); }
@@ -128,9 +129,9 @@ class KinematicTruck {
   /// A rough step; of the trailers' headings in s it moves the first only.
   bool sketch(StateRef s, Pose* poses, ControlView u, float dt) const;
 
-  /// The car's part of a Runge-Kutta step, and what the trailers must know of it.
+  /// What a Runge-Kutta step adds to the car's part of the state, and in `lead` what integrate_rest needs of it.
   void integrate_lead(StateView s, const Pose* poses, ControlView u, float dt, Lead& lead, float* d) const;
-  /// The trailers' part.
+  /// What the same step adds to the trailers' headings, by what integrate_lead left.
   void integrate_rest(StateView s, const Pose* poses, float dt, const Lead& lead, float* d) const;
 
  private:
@@ -149,7 +150,7 @@ class KinematicTruck {
   float lock_;   // the tangent of max_steering
 };
 
-/// Its answers need no second look.
+/// The library does not check its results.
 template <>
 inline constexpr bool kAnswersProven<KinematicTruck> = true;
 

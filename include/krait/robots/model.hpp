@@ -18,7 +18,7 @@ namespace krait {
 // States and controls are float vectors of the robot's run-time size, viewed in place: none of these owns its floats.
 // State components 0 and 1 are the position (x, y) in metres.
 using StateView = Eigen::Map<const Eigen::VectorXf>;    ///< a state that is read; components 0 and 1 are metres
-using StateRef = Eigen::Map<Eigen::VectorXf>;           ///< a state that is written; likewise
+using StateRef = Eigen::Map<Eigen::VectorXf>;           ///< a state that is written; components 0 and 1 are metres
 using ControlView = Eigen::Map<const Eigen::VectorXf>;  ///< a control that is read
 using ControlRef = Eigen::Map<Eigen::VectorXf>;         ///< a control that is written
 
@@ -121,12 +121,12 @@ concept StatesRates = requires(const R& robot, StateView s, ControlView u, float
 /// - `travel(s, u, dt, next, travel)`: writes bounds on every body's motion while u is held for dt seconds from s to
 ///   next, which prove that no obstacle is jumped over. Returns false when the limits, which hold in s and next, are
 ///   not proven to hold in between; it writes the bounds in either case
-/// - `rates(s, u, dt, next, rates)`: stands for travel where the robot has none: writes the BodyRates of every body
-///   while u is held for dt seconds from s to next, and returns what travel returns
+/// - `rates(s, u, dt, next, rates)`: replaces travel where the robot has none: writes the BodyRates of every body while
+///   u is held for dt seconds from s to next, and returns what travel returns
 ///
-/// It may also have the following, each of which a function of the library calls or replaces:
-/// - `sound()`: whether its dimensions and limits can be used; init refuses it as bad_robot where they cannot. Without
-///   it, they can
+/// The following members are optional:
+/// - `sound()`: whether its dimensions and limits can be used; init refuses the robot as bad_robot where they cannot.
+///   Without it, they count as usable
 /// - `reversible()`: whether it can drive backwards, at a target's speed below 0. Without it, it cannot
 /// - `backing_body()`: 0 to body_count() - 1: the body whose origin steer brings to the target's point when it drives
 ///   backwards, as the last of the trailers that a truck pushes. Without it, body 0. The last metres to a pose are

@@ -15,7 +15,7 @@ class Snake : public Chain {
   explicit Snake(const ChainParameters& parameters) : Chain(parameters, true) {}
 };
 
-/// Its answers need no second look.
+/// The library does not check its results.
 template <>
 inline constexpr bool kAnswersProven<Snake> = true;
 /// Its trailers are not pushed into narrow places.

@@ -21,14 +21,15 @@ class Truck : public Chain {
   void steer(StateView s, const Target& target, Steering& steering, ControlRef u) const;
   /// The same, knowing the frames of all bodies.
   void steer(StateView s, const Pose* poses, const Target& target, Steering& steering, ControlRef u) const;
-  /// As a chain's; backwards it brings the backing body back to its reference's line, and all hitches to theirs.
+  /// Forwards Chain::track; backwards it brings the backing body back to its reference's line, and all hitches to
+  /// their reference angles.
   void track(StateView s, StateView reference, float dt, ControlRef u) const;
 };
 
-/// Its answers need no second look.
+/// The library does not check its results.
 template <>
 inline constexpr bool kAnswersProven<Truck> = true;
-/// It pushes its trailers, and parks no otherwise.
+/// It docks: it pushes its trailers to a pose instead.
 template <>
 inline constexpr bool kParks<Truck> = false;
 

@@ -32,7 +32,7 @@ struct UnicycleParameters {
 /// says, and take O(1).
 class Unicycle : public PlanarBody {
  public:
-  using Parameters = UnicycleParameters;                             ///< what it is made from
+  using Parameters = UnicycleParameters;                             ///< what its constructor copies
   static constexpr int kMaxState = 3;                                ///< floats of a state
   static constexpr int kMaxControl = 2;                              ///< floats of a control
   static constexpr const char* kStateNames[] = {"x", "y", "theta"};  ///< of a state's components
@@ -89,7 +89,7 @@ class Unicycle : public PlanarBody {
   UnicycleParameters parameters_;
 };
 
-/// Its answers need no second look.
+/// The library does not check its results.
 template <>
 inline constexpr bool kAnswersProven<Unicycle> = true;
 /// It turns on the spot.

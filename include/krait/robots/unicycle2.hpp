@@ -36,7 +36,7 @@ struct Unicycle2Parameters {
 /// RobotModel says, and take O(1).
 class Unicycle2 : public PlanarBody {
  public:
-  using Parameters = Unicycle2Parameters;                                          ///< what it is made from
+  using Parameters = Unicycle2Parameters;                                          ///< what its constructor copies
   static constexpr int kMaxState = 5;                                              ///< floats of a state
   static constexpr int kMaxControl = 2;                                            ///< floats of a control
   static constexpr const char* kStateNames[] = {"x", "y", "theta", "v", "omega"};  ///< of a state's components
@@ -105,7 +105,7 @@ class Unicycle2 : public PlanarBody {
   Unicycle2Parameters parameters_;
 };
 
-/// Its answers need no second look.
+/// The library does not check its results.
 template <>
 inline constexpr bool kAnswersProven<Unicycle2> = true;
 /// It turns on the spot.
