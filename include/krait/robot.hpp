@@ -15,7 +15,7 @@ namespace krait {
 /// States (s, next, reference, ds, d, errors) are arrays of state_size() floats, controls (u) of control_size(), poses,
 /// travel and rates of one a body; all of them are the caller's. Each member costs a call through a pointer and what
 /// the robot's own function of its name does, or what stands for it where the robot has none (RobotModel says which).
-/// A Robot that refers to none has its default constructor, its sizes, fits, sound and exact only.
+/// A Robot that refers to none has its default constructor, its sizes, sizes_valid, sound and exact only.
 class Robot {
  public:
   Robot() = default;  ///< of none: every size is 0
@@ -31,10 +31,10 @@ class Robot {
   template <RobotModel R>
   Robot(const R&&) = delete;  ///< would not outlive this
 
-  int state_size() const { return state_size_; }      ///< floats of a state, 2 … kMaxState where it fits
+  int state_size() const { return state_size_; }      ///< floats of a state, 2 … kMaxState where sizes_valid()
   int leading_size() const { return leading_size_; }  ///< how many of the first components depend on no others
-  int control_size() const { return control_size_; }  ///< floats of a control, 1 … kMaxControl where it fits
-  int body_count() const { return body_count_; }      ///< 1 … kMaxBodies where it fits
+  int control_size() const { return control_size_; }  ///< floats of a control, 1 … kMaxControl where sizes_valid()
+  int body_count() const { return body_count_; }      ///< 1 … kMaxBodies where sizes_valid()
   /// Bodies i and j are tested against each other where |i - j| is at least this.
   int self_collision_gap() const { return functions_->self_collision_gap(self_); }
   /// Whether dimensions and limits can be used; true for none.
@@ -47,7 +47,7 @@ class Robot {
   Polygon body(int k) const { return functions_->body(self_, k); }
 
   /// Whether the sizes are within the model's, and the backing body is one of the robot's.
-  bool fits() const {
+  bool sizes_valid() const {
     return functions_ != nullptr && state_size_ >= 2 && state_size_ <= functions_->max_state && control_size_ >= 1 &&
            control_size_ <= functions_->max_control && body_count_ >= 1 && body_count_ <= functions_->max_bodies &&
            backing_body() >= 0 && backing_body() < body_count_;

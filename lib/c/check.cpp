@@ -19,7 +19,7 @@ std::vector<To> listed(const From* first, std::size_t count) {
 // Without those of states and controls where the robot's sizes cannot be used, which check_robot names.
 krait::RobotRanges ranges_of(const krait_ranges& from, const krait::Robot& robot) {
   krait::RobotRanges ranges;
-  if (robot.fits()) {
+  if (robot.sizes_valid()) {
     ranges.state = listed<krait::RobotRange>(from.state, static_cast<std::size_t>(robot.state_size()));
     ranges.control = listed<krait::RobotRange>(from.control, static_cast<std::size_t>(robot.control_size()));
   }

@@ -47,7 +47,7 @@ Vec2 middle(Polygon body) {
 
 Argument first_bad_of_robot(const Robot& robot) {
   if (!robot.sound()) return Argument::robot_dimensions;
-  if (!robot.fits()) return Argument::robot_sizes;
+  if (!robot.sizes_valid()) return Argument::robot_sizes;
   for (int k = 0; k < robot.body_count(); ++k) {
     if (!usable_body(robot.body(k))) return Argument::robot_polygon;
   }
