@@ -583,7 +583,7 @@ enum {
 
 /** What a body is too near to, and where. */
 typedef struct krait_contact {
-  uint8_t with;   /**< KRAIT_NO_CONTACT to KRAIT_WITH_GROUND */
+  uint8_t kind;   /**< KRAIT_NO_CONTACT to KRAIT_WITH_GROUND */
   uint32_t body;  /**< of the robot, from 0 */
   uint32_t other; /**< the obstacle's piece, or the robot's other body; KRAIT_NONE */
   float distance; /**< metres; 0 where they overlap */

@@ -178,7 +178,7 @@ class Planner {
   /// What the search that started last has done; before the first start all zeros but the bytes of the block. O(1).
   Statistics statistics() const;
 
-  /// After start_in_collision: what the robot is too near to at its start; else Hindrance::none. O(pieces near the
+  /// After start_in_collision: what the robot is too near to at its start; else ContactKind::none. O(pieces near the
   /// robot + bodies^2).
   Contact contact();
 

@@ -104,8 +104,8 @@ struct Failure {
   [[nodiscard]] bool ok() const { return status == Status::ok; }
 };
 
-/// What a robot is too near to.
-enum class Hindrance : std::uint8_t {
+/// The kind of thing that a robot is too near to.
+enum class ContactKind : std::uint8_t {
   none,      ///< nothing
   obstacle,  ///< a piece of the scene
   bounds,    ///< of the workspace
@@ -115,12 +115,12 @@ enum class Hindrance : std::uint8_t {
 
 /// What a body is too near to, and where. Metres, local coordinates.
 struct Contact {
-  Hindrance with = Hindrance::none;  ///< what it is; what follows is zero where it is nothing
-  Index body = 0;                    ///< of the robot, 0 … body_count - 1
-  Index other = kNone;               ///< the piece, or the other body; else kNone
-  float distance = 0.0F;             ///< metres between the two; 0 where they overlap
-  float needed = 0.0F;               ///< metres that they must keep: the clearance, and what rounding needs
-  Vec2 at{};                         ///< the middle between their nearest points, or a point of both
+  ContactKind kind = ContactKind::none;  ///< what it is; what follows is zero where it is nothing
+  Index body = 0;                        ///< of the robot, 0 … body_count - 1
+  Index other = kNone;                   ///< the piece, or the other body; else kNone
+  float distance = 0.0F;                 ///< metres between the two; 0 where they overlap
+  float needed = 0.0F;                   ///< metres that they must keep: the clearance, and what rounding needs
+  Vec2 at{};                             ///< the middle between their nearest points, or a point of both
 };
 
 /// The widest of all ways from the start to the goal, at its narrowest place. Metres, local coordinates.

@@ -37,7 +37,7 @@ static_assert(KRAIT_SOLVED == static_cast<int>(Status::solved));
 static_assert(KRAIT_BAD_SCENE == static_cast<int>(Status::bad_scene));
 static_assert(KRAIT_INTERNAL == static_cast<int>(Status::internal));
 
-static_assert(KRAIT_WITH_GROUND == static_cast<int>(krait::Hindrance::ground));
+static_assert(KRAIT_WITH_GROUND == static_cast<int>(krait::ContactKind::ground));
 
 static_assert(sizeof(krait_parameters) == sizeof(krait::Parameters));
 

@@ -54,10 +54,10 @@ Contact MotionCheck::contact(const float* state) {
   robot_.place(state, placement.poses);
   Contact worst;
   const auto consider = [&worst](Contact contact, int body) {
-    if (contact.with == Hindrance::none) return;
+    if (contact.kind == ContactKind::none) return;
     contact.body = static_cast<Index>(body);
     const bool worse = contact.needed - contact.distance > worst.needed - worst.distance;
-    if (worst.with == Hindrance::none || worse) worst = contact;
+    if (worst.kind == ContactKind::none || worse) worst = contact;
   };
   for (int k = 0; k < bodies_; ++k) consider(obstacles_.contact(placed(placement, k, placement.poses[k].position)), k);
   for (int i = 0; i + gap_ < bodies_; ++i) {
@@ -329,7 +329,7 @@ Contact MotionCheck::contact_of_pair(const Placement& placement, int i, int j) c
   const Vec2 at = placement.poses[i].position;
   const Gap gap = polygon_gap(placed(placement, i, at).polygon(), placed(placement, j, at).polygon());
   if (!(gap.distance <= obstacles_.margin())) return {};
-  return {Hindrance::body, 0, static_cast<Index>(j), gap.distance, obstacles_.margin(), at + gap.middle};
+  return {ContactKind::body, 0, static_cast<Index>(j), gap.distance, obstacles_.margin(), at + gap.middle};
 }
 
 bool MotionCheck::pair_free(int i, int j) const {

@@ -132,7 +132,7 @@ void Obstacles::pieces_of_buckets(const Box& box, float around, Visit visit) con
 // The contact names the vertex that lies furthest outside of the bounds.
 Contact Obstacles::contact_with_bounds(const PlacedBody& body) const {
   const Box bounds = scene_->bounds();
-  Contact contact{Hindrance::bounds, 0, kNone, kInfinity, margin_, {}};
+  Contact contact{ContactKind::bounds, 0, kNone, kInfinity, margin_, {}};
   for (int i = 0; i < body.count; ++i) {
     const Vec2 at = body.at + body.vertices[i];
     const float room = std::min(std::min(at.x - bounds.min.x, bounds.max.x - at.x),
@@ -156,8 +156,8 @@ Contact Obstacles::contact(const PlacedBody& body) const {
     const float needed = margin_ + kRelativeRounding * shifted.extent;
     const Gap gap = polygon_gap(body.polygon(), shifted.polygon());
     const float lacking = needed - gap.distance;
-    if (!(lacking < 0.0F) && (worst.with == Hindrance::none || lacking > worst.needed - worst.distance)) {
-      worst = {Hindrance::obstacle, 0, piece, gap.distance, needed, body.at + gap.middle};
+    if (!(lacking < 0.0F) && (worst.kind == ContactKind::none || lacking > worst.needed - worst.distance)) {
+      worst = {ContactKind::obstacle, 0, piece, gap.distance, needed, body.at + gap.middle};
     }
     return true;
   });

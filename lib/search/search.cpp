@@ -358,7 +358,7 @@ Statistics Search::statistics() const {
 Contact Search::contact() {
   if (status() != Status::start_in_collision) return {};
   Contact contact = check_.contact(expander_.state());
-  if (contact.with == Hindrance::none) contact = {.with = Hindrance::ground, .at = start_position()};
+  if (contact.kind == ContactKind::none) contact = {.kind = ContactKind::ground, .at = start_position()};
   return contact;
 }
 

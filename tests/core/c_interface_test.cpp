@@ -458,11 +458,11 @@ TEST(CInterface, SaysWhyThereIsNoPlan) {
   EXPECT_GT(bottleneck.needed, bottleneck.width);
   EXPECT_GT(bottleneck.width, 0.0F);
   EXPECT_NEAR(static_cast<double>(bottleneck.x), 0.13, 0.03);
-  EXPECT_EQ(krait_start_contact(given.planner).with, KRAIT_NO_CONTACT);
+  EXPECT_EQ(krait_start_contact(given.planner).kind, KRAIT_NO_CONTACT);
   const krait_query blocked = {at_wall, krait_named_goal(0), 1};
   EXPECT_EQ(krait_start(given.planner, &blocked), KRAIT_START_IN_COLLISION);
   const krait_contact contact = krait_start_contact(given.planner);
-  EXPECT_EQ(contact.with, KRAIT_WITH_OBSTACLE);
+  EXPECT_EQ(contact.kind, KRAIT_WITH_OBSTACLE);
   EXPECT_EQ(contact.other, 0U);
   EXPECT_GT(contact.needed, contact.distance);
   EXPECT_NEAR(static_cast<double>(contact.x), 6.1, 0.1);
@@ -577,7 +577,7 @@ TEST(CInterface, EveryAnswerIsInItsPlace) {
   EXPECT_SAME_PLACE(krait_failure, Failure, section);
   EXPECT_SAME_PLACE(krait_failure, Failure, element);
   EXPECT_SAME_PLACE(krait_failure, Failure, bytes_needed);
-  EXPECT_SAME_PLACE(krait_contact, Contact, with);
+  EXPECT_SAME_PLACE(krait_contact, Contact, kind);
   EXPECT_SAME_PLACE(krait_contact, Contact, body);
   EXPECT_SAME_PLACE(krait_contact, Contact, other);
   EXPECT_SAME_PLACE(krait_contact, Contact, distance);

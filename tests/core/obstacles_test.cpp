@@ -152,14 +152,14 @@ TEST(Obstacles, ContactIsWithWhatLacksMostOfTheMargin) {
     const detail::PlacedBody body = body_at(at, random_convex(random, {0, 0}, 0.4));
     const double expected = std::max(true_room(open.scene, body), 0.0);
     const Contact contact = obstacles.contact(body);
-    if (contact.with == Hindrance::none) {
+    if (contact.kind == ContactKind::none) {
       ASSERT_GT(expected, margin - 1e-4);
       ++free;
       continue;
     }
     ASSERT_NEAR(static_cast<double>(contact.distance), expected, 1e-4);
     ASSERT_NEAR(static_cast<double>(contact.needed), margin, 1e-4);
-    if (contact.with == Hindrance::obstacle) {
+    if (contact.kind == ContactKind::obstacle) {
       const Ring piece = ring(open.scene.piece(contact.other));
       ASSERT_NEAR(distance(placed(body), piece), expected, 1e-4);
       ASSERT_NEAR(distance_to_convex(point(contact.at), piece), expected / 2, 1e-3);

@@ -112,12 +112,12 @@ TEST(PlannerWhy, TheBottleneckLeavesTheCostsAsTheyWere) {
 TEST(PlannerWhy, ThereIsNoneWhereTheSearchEndsOtherwise) {
   Bench<Unicycle> bench(two_rooms(), small_unicycle());
   EXPECT_EQ(bench.planner.bottleneck().needed, 0.0F);
-  EXPECT_EQ(bench.planner.contact().with, Hindrance::none);
+  EXPECT_EQ(bench.planner.contact().kind, ContactKind::none);
   ASSERT_TRUE(bench.init().ok());
-  EXPECT_EQ(bench.planner.contact().with, Hindrance::none);
+  EXPECT_EQ(bench.planner.contact().kind, ContactKind::none);
   ASSERT_EQ(bench.solve({kStart}), Status::solved);
   EXPECT_EQ(bench.planner.bottleneck().needed, 0.0F);
-  EXPECT_EQ(bench.planner.contact().with, Hindrance::none);
+  EXPECT_EQ(bench.planner.contact().kind, ContactKind::none);
 }
 
 // Its position may be nearer to a wall behind it than the middle of its body to one at its side.
@@ -145,7 +145,7 @@ Contact contact_at(float x, float y, float clearance = 0.001F) {
 
 TEST(PlannerWhy, AStartThatOverlapsAnObstacle) {
   const Contact contact = contact_at(5.9F, 1);  // the body's front at 6.15, the wall from 6
-  EXPECT_EQ(contact.with, Hindrance::obstacle);
+  EXPECT_EQ(contact.kind, ContactKind::obstacle);
   EXPECT_EQ(contact.body, 0U);
   EXPECT_EQ(contact.other, 0U);
   EXPECT_EQ(contact.distance, 0.0F);
@@ -156,7 +156,7 @@ TEST(PlannerWhy, AStartThatOverlapsAnObstacle) {
 
 TEST(PlannerWhy, AStartThatDoesNotKeepTheClearance) {
   const Contact contact = contact_at(5.7F, 7, 0.1F);  // 5 cm before the other wall
-  EXPECT_EQ(contact.with, Hindrance::obstacle);
+  EXPECT_EQ(contact.kind, ContactKind::obstacle);
   EXPECT_EQ(contact.other, 1U);
   EXPECT_NEAR(static_cast<double>(contact.distance), 0.05, 1e-4);
   EXPECT_NEAR(static_cast<double>(contact.needed), 0.1, 2e-3);
@@ -166,11 +166,11 @@ TEST(PlannerWhy, AStartThatDoesNotKeepTheClearance) {
 
 TEST(PlannerWhy, AStartAcrossTheBounds) {
   const Contact beyond = contact_at(0.1F, 4);
-  EXPECT_EQ(beyond.with, Hindrance::bounds);
+  EXPECT_EQ(beyond.kind, ContactKind::bounds);
   EXPECT_EQ(beyond.distance, 0.0F);
   EXPECT_NEAR(static_cast<double>(beyond.at.x), -0.15, 1e-4);
   const Contact near = contact_at(4, 7.7F, 0.2F);
-  EXPECT_EQ(near.with, Hindrance::bounds);
+  EXPECT_EQ(near.kind, ContactKind::bounds);
   EXPECT_NEAR(static_cast<double>(near.distance), 0.1, 1e-4);
 }
 
@@ -186,7 +186,7 @@ TEST(PlannerWhy, AChainThatStartsFoldedOntoItself) {
   bench.robot.rest({3, 4}, 0.0F, angles, start);
   ASSERT_EQ(bench.planner.start({start}), Status::start_in_collision);
   const Contact contact = bench.planner.contact();
-  EXPECT_EQ(contact.with, Hindrance::body);
+  EXPECT_EQ(contact.kind, ContactKind::body);
   EXPECT_GE(contact.other, contact.body + 2);
   EXPECT_EQ(contact.distance, 0.0F);
   Pose poses[Snake::kMaxBodies];

@@ -63,7 +63,7 @@ class Driver {
     drive_.follow(check_.poses());
     const float* const next = drive_.next();
     const Contact contact = check_.contact(next);
-    if (contact.with == Hindrance::none) {
+    if (contact.kind == ContactKind::none) {
       if (!robot_.keeps_reserve(next)) ++found_.beyond;
       return;
     }

@@ -26,10 +26,10 @@ std::string body_name(const RobotSpec& robot, Index body) {
 }
 
 std::string other_name(const Contact& contact, const RobotSpec& robot) {
-  switch (contact.with) {
-    case Hindrance::obstacle:
+  switch (contact.kind) {
+    case ContactKind::obstacle:
       return "an obstacle (piece " + std::to_string(contact.other) + ")";
-    case Hindrance::body:
+    case ContactKind::body:
       return body_name(robot, contact.other);
     default:
       return "the bounds of the workspace";
@@ -118,15 +118,15 @@ std::vector<std::string> what_to_try(Status status, const Statistics& statistics
 
 std::string why_not_there(const Contact& contact, const krait::Scene& scene, const SearchRequest& request) {
   const std::string at = place(scene, contact.at);
-  if (contact.with == Hindrance::ground) {
+  if (contact.kind == ContactKind::ground) {
     return "the position " + at + " lies in an obstacle, though no body does" + grown(scene, 0);
   }
   const std::string body = body_name(request.robot, contact.body);
   const std::string other = other_name(contact, request.robot);
   if (!(contact.distance > 0.0F)) {
-    const bool outside = contact.with == Hindrance::bounds;
+    const bool outside = contact.kind == ContactKind::bounds;
     const std::string line = body + (outside ? " reaches to or beyond " : " overlaps ") + other + " at " + at;
-    return contact.with == Hindrance::obstacle ? line + grown(scene, 0) : line;
+    return contact.kind == ContactKind::obstacle ? line + grown(scene, 0) : line;
   }
   const double distance = static_cast<double>(contact.distance);
   const double clearance = static_cast<double>(request.parameters.clearance);
@@ -135,8 +135,9 @@ std::string why_not_there(const Contact& contact, const krait::Scene& scene, con
                              ", and " + metres(rounding) + " for what a motion is off by)";
   const std::string where = body + " is " + metres(distance) + " from " + other + " at " + at;
   const std::string line = "the start does not keep the clearance: " + where + ", and must keep " + margin;
-  return contact.with == Hindrance::obstacle ? line + grown(scene, 2 * (static_cast<double>(contact.needed) - distance))
-                                             : line;
+  return contact.kind == ContactKind::obstacle
+             ? line + grown(scene, 2 * (static_cast<double>(contact.needed) - distance))
+             : line;
 }
 
 std::vector<std::string> why_no_plan(Session& session, const krait::Scene& scene, const SearchRequest& request) {
