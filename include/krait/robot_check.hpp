@@ -19,7 +19,7 @@ struct RobotFault {
   std::string function;  ///< the name of the function, such as travel
   std::string promise;   ///< a short name of what it promises, such as path
   std::string message;   ///< what, by how much, at which state and control, and what to do
-  double by = 0;         ///< how far off it is, in the promise's own unit; infinite where there is no telling
+  double amount = 0;     ///< how far off it is, in the promise's own unit; infinite where that is unknown
   int samples = 0;       ///< in how many it was found
 };
 

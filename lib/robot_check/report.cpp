@@ -38,14 +38,14 @@ std::string list(const std::vector<float>& numbers) {
   return text + "]";
 }
 
-void Findings::add(const char* function, const char* promise, double by, const std::string& what, const Sample& sample,
-                   const char* remedy) {
+void Findings::add(const char* function, const char* promise, double amount, const std::string& what,
+                   const Sample& sample, const char* remedy) {
   RobotFault& fault = find(function, promise);
-  const bool worst = fault.samples == 0 || by > fault.by;
+  const bool worst = fault.samples == 0 || amount > fault.amount;
   if (last_[place_] != report_->samples) ++fault.samples;
   last_[place_] = report_->samples;
   if (!worst) return;
-  fault.by = by;
+  fault.amount = amount;
   fault.message = what + ", " + where(sample) + ". " + remedy;
 }
 

@@ -29,8 +29,8 @@ class Findings {
 
   void begin_sample() { ++report_->samples; }
 
-  // `what` is wrong, by so much; `remedy` is a sentence.
-  void add(const char* function, const char* promise, double by, const std::string& what, const Sample& sample,
+  // `what` is wrong, by `amount`; `remedy` is a sentence.
+  void add(const char* function, const char* promise, double amount, const std::string& what, const Sample& sample,
            const char* remedy);
 
   // A fault of the whole check, not of one sample.

@@ -244,8 +244,8 @@ TEST(RobotCheckReport, TellsStateControlAndStepOfTheWorst) {
   EXPECT_THAT(fault->message, HasSubstr("under the control ["));
   EXPECT_THAT(fault->message, HasSubstr("for 0.400000006 s"));
   // With a bar of a metre that turns at 2 rad/s for 0.4 s, the bend that is left out is at most 0.08 m.
-  EXPECT_GT(fault->by, 0.05);
-  EXPECT_LT(fault->by, 0.0801);
+  EXPECT_GT(fault->amount, 0.05);
+  EXPECT_LT(fault->amount, 0.0801);
 }
 
 TEST(RobotCheckReport, IsTheSameForTheSameSeed) {
