@@ -671,15 +671,16 @@ typedef struct krait_ranges {
   /** The components of the state that are headings, in radians: turning the robot adds to them and changes nothing else
       but the position. Whether it moves alike in every direction is checked where there are any. */
   const int* headings;
-  uint32_t heading_count; /**< of them, or 0 */
-  bool anywhere;          /**< default true: whether it moves alike wherever it stands, which is checked then */
-  float leaving,  /**< 0 to 1, default 0: share of steered steps that may leave the limits, as where hitches fold */
-      step_rate,  /**< 0 or more, default 0.32: Runge-Kutta steps of step_rate / fastest_rate(dt) seconds, and of
-                       at most dt, are to be accurate to step_error; 0: not checked */
-      step_error; /**< metres and radians, 0 or more, default 5e-4 */
+  uint32_t heading_count;     /**< of them, or 0 */
+  bool translation_invariant; /**< default true: whether it moves alike wherever it stands, which is checked then */
+  float
+      leaving_share, /**< 0 to 1, default 0: share of steered steps that may leave the limits, as where hitches fold */
+      step_rate,     /**< 0 or more, default 0.32: Runge-Kutta steps of step_rate / fastest_rate(dt) seconds, and of
+                          at most dt, are to be accurate to step_error; 0: not checked */
+      step_error;    /**< metres and radians, 0 or more, default 5e-4 */
   /** Makes a state of the numbers that were drawn, where components depend on each other; NULL: they are the state. */
-  void (*arrange)(const void* self, float* state);
-  const void* self; /**< what arrange is called with; may be NULL */
+  void (*complete_state)(const void* self, float* state);
+  const void* self; /**< what complete_state is called with; may be NULL */
 } krait_ranges;
 /** All fields with their defaults; both arrays must stay. O(1). */
 krait_ranges krait_default_ranges(const krait_range* state, const krait_range* control);

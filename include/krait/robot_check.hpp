@@ -49,15 +49,15 @@ struct RobotRanges {
   /// The components of the state that are headings, in radians: turning the robot adds to them and changes nothing else
   /// but the position. Whether it moves alike in every direction is checked where there are any.
   std::vector<int> headings = {};
-  bool anywhere = true;  ///< whether it moves alike wherever it stands, which is checked then
-  float leaving = 0.0F;  ///< 0 … 1: share of steered steps that may leave the limits, as where hitches fold
+  bool translation_invariant = true;  ///< whether it moves alike wherever it stands, which is checked then
+  float leaving_share = 0.0F;  ///< 0 … 1: share of steered steps that may leave the limits, as where hitches fold
   // A Runge-Kutta step of step_rate / fastest_rate(dt) seconds, and at most dt, is to be accurate to step_error, in
   // metres and radians: as the library makes them while the tree grows (lib/DESIGN.md, "Integration", which is
   // installed below share/doc/krait).
   float step_rate = 0.32F;   ///< 0 or more, without a unit; 0: not checked
   float step_error = 5e-4F;  ///< metres and radians, 0 or more
   /// Makes a state of the numbers that were drawn, where components depend on each other; none: they are the state.
-  std::function<void(std::vector<float>& state)> arrange = {};
+  std::function<void(std::vector<float>& state)> complete_state = {};
 };
 
 /// Draws `samples` states and controls from the ranges and reports every promise of the concept that the robot breaks

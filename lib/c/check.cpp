@@ -25,12 +25,12 @@ krait::RobotRanges ranges_of(const krait_ranges& from, const krait::Robot& robot
   }
   if (from.dt_count > 0) ranges.dt = listed<float>(from.dt, from.dt_count);
   ranges.headings = listed<int>(from.headings, from.heading_count);
-  ranges.anywhere = from.anywhere;
-  ranges.leaving = from.leaving;
+  ranges.translation_invariant = from.translation_invariant;
+  ranges.leaving_share = from.leaving_share;
   ranges.step_rate = from.step_rate;
   ranges.step_error = from.step_error;
-  if (from.arrange != nullptr) {
-    ranges.arrange = [&from](std::vector<float>& state) { from.arrange(from.self, state.data()); };
+  if (from.complete_state != nullptr) {
+    ranges.complete_state = [&from](std::vector<float>& state) { from.complete_state(from.self, state.data()); };
   }
   return ranges;
 }
@@ -42,8 +42,8 @@ krait_ranges krait_default_ranges(const krait_range* state, const krait_range* c
   krait_ranges ranges{};
   ranges.state = state;
   ranges.control = control;
-  ranges.anywhere = defaults.anywhere;
-  ranges.leaving = defaults.leaving;
+  ranges.translation_invariant = defaults.translation_invariant;
+  ranges.leaving_share = defaults.leaving_share;
   ranges.step_rate = defaults.step_rate;
   ranges.step_error = defaults.step_error;
   return ranges;

@@ -48,7 +48,7 @@ void check_steer(const Case& c, const Target& target, int steps, SteeredSteps& c
     ++counted.all;
     if (!c.robot.within_limits(next.data())) {
       ++counted.leaving;
-      if (c.ranges.leaving > 0) return;
+      if (c.ranges.leaving_share > 0) return;
       c.findings.add("steer", "limits", kInfinite, "it leads beyond the limits, to " + list(next), at,
                      "Choose controls whose step of target.dt ends within the limits, inside by more than rounding.");
       return;
@@ -59,11 +59,12 @@ void check_steer(const Case& c, const Target& target, int steps, SteeredSteps& c
 
 void check_leaving(Findings& findings, const RobotRanges& ranges, const SteeredSteps& counted) {
   const double share = counted.all == 0 ? 0 : static_cast<double>(counted.leaving) / counted.all;
-  if (ranges.leaving <= 0 || share <= static_cast<double>(ranges.leaving)) return;
+  if (ranges.leaving_share <= 0 || share <= static_cast<double>(ranges.leaving_share)) return;
   findings.add("steer", "leaving",
                "of " + std::to_string(counted.all) + " steered steps " + number(100 * share) +
-                   " % lead beyond the limits, more than the " + number(100 * static_cast<double>(ranges.leaving)) +
-                   " % that the ranges allow as `leaving`. Each ends an expansion of the search.");
+                   " % lead beyond the limits, more than the " +
+                   number(100 * static_cast<double>(ranges.leaving_share)) +
+                   " % that the ranges allow as `leaving_share`. Each ends an expansion of the search.");
 }
 
 }  // namespace krait::detail::checking

@@ -34,7 +34,7 @@ std::vector<float> moved(const std::vector<float>& state, const Move& move, cons
 }
 
 constexpr const char* kAlike =
-    "The robot must move alike there; if it need not, `anywhere` and `headings` of the ranges say so.";
+    "The robot must move alike there; if it need not, change `translation_invariant` and `headings` of the ranges.";
 
 void check_derivative_moved(const Case& c, const Move& move, const std::vector<float>& there) {
   const std::vector<float> here = derivative_of(c.robot, c.sample.state, c.sample.control);
@@ -102,7 +102,7 @@ void check_moved(const Case& c, const Move& move) {
 }  // namespace
 
 void check_invariance(const Case& c, double angle) {
-  if (c.ranges.anywhere) check_moved(c, Move{"anywhere", 0, 3.5, -2.25});
+  if (c.ranges.translation_invariant) check_moved(c, Move{"anywhere", 0, 3.5, -2.25});
   if (!c.ranges.headings.empty()) check_moved(c, Move{"direction", angle});
 }
 

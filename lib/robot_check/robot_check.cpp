@@ -95,7 +95,7 @@ class RobotCheck {
     findings_.add("within_limits", "ranges",
                   "of " + std::to_string(kTries) +
                       " states that were drawn from the ranges none is within the limits: narrow the ranges of the "
-                      "state, or set `arrange`.");
+                      "state, or set `complete_state`.");
     return {};
   }
 

@@ -6,7 +6,7 @@ namespace krait::detail::checking {
 std::vector<float> Draws::state() {
   std::vector<float> drawn;
   for (const RobotRange& range : ranges_.state) drawn.push_back(drawn.size() < 2 ? even(range) : with_ends(range));
-  if (ranges_.arrange) ranges_.arrange(drawn);
+  if (ranges_.complete_state) ranges_.complete_state(drawn);
   return drawn;
 }
 

@@ -327,8 +327,8 @@ class Checked {
     ranges_.heading_count = 3;
     ranges_.dt = kSteps;
     ranges_.dt_count = 2;
-    ranges_.leaving = 0.5F;
-    ranges_.arrange = [](const void* self, float* state) {
+    ranges_.leaving_share = 0.5F;
+    ranges_.complete_state = [](const void* self, float* state) {
       EXPECT_EQ(self, kHeadings);
       state[5] += state[2];
       state[6] += state[5];
@@ -358,8 +358,8 @@ class Checked {
     for (const krait_range& range : kControls) ranges.control.push_back({range.low, range.high});
     ranges.dt.assign(std::begin(kSteps), std::end(kSteps));
     ranges.headings.assign(std::begin(kHeadings), std::end(kHeadings));
-    ranges.leaving = 0.5F;
-    ranges.arrange = [](std::vector<float>& state) {
+    ranges.leaving_share = 0.5F;
+    ranges.complete_state = [](std::vector<float>& state) {
       state[5] += state[2];
       state[6] += state[5];
     };

@@ -46,10 +46,10 @@ requires kTows<R> RobotRanges ranges_of(const R& chain) {
     ranges.headings.push_back(kCar + i);
   }
   for (const Range range : control_limits(chain)) ranges.control.push_back({range.low, range.high});
-  ranges.arrange = [](std::vector<float>& s) {
+  ranges.complete_state = [](std::vector<float>& s) {
     for (std::size_t i = kCar; i < s.size(); ++i) s[i] += i == kCar ? s[2] : s[i - 1];
   };
-  ranges.leaving = p.trailers > 0 ? 0.5F : 0.0F;  // a hitch that is bent to its limit folds, whatever is steered
+  ranges.leaving_share = p.trailers > 0 ? 0.5F : 0.0F;  // a hitch that is bent to its limit folds, whatever is steered
   return ranges;
 }
 
@@ -227,12 +227,12 @@ TEST(RobotCheckTrust, ARobotThatTakesNanForAStateMustNotBeTrusted) {
 
 TEST(RobotCheckLeaving, MoreStepsThanAllowedAreNamed) {
   RobotRanges ranges = cart_ranges();
-  ranges.leaving = 0.001F;
+  ranges.leaving_share = 0.001F;
   const RobotReport report = report_of(Cart(Wrong::steer_too_fast), ranges, 200);
   EXPECT_EQ(find(report, "steer", "limits"), nullptr);
   ASSERT_NE(find(report, "steer", "leaving"), nullptr) << report.text();
   EXPECT_THAT(find(report, "steer", "leaving")->message, HasSubstr("more than the 0.1 % that the ranges allow"));
-  ranges.leaving = 1.0F;
+  ranges.leaving_share = 1.0F;
   EXPECT_EQ(report_of(Cart(Wrong::steer_too_fast), ranges, 200).text(), "");
 }
 
