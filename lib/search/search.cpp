@@ -96,7 +96,7 @@ Status Search::begin(const Query& query, const Keeper& keeper) {
   equip_expander(keeper);
   const bool fits = !parameters_.tuning.prune_portals || disc_route().fits();
   if (!find_paths()) return finish(Status::goal_in_obstacle);
-  return plant(fits);
+  return add_root(fits);
 }
 
 Failure Search::check_query(const Query& query) {
@@ -142,7 +142,7 @@ bool Search::find_paths() {
   return regions_.reset(ending_.goal(), width, kLeastCost * robot_length_);
 }
 
-Status Search::plant(bool fits) {
+Status Search::add_root(bool fits) {
   const Index triangle = locate(*scene_, start_position());
   if (triangle == kNone) return finish(Status::start_in_collision);
   root_region_ = regions_.region(triangle);
@@ -188,15 +188,15 @@ void Search::new_try() {
 }
 
 Expanded Search::expand(Index vertex, Index region, const Target& toward, const Watch& watch) {
-  return settle(expander_.expand(vertex, region, toward, watch));
+  return finish_expansion(expander_.expand(vertex, region, toward, watch));
 }
 
 Expanded Search::go_on(const Watch& watch) {
   restarts_.uncount();
-  return settle(expander_.go_on(watch));
+  return finish_expansion(expander_.go_on(watch));
 }
 
-Expanded Search::settle(const Expanded& expanded) {
+Expanded Search::finish_expansion(const Expanded& expanded) {
   if (expanded.outcome == Outcome::goal_reached) begin_plan(expander_.end());
   if (expanded.outcome == Outcome::tree_full) finish(Status::tree_full);
   return expanded;
@@ -265,10 +265,10 @@ void Search::finish_plan() {
   const float depth = path_ == kNone ? 0.0F : proof_.end_depth(end_depth_);
   if (!ending_.holds(end, depth)) return refuse_plan();
   finish(Status::solved);
-  note(proof_.measures());
+  record(proof_.measures());
 }
 
-void Search::note(const PlanMeasures& measures) {
+void Search::record(const PlanMeasures& measures) {
   statistics_.plan_steps = measures.steps;
   statistics_.plan_length = measures.length;
   statistics_.plan_duration = parameters_.dt * static_cast<float>(measures.steps);
@@ -300,7 +300,7 @@ void Search::begin_to_improve(bool anew) {
 void Search::improve_along_line() {
   if (!improver_.iterate()) return;
   ++statistics_.improvements;
-  note(improver_.measures());
+  record(improver_.measures());
 }
 
 bool Search::resume_anew() {

@@ -99,8 +99,8 @@ class Search {
   // Whether a search has started since init, so that the arrays in the block have been written.
   bool started() const { return ready_ && status() != Status::ready && status() != Status::bad_scene; }
 
-  // Checks the query, finds the heuristic costs and plants the root. searching when the search can begin; solved when a
-  // plan may end with the start.
+  // Checks the query, computes the heuristic costs and adds the root. Returns searching when the search can begin;
+  // solved when a plan may end with the start.
   Status begin(const Query& query, const Keeper& keeper);
 
   // Makes iterations while the search goes on: calls iterate() for an expansion, unless a way is driven or the budget
@@ -214,7 +214,7 @@ class Search {
   // Resets the edge costs and finds the shortest paths. False when no region belongs to the goal.
   bool find_paths();
 
-  Status plant(bool fits);
+  Status add_root(bool fits);
 
   void keep_root() { (void)keeper_(root_region_, {}, expander_.state()); }
 
@@ -223,7 +223,7 @@ class Search {
 
   DiscRoute disc_route();
 
-  Expanded settle(const Expanded& expanded);
+  Expanded finish_expansion(const Expanded& expanded);
 
   float tree_clearance() const { return parameters_.clearance + kTreeSlack * robot_length_; }
 
@@ -238,7 +238,7 @@ class Search {
   // not the same as when it grew.
   void finish_plan();
 
-  void note(const PlanMeasures& measures);
+  void record(const PlanMeasures& measures);
 
   // Goes on with the search; with its next try, since other ways to the goal would mostly begin as this one did.
   void refuse_plan();
