@@ -28,7 +28,7 @@ Failure AdaptiveSearch::init(const Setup& setup, const Parameters& parameters, c
 
 Status AdaptiveSearch::start(const Query& query) {
   if (!usable()) return status();
-  forget();
+  reset_groups();
   return begin(query, Keeper(*this));
 }
 
@@ -44,13 +44,13 @@ void AdaptiveSearch::search_anew() {
   if (resume_anew()) {
     (void)advance(1);
   } else {
-    forget();
+    reset_groups();
     begin_anew();
   }
   pause_anew();
 }
 
-void AdaptiveSearch::forget() {
+void AdaptiveSearch::reset_groups() {
   groups_.clear({parameters_.tuning.alpha, parameters_.tuning.beta, parameters_.tuning.epsilon},
                 parameters_.tuning.group_sample);
   updates_wait_ = 0;
@@ -67,12 +67,12 @@ float AdaptiveSearch::sketched_step() const {
 
 void AdaptiveSearch::iterate(const Watch& watch) {
   if (new_try_due()) {
-    forget();
+    reset_groups();
     new_try();
     return;
   }
   if (goes_on_) {
-    heed(go_on(watch));
+    learn_from(go_on(watch));
   } else {
     begin_expansion(watch);
   }
@@ -87,7 +87,7 @@ void AdaptiveSearch::begin_expansion(const Watch& watch) {
   group_ = groups_.select(regions_);
   const Way way = choose_way(group_);
   if (way.promising) {
-    heed(expand(way.vertex, group_, way.target, watch));
+    learn_from(expand(way.vertex, group_, way.target, watch));
   } else {
     raise_costs(group_);
   }
@@ -97,7 +97,7 @@ bool AdaptiveSearch::update_due() const {
   return regions_.raised() && updates_wait_ == 0 && statistics_.iterations % parameters_.tuning.kappa == 0;
 }
 
-void AdaptiveSearch::heed(const Expanded& expanded) {
+void AdaptiveSearch::learn_from(const Expanded& expanded) {
   goes_on_ = expanded.outcome == Outcome::goes_on;
   const bool long_way = expanded.last.step > parameters_.tuning.max_steps;
   if (long_way && expanded.outcome == Outcome::target_reached) groups_.unselect(regions_, group_);

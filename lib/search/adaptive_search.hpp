@@ -27,8 +27,8 @@ class AdaptiveSearch : public GroupedSearch {
   static constexpr float kSightRoom = 1.6F;    // of a line of sight, in radii of the bodies' discs
   static constexpr float kSightStep = 0.4F;    // of looks along it, in lengths of body 0
 
-  // No groups, and no long expansion.
-  void forget();
+  // Empties the groups, and ends a long expansion.
+  void reset_groups();
 
   // The length of a sketched step, seconds.
   float sketched_step() const;
@@ -45,8 +45,9 @@ class AdaptiveSearch : public GroupedSearch {
   // shared by one for every update_regions of the regions that it looked at.
   bool update_due() const;
 
-  // What is learnt from an expansion. A long one that reaches its target does not count as a selection of its group.
-  void heed(const Expanded& expanded);
+  // Updates weights and costs after an expansion. A long one that reaches its target does not count as a selection of
+  // its group.
+  void learn_from(const Expanded& expanded);
 
   // An expansion may go from the vertex toward the target.
   struct Way {
