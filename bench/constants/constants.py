@@ -48,7 +48,7 @@ CONSTANTS = {
         "lib/search/sketcher.hpp": {"kSteps": (), "kRoom": (0.963, 1.074)},
         "lib/search/expander.hpp": {"kOpen": (0, 2)},
         "lib/collision/sight.hpp": {"kMostLooks": ()},
-        "lib/collision/obstacles.hpp": {"kReach": ()},
+        "lib/collision/obstacles.hpp": {"kLookBeyond": ()},
         "lib/collision/goal_room.cpp": {"kDeepest": (0.6, 1.4)}},
     "backward": {"include/krait/parameters.hpp": {"reverse_share": ()}},
     "pose": {
@@ -68,7 +68,7 @@ CONSTANTS = {
             "kHold": (), "kAgain": (), "kTries": (), "kMostTries": (), "kPast": (), "kAhead": (), "kAskew": (),
             "kPatience": (), "kNearer": (), "kAsNear": (), "kTakenAsNear": (),
             "kRounded": (0.5, 1.5), "kRunUp": (), "kTurning": (), "kMeasured": (),
-            "kReach": (), "kSpacing": (), "kLeastDisc": (0.9, 1.3), "kMoreDisc": (), "kPullStep": (),
+            "kSearchAhead": (), "kSpacing": (), "kLeastDisc": (0.9, 1.3), "kMoreDisc": (), "kPullStep": (),
             "kBeforeFailure": (), "kAroundFailure": (), "kNearFailure": (), "kSpread": (), "kFar": ()},
         "lib/improve/taut_line.hpp": {"kPasses": ()},
         "lib/improve/way_drive.hpp": {

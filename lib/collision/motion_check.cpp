@@ -177,7 +177,7 @@ PlacedBody MotionCheck::swept(int k, Vec2 at) const {
 
 bool MotionCheck::keeps_margin(const Placement& placement, int k) const {
   return placement.circle_room[k] > 0.0F ||
-         obstacles_.room(placed(placement, k, placement.poses[k].position), Obstacles::kReach) > 0.0F;
+         obstacles_.room(placed(placement, k, placement.poses[k].position), Obstacles::kLookBeyond) > 0.0F;
 }
 
 bool MotionCheck::bound(const Step& step) {
@@ -229,7 +229,8 @@ float MotionCheck::stray(int k) const {
 
 bool MotionCheck::hull_free(const Step& step, int k) {
   const float allowed = stray(k);
-  const float room = obstacles_.room(swept(k, placements_[1 - before_].poses[k].position), allowed + Obstacles::kReach);
+  const float room =
+      obstacles_.room(swept(k, placements_[1 - before_].poses[k].position), allowed + Obstacles::kLookBeyond);
   if (room > allowed) return true;
   if (bounded_ || room <= 0.0F) return false;
   bound_bodies(step);

@@ -151,7 +151,7 @@ Contact Obstacles::contact(const PlacedBody& body) const {
   box = {body.at + box.min, body.at + box.max};
   Contact worst = contact_with_bounds(body);
   if (!(finite(box.min) && finite(box.max))) return worst;
-  pieces_around(box, kReach + margin_, [&](Index piece) {
+  pieces_around(box, kLookBeyond + margin_, [&](Index piece) {
     const ShiftedPiece shifted(scene_->piece(piece), body.at);
     const float needed = margin_ + kRelativeRounding * shifted.extent;
     const Gap gap = polygon_gap(body.polygon(), shifted.polygon());

@@ -21,7 +21,7 @@ struct PlacedBody {
 class Obstacles {
  public:
   // Metres: how far beyond what must be free pieces are looked for; measured: bench/ABLATIONS.md, "Constants".
-  static constexpr float kReach = 1e-3F;
+  static constexpr float kLookBeyond = 1e-3F;
 
   Obstacles() = default;
 

@@ -265,7 +265,7 @@ void Improver::begin_search() {
   const std::uint32_t room = current().capacity() / (tools_.last_metres == nullptr ? 1 : 2);
   const std::uint32_t hold = std::max(plan_steps_ / room + 1, kHold);
   const float near = 0.5F * regions_->goal().size(*tools_.scene);
-  drives_.assign(tools_, {hold, stride_, kReach * turns_.unit, near});
+  drives_.assign(tools_, {hold, stride_, kSearchAhead * turns_.unit, near});
   const Parameters& parameters = *tools_.parameters;
   tools_.check->keep(parameters.clearance + kTreeSlack * robot_length_, longest_tree_step(tools_.robot, parameters.dt));
   stage_ = Stage::driving;
@@ -415,7 +415,7 @@ std::uint32_t Improver::spread_around(std::uint32_t i) {
 
 std::uint32_t Improver::first_that_sees(float from) {
   const std::uint32_t count = current().count();
-  const float reach = kReach * turns_.unit;
+  const float reach = kSearchAhead * turns_.unit;
   for (std::uint32_t leg = 0; leg < count; ++leg) {
     const float arc = current()[leg].arc;
     const float look = route()[route().stretch(arc)].look;

@@ -83,7 +83,7 @@ class Improver {
   static constexpr std::uint32_t kTurning = 30;    // steps of the turn,
   static constexpr std::uint32_t kMeasured = 15;   // the last ones of which are measured
   static constexpr float kBraking = 0.3F;          // of the sharpest: how shots brake
-  static constexpr float kReach = 2.4F;            // units: how far on along a route the robot's place is looked for
+  static constexpr float kSearchAhead = 2.4F;      // units: how far on along a route the robot's place is looked for
   static constexpr float kSpacing = 0.5F;          // units between the points of a line that is pulled taut
   static constexpr float kLeastDisc = 1.15F;       // of body 0's half width: what a line is pulled taut for, and
   static constexpr float kMoreDisc = 1.1F;         // as much more at most

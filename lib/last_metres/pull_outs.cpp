@@ -137,7 +137,7 @@ bool PullOuts::free(const Obstacles& obstacles, const Pose& at) {
   placed.at = at.position;
   placed.count = body_.outline.count;
   for (int i = 0; i < placed.count; ++i) placed.vertices[i] = turned(at.heading, body_.outline[i]);
-  return obstacles.room(placed, Obstacles::kReach) > 0.0F;
+  return obstacles.room(placed, Obstacles::kLookBeyond) > 0.0F;
 }
 
 Move PullOuts::move_of(const Way& way, const Pose& inner, int number) const {

@@ -16,7 +16,7 @@ namespace {
 // moved further than the body, and it may stray from it by as much.
 float search_radius(const krait::Scene& scene, const RobotExtent& robot, const Parameters& parameters) {
   const float margin = detail::Obstacles(scene, parameters.clearance + kTreeSlack * robot.length).margin();
-  return robot.largest_radius + robot.longest_travel + detail::Obstacles::kReach + margin;
+  return robot.largest_radius + robot.longest_travel + detail::Obstacles::kLookBeyond + margin;
 }
 
 // Adds one to `seen` for every piece of the bucket that is not marked with `window` yet.
