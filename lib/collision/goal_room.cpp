@@ -23,8 +23,8 @@ Square around(const Box& box, float reach) {
 GoalRoom goal_room(const Scene& scene, const Obstacles& obstacles, const Goal& goal, float reach, float enough) {
   GoalRoom room;
   Square squares[3 * kDeepest + 1] = {around(goal.box(scene), reach)};
-  for (int left = 1; left > 0 && !room.enough;) {
-    const Square square = squares[--left];
+  for (int remaining = 1; remaining > 0 && !room.enough;) {
+    const Square square = squares[--remaining];
     const float radius = kDiagonal * square.half;
     if (!goal.near(scene, square.center, reach + radius)) continue;
     const float clearance = obstacles.distance(square.center, enough + radius);
@@ -39,7 +39,7 @@ GoalRoom goal_room(const Scene& scene, const Obstacles& obstacles, const Goal& g
     const float half = 0.5F * square.half;
     for (int i = 0; i < 4; ++i) {
       const Vec2 aside{(i & 1) == 0 ? half : -half, (i & 2) == 0 ? half : -half};
-      squares[left++] = {square.center + aside, half, square.depth + 1};
+      squares[remaining++] = {square.center + aside, half, square.depth + 1};
     }
   }
   return room;

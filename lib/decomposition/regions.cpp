@@ -318,11 +318,11 @@ void Regions::raise_edges(Index region, const CostRaise& raise) {
 }
 
 Index Regions::random_goal_triangle(Random& random) const {
-  float left = random.unit() * goal_area_;
+  float remaining = random.unit() * goal_area_;
   Index chosen = goal_region_;
-  for (Index t = goal_region_; t < goal_end_ && left >= 0.0F; ++t) {
+  for (Index t = goal_region_; t < goal_end_ && remaining >= 0.0F; ++t) {
     if (!is_goal_triangle(t)) continue;
-    left -= double_area(*scene_, t);
+    remaining -= double_area(*scene_, t);
     chosen = t;
   }
   return chosen;

@@ -132,11 +132,11 @@ void Improver::measure_turn() {
   begin_round();
 }
 
-void Improver::aim_aside(const Pose& pose, bool left) {
+void Improver::aim_aside(const Pose& pose, bool to_the_left) {
   const Vec2 ahead{pose.heading.cos, pose.heading.sin};
   const Vec2 aside{-ahead.y, ahead.x};
   Target target;
-  target.point = pose.position + 100.0F * robot_length_ * (left ? aside : ahead);
+  target.point = pose.position + 100.0F * robot_length_ * (to_the_left ? aside : ahead);
   target.turn = Turns::kShare[share_];
   tools_.drive->aim(target);
 }
@@ -188,7 +188,7 @@ bool Improver::trace_regions() {
 }
 
 void Improver::trace() {
-  for (std::uint32_t left = tools_.parameters->tuning.max_steps; left > 0; --left) {
+  for (std::uint32_t remaining = tools_.parameters->tuning.max_steps; remaining > 0; --remaining) {
     if (step_ == 0) tools_.drive->aim(plan_.target(leg_));
     Pose pose;
     step_in_void(pose);
@@ -323,7 +323,7 @@ void Improver::learn_corner(Outcome outcome) {
 void Improver::begin_repair() {
   repairing_ = true;
   vain_ = 0;
-  left_ = kInfinity;
+  remaining_ = kInfinity;
   learn_blocked();
   repair();
 }
@@ -354,13 +354,13 @@ void Improver::try_corner() {
 }
 
 void Improver::learn_blocked() {
-  const float left = changed().length() - drives_.arc();
-  if (left < left_ - kNearer * turns_.unit) {
+  const float remaining = changed().length() - drives_.arc();
+  if (remaining < remaining_ - kNearer * turns_.unit) {
     vain_ = 0;
-  } else if (!(left <= left_ + kAsNear * turns_.unit && random_.unit() < kTakenAsNear)) {
+  } else if (!(remaining <= remaining_ + kAsNear * turns_.unit && random_.unit() < kTakenAsNear)) {
     return;
   }
-  left_ = left;
+  remaining_ = remaining;
   failed_ = drives_.arc();
   accept();
 }
@@ -435,7 +435,7 @@ void Improver::begin_proof() {
 }
 
 bool Improver::prove() {
-  for (std::uint32_t left = tools_.parameters->tuning.max_steps; left > 0; --left) {
+  for (std::uint32_t remaining = tools_.parameters->tuning.max_steps; remaining > 0; --remaining) {
     if (leg_ == current().count()) return finish_proof();
     const Leg& leg = current()[leg_];
     if (step_ == 0) proof_->aim(tools_.grid.unpack(leg.target));

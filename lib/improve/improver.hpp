@@ -112,7 +112,7 @@ class Improver {
   // What the robot's turns are like: far ahead for some steps, then far to the left, as if nothing was there.
   void measure_turn();
 
-  void aim_aside(const Pose& pose, bool left);
+  void aim_aside(const Pose& pose, bool to_the_left);
 
   void begin_round();
 
@@ -230,7 +230,7 @@ class Improver {
   std::uint32_t from_leg_;  // from which leg on,
   float promised_;          // and the least steps that a way past it promises
   bool repairing_;          // whether no way got past it
-  float left_;              // metres of the route where the current way fails,
+  float remaining_;         // metres of the route where the current way fails,
   float failed_;            // metres along the route to there,
   std::uint32_t vain_;      // and changes since the last that helped
   Index leg_ = 0;           // that is traced or proven next, and

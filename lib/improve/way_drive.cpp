@@ -24,7 +24,7 @@ void WayDrive::begin(Way& way, const Way& from, std::uint32_t legs, const Route&
   arc_ = legs < from.count() ? from[legs].arc : 0.0F;
   furthest_ = arc_;
   stuck_ = 0;
-  left_ = 0;
+  remaining_ = 0;
   braking_ = false;
   shooting_ = false;
 }
@@ -35,7 +35,7 @@ WayDrive::Outcome WayDrive::advance(std::uint32_t steps) {
       if (shoot()) return Outcome::reached;
       continue;
     }
-    if (left_ == 0 && !braking_) {
+    if (remaining_ == 0 && !braking_) {
       const Outcome outcome = begin_leg();
       if (outcome != Outcome::drives) return outcome;
     }
@@ -44,12 +44,12 @@ WayDrive::Outcome WayDrive::advance(std::uint32_t steps) {
       continue;
     }
     if (!take_step(*tools_->drive)) return Outcome::blocked;
-    --left_;
+    --remaining_;
     const float* const state = tools_->drive->state();
     if (tools_->ending->holds(state, tools_->depth)) return Outcome::reached;
     if (way_->steps() + 1 >= bound_) return Outcome::too_long;
     if (!way_->full() && tools_->ending->stops_inside(state, tools_->check->poses()[0])) begin_braking();
-    if (left_ == 0 && !braking_) begin_shots();
+    if (remaining_ == 0 && !braking_) begin_shots();
   }
   return Outcome::drives;
 }
@@ -133,7 +133,7 @@ bool WayDrive::shoot() {
 bool WayDrive::begin_shot_leg(const Moment& now) {
   Target target;
   if (way_->full() || !tools_->last_metres->aim(now, target)) return false;
-  if (too_long(tools_->last_metres->least_left(now))) return false;
+  if (too_long(tools_->last_metres->least_remaining(now))) return false;
   const PackedTarget packed = tools_->grid.pack(target);
   way_->add(packed, way_->count() == shot_ ? arc_ : Leg::kOffRoute, now.state);
   tools_->brake->aim(tools_->grid.unpack(packed));
@@ -168,12 +168,12 @@ WayDrive::Outcome WayDrive::begin_leg() {
   const PackedTarget packed = tools_->grid.pack(target);
   way_->add(packed, arc_, state);
   tools_->drive->aim(tools_->grid.unpack(packed));
-  left_ = manner_.hold;
+  remaining_ = manner_.hold;
   return Outcome::drives;
 }
 
-bool WayDrive::too_long(float left) const {
-  const float rest = kLeastShare * (left - manner_.near) / manner_.stride;
+bool WayDrive::too_long(float remaining) const {
+  const float rest = kLeastShare * (remaining - manner_.near) / manner_.stride;
   return static_cast<float>(way_->steps()) + rest >= static_cast<float>(bound_);
 }
 

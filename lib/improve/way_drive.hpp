@@ -95,8 +95,8 @@ class WayDrive {
 
   Outcome begin_leg();
 
-  // Whether the way would not have fewer steps than asked for, with so many metres left.
-  bool too_long(float left) const;
+  // Whether the way would not have fewer steps than asked for, with `remaining` metres to drive.
+  bool too_long(float remaining) const;
 
   const WayTools* tools_;
   Manner manner_;
@@ -108,7 +108,7 @@ class WayDrive {
   float arc_;
   float furthest_;  // of arc_, from where on it counted as further
   std::uint32_t stuck_;
-  std::uint32_t left_;       // steps of the leg
+  std::uint32_t remaining_;  // steps of the leg
   bool braking_;             // whether the last leg is a brake
   bool shooting_;            // whether the last legs are a shot's,
   std::uint32_t shot_;       // the first of them,

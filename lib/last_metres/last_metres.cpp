@@ -230,7 +230,7 @@ bool LastMetres::aim(const Moment& now, Target& target) {
   turning_ = false;
   if (stops && ++stops_ > kMostStops) return false;
   const float speed = now.robot.speed(now.state);
-  const float share = pace(robot_, left(), speed, now.robot.stopping_way(now.state), braking_);
+  const float share = pace(robot_, remaining(), speed, now.robot.stopping_way(now.state), braking_);
   target.speed = stops ? 0.0F : (shot.backward ? -share : share);
   target.turn = 1.0F;
   const float look = leader(shot) > 0 ? push_look_ : kLook * robot_.length;
@@ -238,10 +238,10 @@ bool LastMetres::aim(const Moment& now, Target& target) {
   return true;
 }
 
-float LastMetres::least_left(const Moment& now) const {
-  const float left = this->left();
+float LastMetres::least_remaining(const Moment& now) const {
+  const float remaining = this->remaining();
   const float braked = math::absolute(now.robot.stopping_way(now.state)) / braking_;
-  return left + (braked < left ? braked : left);
+  return remaining + (braked < remaining ? braked : remaining);
 }
 
 bool LastMetres::leg_over(std::uint32_t steps, const Moment& now) {

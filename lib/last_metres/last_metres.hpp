@@ -60,8 +60,8 @@ class LastMetres {
   // The next leg's target. False when the shot has ended, the robot has left its line, or it does not turn.
   bool aim(const Moment& now, Target& target);
 
-  // Metres at the top speed that what is left of the shot's line takes no less time than.
-  float least_left(const Moment& now) const;
+  // Metres at the top speed that take no more time than what remains of the shot's line.
+  float least_remaining(const Moment& now) const;
 
   // Whether a leg of so many steps is over: one that turns the robot or its wheels, when they have turned.
   bool leg_over(std::uint32_t steps, const Moment& now);
@@ -104,11 +104,11 @@ class LastMetres {
   // Goes along the line as far as the robot has come. False where it has left the line.
   bool keep_to_line(const Pose& at);
 
-  // Metres that are left of the shot's line.
-  float left() const { return line_.length() - arc_; }
+  // Metres that remain of the shot's line.
+  float remaining() const { return line_.length() - arc_; }
 
   // Whether the robot is where the line ends.
-  bool arrived() const { return left() <= near_; }
+  bool arrived() const { return remaining() <= near_; }
 
   // The straight piece from here toward the goal, or to the lead before it. Returns whether the robot faces it.
   bool begin_straight(const Shot& shot, const Pose& at);

@@ -10,11 +10,11 @@ constexpr float kSlowest = 0.02F;  // of the top speed
 
 }  // namespace
 
-float pace(const Nimbleness& robot, float left, float speed, float stopping_way, float braking) {
+float pace(const Nimbleness& robot, float remaining, float speed, float stopping_way, float braking) {
   const float way = math::absolute(stopping_way);
-  float wanted = left / (kSettle * robot.dt);
+  float wanted = remaining / (kSettle * robot.dt);
   if (way > 0.0F) {
-    const float fastest = speed * std::sqrt(braking * left / way);
+    const float fastest = speed * std::sqrt(braking * remaining / way);
     if (fastest < wanted) wanted = fastest;
   }
   return math::clamp(wanted / robot.top_speed, kSlowest, 1.0F);

@@ -30,9 +30,9 @@ struct Moment {
   const Pose& at() const { return poses[0]; }
 };
 
-// The share of its top speed at which a robot moves on that shall come to rest `left` metres ahead, moves at `speed`
-// m/s and would come to rest within `stopping_way` metres if it braked as sharply as it can: it brakes `braking` times
-// as sharply, and approaches the end of the way within some time steps, whatever its brake.
-float pace(const Nimbleness& robot, float left, float speed, float stopping_way, float braking);
+// The share of its top speed at which a robot moves on that shall come to rest `remaining` metres ahead, moves at
+// `speed` m/s and would come to rest within `stopping_way` metres if it braked as sharply as it can: it brakes
+// `braking` times as sharply, and approaches the end of the way within some time steps, whatever its brake.
+float pace(const Nimbleness& robot, float remaining, float speed, float stopping_way, float braking);
 
 }  // namespace krait::detail

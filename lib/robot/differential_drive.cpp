@@ -42,8 +42,8 @@ void DifferentialDrive::steer(StateView s, const Target& target, Steering& steer
   const float along = math::sin_cos(error).cos;
   const float most = p.max_wheel_speed * kInside;
   const float per_wheel = 2.0F * p.wheel_radius / p.track_width;
-  const float left = error - 0.25F * (s[4] - s[3]) * per_wheel * target.dt;
-  const float fastest = stoppable_turn(left, kTurnBrake * p.max_wheel_acceleration * per_wheel, target.dt);
+  const float remaining = error - 0.25F * (s[4] - s[3]) * per_wheel * target.dt;
+  const float fastest = stoppable_turn(remaining, kTurnBrake * p.max_wheel_acceleration * per_wheel, target.dt);
   const float turn = math::clamp(steering.heading(kHeadingGains, error, target.dt), -fastest, fastest);
   const float half_turn = math::clamp(turn * 0.5F * p.track_width / p.wheel_radius, -most, most);
   const float room = most - math::absolute(half_turn);

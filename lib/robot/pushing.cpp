@@ -104,10 +104,10 @@ void find_gains(int trailers, float h, float* gains) {
   const float e = growth(h);
   const float a = 1.0F + e;
   const Series grown{{e, -a * h, 0.5F * a * h * h}};
-  Series left = grown;
-  left.terms[0] = e - growth(-kFading * h);
+  Series remaining = grown;
+  remaining.terms[0] = e - growth(-kFading * h);
   Series all{{1.0F, -1.0F, 0.0F}};
-  for (int i = 0; i < trailers; ++i) all = all * left;
+  for (int i = 0; i < trailers; ++i) all = all * remaining;
   if (trailers == 3) all = all * Series{{1.0F, 0.5F * h, 0.0F}};
   all = all / grown;
   float scale = 1.0F;
@@ -151,8 +151,8 @@ float pushing_correction(const Train& train, const Pose* poses, const Pose* refe
   const float d = train.hitch_length;
   const float scale = train.wheelbase / d;
   const Pose& line = reference[n];
-  const float left = cross({line.heading.cos, line.heading.sin}, poses[n].position - line.position);
-  const float wanted = left / (kBack * d) - (poses[n].heading - line.heading).sin;
+  const float sideways = cross({line.heading.cos, line.heading.sin}, poses[n].position - line.position);
+  const float wanted = sideways / (kBack * d) - (poses[n].heading - line.heading).sin;
   const float turn = -4.0F * wanted / kBack;
   float off[kMostPushed];
   for (int k = 1; k <= n; ++k) off[k - 1] = hitch_sine(poses, k) - hitch_sine(reference, k) - turn;

@@ -8,9 +8,9 @@ namespace krait::detail {
 
 // How far a state is from its reference, seen from the reference.
 struct Deviation {
-  float ahead;    // metres
-  float left;     // metres
-  float heading;  // radians
+  float ahead;     // metres
+  float sideways;  // metres, to the left
+  float heading;   // radians
 };
 
 // How far a state is off its reference; both begin with x, y and a heading.
@@ -38,8 +38,8 @@ inline float tracking_distance(float speed, float distance, float dt) {
 
 inline Correction correction(const Deviation& from, float speed, float distance, float dt) {
   constexpr float kShare = 0.1F;
-  const float sideways = from.left / tracking_distance(speed, distance, dt);
-  return {-kShare * from.ahead / dt, (speed < 0.0F ? sideways : -sideways) - from.heading};
+  const float turn = from.sideways / tracking_distance(speed, distance, dt);
+  return {-kShare * from.ahead / dt, (speed < 0.0F ? turn : -turn) - from.heading};
 }
 
 }  // namespace krait::detail

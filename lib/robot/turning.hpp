@@ -12,11 +12,11 @@ inline constexpr float kTurnBrake = 0.7F;  // of the largest turn acceleration: 
 
 // The most turn rate w toward a heading after a step of dt such that turning can be stopped there with `brake` rad/s^2:
 // in the step it turns by (omega + w) dt / 2, and then by less than w^2 / (2 brake) + w dt / 2. So w is the root of
-// w^2 / (2 brake) + w dt = left, the heading's error less omega dt / 2, which leaves no error after two steps where
-// brake is no limit. rad/s, at least 0.
-inline float stoppable_turn(float left, float brake, float dt) {
+// w^2 / (2 brake) + w dt = remaining, the heading's error less omega dt / 2, which leaves no error after two steps
+// where brake is no limit. rad/s, at least 0.
+inline float stoppable_turn(float remaining, float brake, float dt) {
   const float step = brake * dt;
-  return std::sqrt(step * step + 2.0F * brake * math::absolute(left)) - step;
+  return std::sqrt(step * step + 2.0F * brake * math::absolute(remaining)) - step;
 }
 
 }  // namespace krait::detail

@@ -39,10 +39,10 @@ void Unicycle2::steer(StateView s, const Target& target, Steering&, ControlRef u
   const float along = math::sin_cos(error).cos;
   const float stopped = error - 0.5F * s[4] * math::absolute(s[4]) / (kSteered * p.max_turn_acceleration);
   const float around = stopped > kPi ? error - 2.0F * kPi : stopped < -kPi ? error + 2.0F * kPi : error;
-  const float left = around - 0.5F * s[4] * target.dt;
-  const float rate = stoppable_turn(left, kTurnBrake * p.max_turn_acceleration, target.dt);
+  const float remaining = around - 0.5F * s[4] * target.dt;
+  const float rate = stoppable_turn(remaining, kTurnBrake * p.max_turn_acceleration, target.dt);
   const float top = target.speed * (target.speed < 0.0F ? -p.min_speed : p.max_speed);
-  approach(s, along > 0.0F ? top * along * along : 0.0F, left < 0.0F ? -rate : rate, kSteered, target.dt, u);
+  approach(s, along > 0.0F ? top * along * along : 0.0F, remaining < 0.0F ? -rate : rate, kSteered, target.dt, u);
 }
 
 // The control that brings speed and turn rate as near to the wanted ones as their limits and `share` of the

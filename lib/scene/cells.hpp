@@ -79,9 +79,9 @@ class CellSquares {
 
   CellSpan span(std::int32_t low, std::int32_t high, std::int32_t cells) const;
   std::int32_t to_ends(std::int32_t low, std::int32_t length) const {
-    const std::int32_t left = low - kMargin;
-    const std::int32_t right = length - (low + size_ + kMargin);
-    return left < right ? left : right;
+    const std::int32_t before = low - kMargin;
+    const std::int32_t after = length - (low + size_ + kMargin);
+    return before < after ? before : after;
   }
 
   GridBox bounds_;

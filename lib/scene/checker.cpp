@@ -198,14 +198,14 @@ bool is_safe_to_print(std::uint32_t code) {
          !within(0x2066, 0x2069);
 }
 
-// Bytes of the UTF-8 character that begins here, of `left`; 0 where there is none, or one that is neither NUL nor safe
-// to print.
-std::uint32_t character_bytes(const char* text, std::uint32_t left) {
+// Bytes of the UTF-8 character that begins here, of `remaining`; 0 where there is none, or one that is neither NUL nor
+// safe to print.
+std::uint32_t character_bytes(const char* text, std::uint32_t remaining) {
   const auto byte = [&](std::uint32_t i) { return static_cast<std::uint32_t>(static_cast<std::uint8_t>(text[i])); };
   const std::uint32_t first = byte(0);
   if (first < 0x80) return is_safe_to_print(first) || first == 0 ? 1 : 0;
   const std::uint32_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-  if (first < 0xC2 || first > 0xF4 || length > left) return 0;
+  if (first < 0xC2 || first > 0xF4 || length > remaining) return 0;
   std::uint32_t code = first & (0x7FU >> length);
   for (std::uint32_t i = 1; i < length; ++i) {
     if ((byte(i) & 0xC0U) != 0x80) return 0;

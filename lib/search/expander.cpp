@@ -76,7 +76,7 @@ float Expander::target_distance() const {
 
 Expanded Expander::go_on(const Watch& watch) {
   bool goes = true;
-  for (std::uint32_t left = tools_.parameters->tuning.max_steps; goes && left > 0; --left) {
+  for (std::uint32_t remaining = tools_.parameters->tuning.max_steps; goes && remaining > 0; --remaining) {
     expanded_.outcome = take_turn(watch);
     goes = expanded_.outcome == Outcome::target_not_reached && (aside() || continues());
   }

@@ -15,24 +15,24 @@ class Restarts {
     unit_ = unit;
     turn_ = 1;
     units_ = 1;
-    left_ = unit;
+    remaining_ = unit;
   }
 
   // Lets the next expansion begin the next try, if there are tries.
-  void end_try() { left_ = 0; }
+  void end_try() { remaining_ = 0; }
 
   // The last expansion is not to be counted.
-  void uncount() { left_ += unit_ != 0 ? 1 : 0; }
+  void uncount() { remaining_ += unit_ != 0 ? 1 : 0; }
 
   // Counts an expansion; whether the try was over before it, so that the next one begins.
   bool due() {
     if (unit_ == 0) return false;
-    if (left_ > 0) {
-      --left_;
+    if (remaining_ > 0) {
+      --remaining_;
       return false;
     }
     go_on();
-    left_ = std::uint64_t{unit_} * units_ - 1;
+    remaining_ = std::uint64_t{unit_} * units_ - 1;
     return true;
   }
 
@@ -48,8 +48,8 @@ class Restarts {
 
   std::uint32_t unit_ = 0;
   std::uint32_t turn_ = 1;
-  std::uint32_t units_ = 1;  // of this try
-  std::uint64_t left_ = 0;   // expansions
+  std::uint32_t units_ = 1;      // of this try
+  std::uint64_t remaining_ = 0;  // expansions
 };
 
 }  // namespace krait::detail

@@ -236,21 +236,22 @@ Vec2 Search::random_point_in_bounds() {
 void Search::begin_plan(Branch end) {
   path_ = end.expansion == kNone ? kNone : tree_.turn_path(end);
   driven_ = path_;
-  steps_left_ = 0;
+  steps_remaining_ = 0;
   proof_.begin(robot_, *scene_, parameters_, check_, tree_.state(kRoot));
   if (driven_ == kNone) return finish_plan();
   proof_.place();
 }
 
 void Search::drive_plan() {
-  if (steps_left_ == 0) {
+  if (steps_remaining_ == 0) {
     proof_.aim(tree_.target(driven_));
-    steps_left_ = tree_.steps(driven_);
+    steps_remaining_ = tree_.steps(driven_);
   }
-  for (std::uint32_t left = parameters_.tuning.max_steps; left > 0 && steps_left_ > 0; --left, --steps_left_) {
+  for (std::uint32_t remaining = parameters_.tuning.max_steps; remaining > 0 && steps_remaining_ > 0;
+       --remaining, --steps_remaining_) {
     if (!proof_.step()) return refuse_plan();
   }
-  if (steps_left_ == 0) driven_ = tree_.next_of_path(driven_);
+  if (steps_remaining_ == 0) driven_ = tree_.next_of_path(driven_);
   if (driven_ == kNone) return finish_plan();
   proof_.keep();
 }

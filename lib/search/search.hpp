@@ -262,7 +262,7 @@ class Search {
   Index root_region_ = kNone;
   Index path_ = kNone;    // the plan's first expansion
   Index driven_ = kNone;  // the expansion of the way to the goal that is driven next; kNone while the tree grows
-  std::uint32_t steps_left_ = 0;  // of that expansion
+  std::uint32_t steps_remaining_ = 0;  // of that expansion
   PlanProof proof_;
   bool improving_ = false;  // since the first call of improve
   bool anew_ = false;       // whether a search for a better plan has begun and not ended
