@@ -35,7 +35,7 @@ box2d::b2DistanceOutput measure(Polygon a, Polygon b) {
   cache.count = 0;
   box2d::b2DistanceOutput output;
   box2d::b2Distance(&output, &cache, &input);
-  constexpr int kMaxRounds = 20;  // b2Distance returns after so many iterations
+  constexpr int kMaxRounds = 20;  // b2Distance returns after this many iterations
   if (output.iterations >= kMaxRounds) output.distance = 0.0F;
   return output;
 }

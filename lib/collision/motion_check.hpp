@@ -7,8 +7,8 @@
 // their places at the ends, so that it never leaves the hull of both, grown by e(k); the hull must keep away by more.
 // Where that is not so, or the robot's limits are not proven to hold in between, the step is halved, down to one part
 // of max_substeps, and what was left to prove of the whole is proven of the parts; what is then still unproven counts
-// as a collision. So does what a robot answers that is no answer: a state, a control or a frame that is not finite, and
-// a Travel that is NaN or negative.
+// as a collision. So do results of a robot that cannot be used: a state, a control or a frame that is not finite, and a
+// Travel that is NaN or negative.
 #pragma once
 
 #include "base/arena.hpp"
@@ -47,7 +47,7 @@ class MotionCheck {
   bool free(const float* state);
 
   // What lacks most of the margin where the robot stands in `state`, the first among equals; none where it keeps the
-  // margin everywhere. The next step must begin anew.
+  // margin everywhere. Call begin before the next step.
   Contact contact(const float* state);
 
   // False where body 0 does not keep the margin at the end of the step to be asked next, of which `next` has only the

@@ -6,7 +6,7 @@
 namespace krait::detail {
 namespace {
 
-constexpr float kExactRatio = 4194304.0F;  // 2^22: below so many times C, h + C is above h in float
+constexpr float kExactRatio = 4194304.0F;  // 2^22: where h is below this many times C, h + C is above h in float
 
 Vec2 random_point_in_triangle(const Scene& scene, Index triangle, Random& random) {
   float u = random.unit();
@@ -232,9 +232,9 @@ void Regions::settle() {
 }
 
 // A raised edge lengthens the paths that cross it: those of the raised region, whose every edge rose, and of all that
-// follow it in the shortest-path tree. They are found anew from the neighbours that do not; no other path can have
+// follow it in the shortest-path tree. They are recomputed from the neighbours that do not; no other path can have
 // changed. Where h has grown so large that h + C may be h, paths depend on the order of Dijkstra's queue: then all
-// anew.
+// are recomputed.
 Index Regions::repair(bool all) {
   const Index stale = list_stale();
   if (!all) repair_listed(stale);
@@ -256,7 +256,7 @@ void Regions::repair_listed(Index count) {
   settle();
 }
 
-// The shortest path that goes on to a region whose own is not to be found anew.
+// The shortest path that goes on to a region whose own is not to be recomputed.
 float Regions::cost_beside(Index triangle) const {
   float least = kInfinity;
   for (int edge = 0; edge < 3; ++edge) {

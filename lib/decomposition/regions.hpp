@@ -37,15 +37,15 @@ class Regions {
   bool connected(Index from, const Goal& goal, float reach, float least_width);
 
   // The widest way from triangle `from` to within `reach` metres of the goal of the last reset (into it for 0), through
-  // portals of any width, and its narrowest portal; `needed` is the caller's. Then finds h anew, as update does.
+  // portals of any width, and its narrowest portal; `needed` is the caller's. Then recomputes h, as update does.
   // O(R log R).
   Bottleneck widest_way(Index from, float reach);
 
   // Dijkstra from the goal over the costs as they are: h and the shortest-path tree. O(R log R).
   void update();
 
-  // The same, bit for bit, where edges were only raised since the last update or repair: finds the paths anew of those
-  // regions only whose path went over a raised edge. Returns how many. O(n log n) for n of them; O(R log R) where costs
+  // The same, bit for bit, where edges were only raised since the last update or repair: recomputes the paths of those
+  // regions only whose path crossed a raised edge. Returns how many. O(n log n) for n of them; O(R log R) where costs
   // have grown so large that h + C may be h. With `all` it finds them by update, for tests and measurements.
   Index repair(bool all = false);
 
@@ -115,7 +115,7 @@ class Regions {
   // The bits of next_: the edge that a triangle's shortest path crosses, and a mark.
   static constexpr std::uint8_t kEdgeMask = 3;
   static constexpr std::uint8_t kNoEdge = 3;
-  static constexpr std::uint8_t kListed = 4;  // its path is to be found anew
+  static constexpr std::uint8_t kListed = 4;  // its path is to be recomputed
 
   float* h_ = nullptr;
   std::uint8_t* next_ = nullptr;

@@ -21,11 +21,11 @@ constexpr float kLeaveOut = 0.06F;             // a number from 0 to 1 below thi
 constexpr float kInsert = 0.16F;               // this: one is added; else it changes. A number from 0 to 1 below
 constexpr float kRound = 0.3F;                 // this: its corner is rounded; else, below
 constexpr float kVary = 0.5F;                  // this: it is driven to otherwise; else it is moved
-constexpr float kWithNext = 0.5F;   // share of rounded corners after which the next via is driven to likewise
-constexpr float kBeside = 0.35F;    // units: standard deviation of an added via from the line
-constexpr float kLittle = 0.15F;    // units: and of a moved one from its place, or, of half of them,
-constexpr float kMuch = 0.5F;       // units
-constexpr float kVaryMoved = 0.5F;  // share of moved vias that are driven to otherwise, too
+constexpr float kWithNext = 0.5F;              // share of rounded corners whose next via is driven to in the same way
+constexpr float kBeside = 0.35F;               // units: standard deviation of an added via from the line
+constexpr float kLittle = 0.15F;               // units: and of a moved one from its place, or, of half of them,
+constexpr float kMuch = 0.5F;                  // units
+constexpr float kVaryMoved = 0.5F;             // share of moved vias that are driven to otherwise, too
 
 float between(Span span, Random& random) { return span.low + (span.high - span.low) * random.unit(); }
 

@@ -27,8 +27,8 @@ void vary(Via& via, const Turns& turns, Random& random);
 // what the turn's circle would cut off.
 void round_corner(Vec2 before, Via& via, Vec2 after, const Turns& turns, Random& random);
 
-// Makes a random change at via i, 1 … count - 1, of an unmeasured copy of a route: rounds the corner anew, drives to it
-// otherwise, or moves it.
+// Makes a random change at via i, 1 … count - 1, of an unmeasured copy of a route: rounds the corner again, drives to
+// it otherwise, or moves it.
 void change_via(Route& route, std::uint32_t i, const Turns& turns, Random& random);
 
 // The same, or leaves the via out, or adds one before it.

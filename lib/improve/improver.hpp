@@ -4,7 +4,7 @@
 // so far is taken up. It is driven corner by corner: once there is a better way, each is passed some times, with random
 // changes, and the quickest time is kept. Where none gets past a corner, the route is changed around the place of the
 // failure. What is better than the plan is driven once more and proven as the plan was, and only then takes its place.
-// A long chain seldom gets along such a line: most of its rounds are searches anew, which the planner makes.
+// A long chain seldom gets along such a line: in most of its rounds the planner restarts its search.
 #pragma once
 
 #include "decomposition/locate.hpp"
@@ -26,7 +26,7 @@ class Improver {
 
   // Begins with a plan of one step or more, which must stay, as must what the tools name and `proof`. The regions'
   // costs and paths are those of the goal, as they were before any was raised. A plan ends as deep inside the
-  // goal as `depth` says. Searches anew are asked for only if `anew`.
+  // goal as `depth` says. Restarted searches are asked for only if `anew`.
   void begin(const WayTools& tools, PlanProof& proof, const Regions& regions, const PlanPath& plan,
              const EndDepth& depth, const Random& random, bool anew);
 
@@ -61,7 +61,7 @@ class Improver {
   static constexpr std::uint32_t kLeastVias = 64;
   static constexpr std::uint32_t kLeastPoints = 256;
   // Measured: bench/ABLATIONS.md, "Constants".
-  static constexpr int kLongChain = 4;             // bodies of a chain whose plans are searched for anew, and
+  static constexpr int kLongChain = 4;             // bodies of a chain for which searches restart, and
   static constexpr std::uint32_t kSearches = 7;    // such rounds before each one along a line
   static constexpr std::uint32_t kHold = 3;        // steps of a leg, or more where a way would not have room
   static constexpr float kAgain = 0.5F;            // how often a round takes up the best way's route, once it has one
@@ -78,7 +78,7 @@ class Improver {
   static constexpr float kWorthBackwards = 0.3F;   // sum of cosines: how far away from its ends a robot must face, and
   static constexpr float kBackwards = 0.5F;        // how often it then drives a route backwards
   static constexpr float kNoShots = 0.3F;          // routes without shots before their end, for each that has some
-  static constexpr float kVaryShots = 0.1F;        // of changes, that draw anew where shots begin
+  static constexpr float kVaryShots = 0.1F;        // of changes, that draw again where shots begin
   static constexpr std::uint32_t kRunUp = 15;      // steps straight on before a turn is measured,
   static constexpr std::uint32_t kTurning = 30;    // steps of the turn,
   static constexpr std::uint32_t kMeasured = 15;   // the last ones of which are measured
@@ -139,7 +139,7 @@ class Improver {
   // in the pose, and an early one keeps it from turning on its way.
   bool chooses_shots() const;
 
-  // Draws anew where a measured route's shots begin. Returns from where on along the route that matters.
+  // Draws again where a measured route's shots begin. Returns from where on along the route that matters.
   float change_shots(Route& route);
 
   // Drives the route from its begin on.

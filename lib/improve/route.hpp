@@ -62,7 +62,7 @@ class Route {
   // 1, or -1 where the line is driven backwards.
   float gear() const { return gear_; }
   void drive_in(float gear) { gear_ = gear; }
-  // From so many metres before the line's end on the robot shoots at a pose.
+  // Metres before the line's end, from which on the robot shoots at a pose.
   float shots() const { return shots_; }
   void shoot_within(float metres) { shots_ = metres; }
 
@@ -81,7 +81,7 @@ class Route {
   std::uint32_t capacity_ = 0;
   std::uint32_t count_ = 0;
   float gear_;   // of a route that was cleared or copied
-  float shots_;  // likewise
+  float shots_;  // metres, the same
 };
 
 }  // namespace krait::detail

@@ -10,7 +10,7 @@ namespace krait::detail {
 
 class TautLine {
  public:
-  // Room for two lines of so many points, 2 at least, 8 bytes each.
+  // Room for two lines of `points` points, 2 at least, 8 bytes each.
   void allocate(Arena& arena, std::uint32_t points);
 
   // An empty line. Points nearer than `spacing` metres, above 0, to the last one are left out; when it is full, every

@@ -16,13 +16,13 @@ constexpr float kCaptureRadii = 4.0F;                  // how near the goal must
 constexpr float kCaptureLengths = 3.5F;                // as many lengths of body 0 more
 constexpr float kLeads[] = {0.0F, 0.35F, 0.7F, 1.3F};  // straight ends of lines, in lengths of body 0: two short
                                                        // ones, for where there is no room for the others; or
-constexpr float kHitchLeads[] = {1.2F, 2.8F, 1.15F, 2.4F};  // where hitches must be straight, the latter two in so many
-                                                            // lengths as there are bodies
+constexpr float kHitchLeads[] = {1.2F, 2.8F, 1.15F, 2.4F};  // where hitches must be straight, the latter two in lengths
+                                                            // of body 0 times the number of bodies
 constexpr float kDetour = 2.0F;                             // the most of a line, in distances to the goal, and
 constexpr float kDetourLengths = 8.0F;                      // as many lengths of body 0 more
 constexpr float kSightRoom = 0.9F;    // of the disc that is looked for, of that in body 0 at its position
 constexpr float kSightStep = 0.4F;    // of looks along a line, in lengths of body 0, or
-constexpr int kMostLooks = 128;       // so many
+constexpr int kMostLooks = 128;       // this many
 constexpr float kLook = 0.5F;         // how far ahead the robot steers, in lengths of body 0,
 constexpr float kLookSteps = 2.5F;    // and time steps of its way
 constexpr float kOff = 1.0F;          // how far off the line it may be, in lengths of body 0

@@ -23,7 +23,7 @@ class LastMetres {
   static constexpr std::uint32_t kHold = 2;        // steps of a leg, at least, or
   static constexpr std::uint32_t kLongest = 64;    // of one that turns on the spot, at most
   static constexpr std::uint32_t kMostLegs = 192;  // of a shot
-  static constexpr std::uint32_t kEvery = 4;       // of so many states of an expansion one shoots
+  static constexpr std::uint32_t kEvery = 4;       // states of an expansion, of which one shoots
 
   // For a goal that is a pose; the scene must outlive this.
   void assign(const Scene& scene, const Goal& goal, const Nimbleness& robot);
@@ -63,14 +63,14 @@ class LastMetres {
   // Metres at the top speed that take no more time than what remains of the shot's line.
   float least_remaining(const Moment& now) const;
 
-  // Whether a leg of so many steps is over: one that turns the robot or its wheels, when they have turned.
+  // Whether a leg of `steps` steps is over: one that turns the robot or its wheels, when they have turned.
   bool leg_over(std::uint32_t steps, const Moment& now);
 
  private:
   static constexpr int kRadii = 3;
   static constexpr int kShortLeadCount = 2;
   static constexpr int kLeadCount = 2 * kShortLeadCount;
-  static constexpr std::uint32_t kMostShots = 4;  // measured likewise
+  static constexpr std::uint32_t kMostShots = 4;  // measured, too
 
   struct Shot {
     Pose end;     // of the body that leads

@@ -8,7 +8,7 @@ namespace krait::detail {
 
 struct Nimbleness {
   float length;            // metres, of body 0
-  float train;             // metres: so many of it as the robot has bodies
+  float train;             // metres: the length times the number of bodies
   float turning_radius;    // metres; 0: turns on the spot
   float top_speed;         // m/s
   float half_width;        // metres: the radius of a disc around the position that lies in body 0

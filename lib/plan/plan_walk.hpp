@@ -8,7 +8,7 @@
 
 namespace krait::detail {
 
-// What a PlanCursor is made of.
+// The implementation of PlanCursor, which holds one.
 class PlanWalk {
  public:
   PlanWalk() = default;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A way from the start, leg by leg: what a plan is made of once it was improved. As in the motion tree, a leg is a run
+// A way from the start, leg by leg: what an improved plan consists of. As in the motion tree, a leg is a run
 // of steps toward one target, and whoever needs the states drives it again; some states are kept to begin from.
 #pragma once
 

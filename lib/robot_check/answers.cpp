@@ -12,7 +12,7 @@ bool check_finite(const Case& c, const char* function, const std::vector<float>&
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     if (finite(numbers[i])) continue;
     c.fault(function, "finite", kInfinite,
-            "number " + std::to_string(i) + " of its answer is " + number(static_cast<double>(numbers[i])),
+            "number " + std::to_string(i) + " of its result is " + number(static_cast<double>(numbers[i])),
             "It must be finite at every state within the limits.");
     return false;
   }
@@ -87,13 +87,13 @@ void check_repeats(const Case& c, const char* function, const Ask& ask) {
   for (std::size_t i = 0; i < first.size(); ++i) {
     if (first[i] == kFills[0] && second[i] == kFills[1]) {
       c.fault(function, "complete", kInfinite,
-              std::string(function) + " leaves number " + std::to_string(i) + " of its answer unwritten",
+              std::string(function) + " leaves number " + std::to_string(i) + " of its result unwritten",
               "It must write all of them.");
       return;
     }
   }
   if (same_bits(first, second)) return;
-  c.fault(function, "pure", kInfinite, std::string(function) + " answers " + list(first) + " and then " + list(second),
+  c.fault(function, "pure", kInfinite, std::string(function) + " returns " + list(first) + " and then " + list(second),
           "It must depend on nothing but its arguments: no counter, no clock, no memory that was not written.");
 }
 
@@ -143,7 +143,8 @@ void check_bodies(const Case& c) {
     const Polygon body = c.robot.body(k);
     const std::vector<Vec2> first(body.vertices, body.vertices + body.count);
     if (same_polygon(c.robot.body(k), {first.data(), body.count})) continue;
-    c.fault("body", "pure", kInfinite, body_number(static_cast<std::size_t>(k)) + " has another shape when asked again",
+    c.fault("body", "pure", kInfinite,
+            body_number(static_cast<std::size_t>(k)) + " has another shape when called again",
             "A body's shape must not change.");
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a robot's functions answer with finite numbers, all of them, and the same when asked again.
+// Whether the results of a robot's functions are finite, complete and the same when called again.
 #pragma once
 
 #include <functional>
@@ -22,7 +22,7 @@ struct TravelAnswer {
 TravelAnswer travel_of(const Robot& robot, const Sample& sample, const std::vector<float>& next, float fill);
 std::vector<float> numbers_of(const TravelAnswer& answer);
 
-// What a function answers of a state, in numbers; `fill` is there before.
+// The result of a function for a state, as numbers; `fill` is there before.
 using Ask = std::function<std::vector<float>(const std::vector<float>& state, float fill)>;
 
 // Asks twice, about the other state in between.

@@ -30,7 +30,7 @@ void check_control(const Case& c, const Sample& at) {
 void check_steer_repeats(const Case& c, const Sample& at, const Target& target, Steering steering) {
   const std::vector<float> again = steer_of(c.robot, at.state, target, steering, kFills[1]);
   if (same_bits(again, at.control)) return;
-  c.findings.add("steer", "pure", kInfinite, "asked again it answers " + list(again), at,
+  c.findings.add("steer", "pure", kInfinite, "called again it returns " + list(again), at,
                  "It must write every component and depend on nothing but its arguments.");
 }
 

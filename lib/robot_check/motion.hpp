@@ -31,7 +31,7 @@ struct Motion33 {
   const Numbers& end() const { return states.back(); }
 };
 
-// The same states by so many Runge-Kutta steps between each and the next.
+// The same states by `steps_a_part` Runge-Kutta steps between each and the next.
 std::vector<Numbers> integrated(const Robot& robot, const Sample& sample, double dt, int steps_a_part);
 
 // Halves the steps until it makes no difference.

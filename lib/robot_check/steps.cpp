@@ -91,7 +91,7 @@ void check_leading(const Case& c) {
   c.robot.lead_rates(front.data(), c.sample.control.data(), rates.data());
   if (!same_bits(rates, leading(whole, size))) {
     c.fault("leading_size", "derivative", kInfinite,
-            "of the leading components alone derivative answers " + list(rates) + ", of the whole state " +
+            "of the leading components alone derivative returns " + list(rates) + ", of the whole state " +
                 list(leading(whole, size)),
             "The first leading_size() rates must depend on no other component, to the bit.");
   }

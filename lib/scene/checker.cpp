@@ -17,8 +17,8 @@ constexpr std::uint32_t kMaxCount = 1U << 27U;  // of any element: keeps every p
 constexpr double kMaxOrigin = 1e9;              // metres: krait/format.hpp
 constexpr std::size_t kCrcStart = 16;
 
-// So many bits are looked up at once, in so many tables: whole bytes of four words take 16 KB, half ones of one 512
-// bytes, and half ones alone 64.
+// Bits that are looked up at once, and tables that they are looked up in: whole bytes of four words take 16 KB, half
+// ones of one word 512 bytes, and half ones alone 64.
 #if defined(__OPTIMIZE_SIZE__)
 constexpr std::uint32_t kBitsAtOnce = 4;
 constexpr std::size_t kCrcTables = 1;
@@ -148,7 +148,7 @@ bool multiple(float x, std::int32_t step) {
   return steps > 0 && steps % step == 0 && static_cast<float>(steps) * format::kGrid == x;
 }
 
-// Whether so many cells, and no fewer, reach across the extent.
+// Whether this many cells, and no fewer, reach across the extent.
 bool covers(float cell, std::uint32_t cells, float extent) {
   if (cells == 0 || cells > format::kMaxCells) return false;
   const std::int64_t size = to_grid(cell);

@@ -8,7 +8,7 @@
 
 namespace krait::detail {
 
-// What a Planner is made of.
+// The implementation of Planner, which holds one.
 class AdaptiveSearch : public GroupedSearch {
  public:
   // These do what the members of Planner do (krait/planner.hpp).
@@ -41,8 +41,8 @@ class AdaptiveSearch : public GroupedSearch {
 
   void begin_expansion(const Watch& watch);
 
-  // Whether the costs are to be found anew after this expansion: after every kappa, but the work of the last update is
-  // shared by one for every update_regions of the regions that it looked at.
+  // Whether the costs are to be recomputed after this expansion: after every kappa, but after an update that looked at
+  // n regions not before n / update_regions expansions.
   bool update_due() const;
 
   // Updates weights and costs after an expansion. A long one that reaches its target does not count as a selection of

@@ -40,7 +40,7 @@ class Groups {
   // Removes the newest member but the root from the group and returns it, or kNone. The count of selections stays.
   Index remove(Index region);
 
-  // Weighs every group anew after h changed and returns how many those are that have a weight. O(R).
+  // Recomputes every group's weight after h changed and returns how many groups have one. O(R).
   Index weigh(const Regions& regions);
 
   // SELECTGROUP: the region whose group has the largest weight, the smallest number among equals; counts the

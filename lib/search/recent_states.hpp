@@ -17,7 +17,7 @@ class RecentStates {
     states_ = arena.allocate<float>(Pool::work, std::uint64_t{kCount} * static_cast<std::uint32_t>(size_));
   }
 
-  // The state after so many steps, and its region.
+  // Keeps the state after `step` steps, and its region.
   void remember(std::uint32_t step, Index region, const float* state) {
     regions_[step % kCount] = region;
     float* const copy = states_ + place(step);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// When a search begins anew. Most searches end soon, some very late, and one that has run long for its kind is better
+// When a search restarts. Most searches end soon, some very late, and one that has run long for its kind is better
 // begun again: by Knuth's reluctant doubling its tries last 1, 1, 2, 1, 1, 2, 4, 1, … units, which is within a
 // logarithmic factor of the best that could be known (Luby, Sinclair and Zuckerman 1993).
 #pragma once
@@ -10,7 +10,7 @@ namespace krait::detail {
 
 class Restarts {
  public:
-  // Units are of so many expansions; 0: the first try lasts for ever.
+  // Units are of `unit` expansions; 0: the first try lasts for ever.
   void begin(std::uint32_t unit) {
     unit_ = unit;
     turn_ = 1;

@@ -295,7 +295,7 @@ void Search::begin_to_improve(bool anew) {
   const WayTools tools{robot_, scene_,   &parameters_, &check_,     &expander_.drive(), &expander_.brake(),
                        grid,   &ending_, last_metres,  goal_depth_, tree_.state(kRoot)};
   improver_.begin(tools, proof_, regions_, found_path(), end_depth_, random_, anew);
-  random_ = Random(random_.bits());  // searches anew draw other numbers than the improver
+  random_ = Random(random_.bits());  // restarted searches draw other numbers than the improver
 }
 
 void Search::improve_along_line() {

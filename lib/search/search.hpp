@@ -29,7 +29,7 @@ inline constexpr Parameters kDefaults;
 //   init             check_setup, take_block, and what it keeps itself from arena_
 //   start            usable, then begin
 //   advance          advance_by, an iteration being new_try where new_try_due, or else expand or go_on
-//   improve          improve_by, a search anew being what advance does between resume_anew and pause_anew
+//   improve          improve_by, a restarted search being what advance does between resume_anew and pause_anew
 //   keep             as Keeper has it
 class Search {
  public:
@@ -37,12 +37,12 @@ class Search {
   Search(const Search&) = delete;
   Search& operator=(const Search&) = delete;
 
-  // Does what Planner::improve does, for a planner that does not search anew.
+  // Does what Planner::improve does, for a planner that does not restart its search.
   [[nodiscard]] Status improve(std::uint64_t iterations) {
     return improve_by(iterations, false, [] {});
   }
 
-  // What init cut the block into: Arena::needed(Pool) bytes a pool.
+  // How init divided the block: Arena::needed(Pool) bytes a pool.
   const Arena& arena() const { return arena_; }
   const MotionTree& tree() const { return tree_; }
   const Regions& regions() const { return regions_; }
@@ -117,8 +117,8 @@ class Search {
     return status();
   }
 
-  // Improves the plan by so many iterations: calls search_anew() for one of a search anew, if `anew` says that there
-  // may be such.
+  // Improves the plan by `iterations` iterations: calls search_anew() for one of a restarted search; there are such
+  // only if `anew`.
   template <class SearchAnew>
   Status improve_by(std::uint64_t iterations, bool anew, SearchAnew search_anew) {
     if (status() != Status::solved || path_ == kNone) return status();
@@ -179,9 +179,10 @@ class Search {
 
  private:
   // Measured: bench/ABLATIONS.md, "Constants".
-  static constexpr float kLeastCost = 0.05F;         // of an edge, in robot lengths: keeps h + C above h
-  static constexpr float kDepthKept = 0.1F;          // share of the goal's margin that a plan keeps
-  static constexpr std::uint32_t kUnitRegions = 90;  // for so many regions of the way a unit is longer by restart_unit
+  static constexpr float kLeastCost = 0.05F;  // of an edge, in robot lengths: keeps h + C above h
+  static constexpr float kDepthKept = 0.1F;   // share of the goal's margin that a plan keeps
+  static constexpr std::uint32_t kUnitRegions =
+      90;  // for every so many regions of the way, restart_unit is added to a unit
   // Metres: how deep inside the goal a plan without steps is: more than the rounding of a coordinate of 2 km, 6e-5.
   static constexpr float kStartDepth = 1e-4F;
 

@@ -28,7 +28,7 @@ class Sketcher {
   std::uint32_t free_steps(const float* state, const Target& toward);
 
  private:
-  static constexpr float kRoom = 1.08F;  // of the disc in a body; likewise measured
+  static constexpr float kRoom = 1.08F;  // of the disc in a body; measured, too
 
   // The place at which a disc was looked at last, and the square of what it may move from there.
   struct Look {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a bare-metal program is asked, answers and ends. semihosting.cpp does it through a debugger or an emulator; a
-// board may bring its own (port/template).
+// The input, output and exit of a bare-metal program. semihosting.cpp implements them through a debugger or an
+// emulator; a board may bring its own (port/template).
 #pragma once
 
 #include <cstddef>

@@ -103,7 +103,7 @@ void look_on(Planner& planner, const Request& request, Stopwatch& watch, Report&
 
 void plan(const Board& board, const Request& request, Report& report) {
   static Scene scene;      // far too large for a small stack
-  static Planner planner;  // likewise
+  static Planner planner;  // too large for a small stack, too
   Stopwatch watch(board.port);
   report.failure = set_up(board, request, robot_for(request), scene, planner);
   report.setup = watch.lap();

@@ -150,7 +150,7 @@ int write(const Board& board, const Request& request, const Report& report) {
     put_reason(reason.put("krait: "), board, request, report.failure);
     say(board, reason.end());
   }
-  static JsonLine line;  // likewise
+  static JsonLine line;  // too large for a small stack, too
   line.add("machine", board.name)
       .add("status", to_string(report.failure.status))
       .add("scene", report.scene)

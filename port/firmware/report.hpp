@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The firmware's answer: one line of JSON, and the exit code.
+// The output of a firmware: one line of JSON, and the exit code.
 #pragma once
 
 #include <cstdint>

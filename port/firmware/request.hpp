@@ -32,7 +32,7 @@ struct Request {
   double heading = 0.0;            // radians: of body 0 at the end, with `goal` only
   double heading_tolerance = 0.1;  // radians
   double clearance = 0.0;          // metres; without it, the library's default
-  double dt = 0.0;                 // seconds, a time step; likewise
+  double dt = 0.0;                 // seconds, a time step; without it, the library's default
 };
 
 // Reads `--robot MODEL[:N] --seed S --memory B[K|M] --iterations N --improve N --start X,Y,HEADING --goal X,Y,RADIUS

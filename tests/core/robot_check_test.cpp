@@ -123,7 +123,7 @@ TEST_P(RobotCheckNames, WhatIsWrong) {
 INSTANTIATE_TEST_SUITE_P(
     Functions, RobotCheckNames,
     ::testing::Values(
-        Expected{Wrong::derivative_nan, "derivative", "finite", "number 1 of its answer is "},
+        Expected{Wrong::derivative_nan, "derivative", "finite", "number 1 of its result is "},
         Expected{Wrong::derivative_counts_its_calls, "derivative", "pure", "no counter, no clock"},
         Expected{Wrong::derivative_leaves_a_rate_unwritten, "derivative", "complete", "leaves number 3"},
         Expected{Wrong::derivative_depends_on_the_place, "derivative", "anywhere", "the rate of component 2 is"},
@@ -155,7 +155,7 @@ INSTANTIATE_TEST_SUITE_P(
         Expected{Wrong::steer_below_its_limits, "steer", "control", "not within -2 and 2"},
         Expected{Wrong::steer_nan_at_the_target, "steer", "control", "0 / 0"},
         Expected{Wrong::steer_too_fast, "steer", "limits", "it leads beyond the limits, to ["},
-        Expected{Wrong::steer_counts_its_calls, "steer", "pure", "asked again it answers"},
+        Expected{Wrong::steer_counts_its_calls, "steer", "pure", "called again it returns"},
         Expected{Wrong::rate_too_small, "fastest_rate", "step", "at 0.1 1/s a Runge-Kutta step of 0.4 s"},
         Expected{Wrong::rate_nan, "fastest_rate", "number", "fastest_rate is"}),
     [](const auto& expected) {

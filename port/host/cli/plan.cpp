@@ -64,7 +64,7 @@ struct Ground {
 constexpr double kImprove = 10;               // times the first plan's collision checks
 constexpr const char* kRoomToImprove = "1M";  // of memory: a smaller block can spare none
 
-// Where nobody says by how much. Of the rivals and the paper's algorithm it is their own plan that is wanted.
+// The default of --improve. Of the rivals and the paper's algorithm it is their own plan that is wanted.
 double usual_improvement(const SearchRequest& request, bool paper) {
   return paper || request.planner != "adaptive" || request.memory < parse_memory(kRoomToImprove) ? 0 : kImprove;
 }
@@ -443,7 +443,7 @@ void add_plan(CLI::App& app, const char* program) {
   command
       ->add_option(
           "--improve", o->improve,
-          "look on for a better plan by so many times the collision checks that the first one took,\n"
+          "search for a better plan with this many times the collision checks that the first one took,\n"
           "0 to 1e6; the best is the result, proven and verified as the first would be\n" +
               printed("(default: %.7g; 0, the first plan, with --paper, --planner prior or rrt, or a --memory\n"
                       "under %s)",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The adaptive search without what makes it fast, for comparison: Dijkstra for all regions each time, every group's
-// weight anew for each choice, and Box2D for every body and every pair of bodies, without the scene's tables.
+// weight again for each choice, and Box2D for every body and every pair of bodies, without the scene's tables.
 #pragma once
 
 #include "search/adaptive_search.hpp"

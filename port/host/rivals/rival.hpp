@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the planners that the paper compares with have in place of Parameters: of the adaptive planner's parameters they
-// have no use for those by which it looks ahead, keeps states back, begins anew and ends at rest.
+// have no use for those by which it looks ahead, keeps states back, restarts and ends at rest.
 #pragma once
 
 #include "krait/parameters.hpp"

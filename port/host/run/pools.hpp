@@ -19,7 +19,7 @@ struct Pools {
 // The least block that a planner takes, bytes.
 std::uint64_t least_block(const krait::Scene& scene, const Robot& robot);
 
-// The block of a planner with room for so many vertices, bytes.
+// The block of a planner with room for `vertices` vertices, bytes.
 std::uint64_t block_for(const krait::Scene& scene, const Robot& robot, std::uint32_t vertices);
 
 // How much more each vertex takes, with the half of an expansion that goes with it, bytes.

@@ -113,8 +113,8 @@ struct SearchResult {
   bool near_shortest = false;      // SearchRequest::stop_within ended its improvement
 };
 
-// Opens, plans, and takes the plan out. Every end of a search (Status) that is an honest answer comes back in
-// plan.status; arguments that cannot be used throw InputError.
+// Opens the scene, plans, and copies the plan. Every Status that is a result of a search is returned in plan.status;
+// arguments that cannot be used throw InputError.
 SearchResult run_search(const std::string& scene_path, const SceneBytes& bytes, const SearchRequest& request,
                         const SearchWatch& watch);
 

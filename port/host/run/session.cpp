@@ -53,7 +53,7 @@ std::string explanation(const Failure& failure, const krait::Scene& scene, const
   }
 }
 
-// Whether a search that ends so has an answer, or its refusal another form.
+// Whether the status is a result of a search, or is refused in another form.
 bool passes(Status status) {
   switch (status) {
     case Status::ok:

@@ -11,7 +11,7 @@ namespace krait::host {
 
 struct Work {
   std::uint64_t placements = 0;         // of the whole robot that are judged
-  std::uint64_t runge_kutta_steps = 0;  // of the dearer: growing by an expansion, or driving one for the plan
+  std::uint64_t runge_kutta_steps = 0;  // of the costlier: growing by an expansion, or driving one for the plan
   std::uint64_t polygon_distances = 0;  // of GJK, which takes at most 20 rounds
   std::uint64_t heap_operations = 0;    // pushes and pops of one Dijkstra
   std::uint64_t sketched_steps = 0;     // of the whole robot, in a coarse roll-out
