@@ -19,7 +19,7 @@ constexpr std::uint32_t kTransmitterFull = 1U << 0U;    // in state
 constexpr std::uint32_t kTransmitterEnable = 1U << 0U;  // in control
 constexpr std::uint32_t kDivider = 25'000'000 / 115'200;
 
-// What the program is asked, since nobody can give it a command line.
+// The arguments of the program, which has no command line.
 constexpr char kCommandLine[] = "krait --robot snake:5 --memory 128K";
 
 Uart& uart() { return *reinterpret_cast<Uart*>(0x40004000); }

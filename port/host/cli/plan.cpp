@@ -317,7 +317,7 @@ void warn_of_axle(const PlanOptions& options, const RobotSpec& robot) {
   std::fprintf(stderr, "krait: warning: %s: %s\n", safe_to_print(options.query.robot).c_str(), warning.c_str());
 }
 
-// A search and what it kept to obstacles, where nobody asked for a clearance.
+// A search and the distance that it kept to obstacles, where --clearance was not set.
 struct Answer {
   SearchResult result;
   std::optional<Clearance> clearance;
@@ -359,7 +359,7 @@ Answer search_in(Ground& ground, const PlanOptions& options, SearchRequest& requ
   return search_clear(open_scene(options.scene, ground.scene), ground, options, request, block, progress);
 }
 
-// Says whose start or goal is refused where nobody named the robot.
+// Runs search_in; where --robot was not set, a refusal of the start or the goal names the robot.
 Answer search_for(Ground& ground, const PlanOptions& options, SearchRequest& request, Progress& progress) {
   try {
     return search_in(ground, options, request, progress);
