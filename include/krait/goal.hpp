@@ -7,7 +7,7 @@
 
 namespace krait {
 
-/// How the bodies must be turned at the end of a plan.
+/// The headings of the bodies with which a plan must end.
 struct Facing {
   float heading = 0.0F;       ///< radians, of body 0, at most kMaxAngle either way
   float tolerance = 0.1F;     ///< radians, above 0 and at most pi: how far off the heading may be; pi: any will do
@@ -16,7 +16,7 @@ struct Facing {
                               ///< it; infinite: any hitch angles will do
 };
 
-/// Where a plan ends: a value of its own, which refers to nothing.
+/// Where a plan ends. A value, which refers to nothing.
 class Goal {
  public:
   /// The scene's goal of that number, 0 … Scene::goal_count() - 1.

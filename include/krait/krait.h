@@ -231,9 +231,9 @@ typedef struct krait_frame {
       cos;   /**< -1 to 1 */
 } krait_frame;
 
-/** How a body can have moved during a step. Of a point of it that is r metres from its frame's origin: it has gone at
-    most path + r turn, and was never further than bend + r twist from the straight line between its places at the
-    step's ends. With accelerations of at most A and angular ones of at most W, bend = A dt^2 / 8 and twist = (W +
+/** Bounds on how a body moves during a step. A point of it that is r metres from its frame's origin travels at most
+    path + r turn, and is never further than bend + r twist from the straight line between its places at the step's
+    ends. With accelerations of at most A and angular ones of at most W, bend = A dt^2 / 8 and twist = (W +
     (turn / dt)^2) dt^2 / 8; path / 2 and turn / 2 are always right. All are 0 or more. */
 typedef struct krait_travel {
   float path, /**< metres, of the frame's origin */

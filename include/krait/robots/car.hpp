@@ -16,7 +16,7 @@ class Car : public Truck {
   using Chain::steer;  ///< it has no trailers
   using Chain::track;  ///< it has no trailers
 
-  /// Those of a car of 1.2 m by 0.6 m; else the chain's.
+  /// The parameters of a car of 1.2 m by 0.6 m; the others are the chain's.
   static ChainParameters defaults() {
     ChainParameters parameters;
     parameters.body_length = 1.2F;

@@ -110,7 +110,7 @@ class Chain {
   float top_speed() const { return parameters_.max_speed; }  ///< m/s
   /// Whether speed, steering and hitch angles keep their limits and the position is finite.
   bool within_limits(StateView s) const;
-  /// Whether also the hitch angles stay 2 mrad below their limit.
+  /// Whether within_limits holds with 2 mrad to spare in every hitch angle.
   bool keeps_reserve(StateView s) const;
   /// Body 0's frame is the rear axle, trailer i's its own axle.
   void place(StateView s, Pose* poses) const;
@@ -122,7 +122,7 @@ class Chain {
   /// 1/s: the largest of speed over the shorter of wheelbase and hitch, the root of acceleration over that, and three
   /// quarters of the steering rate; as much of acceleration and steering rate as a time step of dt has room for.
   float fastest_rate(float dt) const;
-  /// What it does at most: at full speed and lock.
+  /// The extremes of its motion: at full speed and lock.
   Extremes extremes() const {
     const ChainParameters& p = parameters_;
     const float speed = p.max_speed > -p.min_speed ? p.max_speed : -p.min_speed;

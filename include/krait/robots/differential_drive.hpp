@@ -86,7 +86,7 @@ class DifferentialDrive : public PlanarBody {
   /// 1/s: half the largest turn rate, or the root of half the largest angular acceleration, as much of it as a time
   /// step of dt has room for.
   float fastest_rate(float dt) const;
-  /// What it does at most.
+  /// The extremes of its motion.
   Extremes extremes() const {
     return {top_speed(), 2.0F * top_speed() / parameters_.track_width,
             parameters_.wheel_radius * parameters_.max_wheel_acceleration};

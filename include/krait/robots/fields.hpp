@@ -23,19 +23,19 @@ constexpr ParameterField<P, float> length_field(const char* name, float P::*memb
   return {name, member, "metres", 0.001F, 1000.0F};
 }
 
-/// How fast something may change.
+/// A limit of a robot: of a speed, a rate or an acceleration.
 template <class P>
 constexpr ParameterField<P, float> limit_field(const char* name, float P::*member, const char* unit) {
   return {name, member, unit, 0.001F, 1e4F};
 }
 
-/// How fast it may drive backwards: at most 0.
+/// The least speed of a robot, at most 0: below 0 it drives backwards.
 template <class P>
 constexpr ParameterField<P, float> reverse_field(const char* name, float P::*member) {
   return {name, member, "metres a second", -1e4F, 0.0F};
 }
 
-/// What a robot does at most.
+/// The extremes of a robot's motion.
 struct Extremes {
   float speed;    ///< m/s, of any body's frame
   float turn;     ///< rad/s, of any body

@@ -100,7 +100,7 @@ class KinematicTruck {
   /// Whether the hitch angles keep their limit and the position is finite. It is at rest where its controls end: its
   /// state has no speed.
   bool within_limits(StateView s) const;
-  /// Whether also the hitch angles stay 2 mrad below their limit.
+  /// Whether within_limits holds with 2 mrad to spare in every hitch angle.
   bool keeps_reserve(StateView s) const;
   /// Body 0's frame is the rear axle, trailer i's its own axle.
   void place(StateView s, Pose* poses) const;
@@ -111,7 +111,7 @@ class KinematicTruck {
 
   /// 1/s: the larger of speed over the hitch's length, and half of the turn rate at full speed and lock.
   float fastest_rate(float dt) const;
-  /// What it does at most: at full speed and lock.
+  /// The extremes of its motion: at full speed and lock.
   Extremes extremes() const {
     const float turn = fastest() * lock_ / parameters_.wheelbase;
     const float pull = fastest() / parameters_.hitch_length;

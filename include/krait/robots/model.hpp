@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// \file
-/// What the planner asks of a robot: a class of pure functions over its state and control vectors.
+/// What the planner requires of a robot: a class of pure functions over its state and control vectors.
 #pragma once
 
 #include <Eigen/Core>
@@ -37,9 +37,9 @@ struct Target {
   float turn = 1.0F;   ///< share of the robot's sharpest turn in (0, 1], for one whose turns cost it room
 };
 
-/// How a body can have moved during a step. Of a point of it that is r metres from its frame's origin: it has gone at
-/// most path + r turn, and was never further than bend + r twist from the straight line between its places at the
-/// step's ends. With accelerations of at most A and angular ones of at most W, bend = A dt^2 / 8 and twist = (W +
+/// Bounds on how a body moves during a step. A point of it that is r metres from its frame's origin travels at most
+/// path + r turn, and is never further than bend + r twist from the straight line between its places at the step's
+/// ends. With accelerations of at most A and angular ones of at most W, bend = A dt^2 / 8 and twist = (W +
 /// (turn / dt)^2) dt^2 / 8; path / 2 and turn / 2 are always right.
 struct Travel {
   float path;   ///< metres, of the frame's origin

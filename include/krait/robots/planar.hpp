@@ -30,7 +30,7 @@ class PlanarBody {
     for (int i = 0; i < count_; ++i) vertices_[i] = polygon[i];
   }
 
-  /// The axle's middle, and the heading.
+  /// Writes the body's frame: the axle's middle and the heading.
   void place(StateView s, Pose* poses) const { poses[0] = {position(s), math::sin_cos(s[2])}; }
 
  protected:

@@ -74,7 +74,7 @@ class Unicycle : public PlanarBody {
   bool travel(StateView s, ControlView u, float dt, StateView next, Travel* travel) const;
   /// 1/s: half the largest turn rate; the position alone has an error, of four orders above that of a chain.
   float fastest_rate(float) const { return 0.5F * parameters_.max_turn_rate; }
-  /// What it does at most.
+  /// The extremes of its motion.
   Extremes extremes() const {
     const UnicycleParameters& p = parameters_;
     return {p.max_speed > -p.min_speed ? p.max_speed : -p.min_speed, p.max_turn_rate, 0.0F};

@@ -86,7 +86,7 @@ class Unicycle2 : public PlanarBody {
   /// 1/s: half the largest turn rate, or the root of half the largest turn acceleration, as much of it as a time step
   /// of dt has room for; more where the speed changes faster than that.
   float fastest_rate(float dt) const;
-  /// What it does at most.
+  /// The extremes of its motion.
   Extremes extremes() const {
     const Unicycle2Parameters& p = parameters_;
     return {p.max_speed > -p.min_speed ? p.max_speed : -p.min_speed, p.max_turn_rate, p.max_acceleration};
