@@ -101,7 +101,7 @@ struct Statistics {
 /// Until an init has succeeded, every member that returns a Status returns that of the last init, bad_argument before
 /// the first; plan() is empty and statistics() is all zeros. The same holds after an init that fails, except that
 /// statistics() keeps the counts of the last search. A planner is neither copied nor moved: a copy would write to the
-/// same block.
+/// same block. Below, R is the number of the scene's triangles.
 class Planner {
  public:
   /// A planner without a block: call init before all else. O(1).
@@ -128,7 +128,7 @@ class Planner {
   /// Begins a search, ending any other. Returns searching; or solved, when a plan may end with the start; or no_route,
   /// goal_in_obstacle, start_outside, start_in_collision, bad_argument; bad_scene, when the scene is found to be
   /// another than at init (Scene::fingerprint); after an init that failed, what that one returned. Work: one Dijkstra
-  /// over the R regions, O(R log R); at most 2,730 distances of a point from the obstacles; one collision check; and at
+  /// over the regions, O(R log R); at most 2,730 distances of a point from the obstacles; one collision check; and at
   /// most 310 words of the scene.
   [[nodiscard]] Status start(const Query& query);
 
