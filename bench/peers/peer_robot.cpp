@@ -54,7 +54,7 @@ void PeerRobot::steer(const float* state, const Target& target, float* control) 
 }
 
 void PeerRobot::drive_straight(Vec2 at, float heading, float speed_share, float* state) const {
-  core().rest(at, heading, nullptr, 0, state);
+  (void)core().rest(at, heading, nullptr, 0, state);
   for (const ControlAxis& axis : axes_) {
     if (axis.drives) state[axis.component] = speed_share * axis.most;
   }

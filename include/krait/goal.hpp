@@ -46,7 +46,7 @@ class Goal {
 
   /// Usable with this scene: the index exists; the disc is finite, has a radius, and its centre lies in the bounds; the
   /// facing's numbers are in their ranges. O(1).
-  bool valid(const Scene& scene) const;
+  [[nodiscard]] bool valid(const Scene& scene) const;
 
   /// Whether p lies inside and at least `depth` metres, 0 or more, from the border. O(vertices of the polygon).
   bool contains(const Scene& scene, Vec2 p, float depth) const;

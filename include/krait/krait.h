@@ -647,7 +647,7 @@ krait_statistics krait_statistics_of(const krait_planner* planner);
     with the last state. `state` has room for krait_state_size floats, `control` for krait_control_size. Returns false,
     and writes nothing, behind the last state or without a plan. Work: that of a time step's motion, and O(legs of the
     plan). */
-bool krait_next(krait_planner* planner, float* state, float* control);
+KRAIT_NODISCARD bool krait_next(krait_planner* planner, float* state, float* control);
 
 /** Lets krait_next begin again with the first state, as krait_start does. O(1). */
 void krait_rewind(krait_planner* planner);
@@ -690,8 +690,8 @@ krait_ranges krait_default_ranges(const krait_range* state, const krait_range* c
     is broken, by how much and where in the worst case, and what to do. It writes at most `bytes`, the zero at the end
     among them; `text` may be NULL where `bytes` is 0. The same for the same seed. Work: some thousand derivatives a
     sample. */
-uint32_t krait_check_robot(const krait_robot* robot, const krait_ranges* ranges, uint32_t samples, uint64_t seed,
-                           char* text, size_t bytes);
+KRAIT_NODISCARD uint32_t krait_check_robot(const krait_robot* robot, const krait_ranges* ranges, uint32_t samples,
+                                           uint64_t seed, char* text, size_t bytes);
 
 #ifdef __cplusplus
 }

@@ -82,7 +82,7 @@ struct Parameters {
   static Parameters paper();
 
   /// Argument::none, or the first parameter that is NaN or out of its range. O(1).
-  Argument first_bad() const;
+  [[nodiscard]] Argument first_bad() const;
   /// The range of a number of these or of the tuning; {0, 0} for every other argument. O(1).
   static ParameterRange range(Argument argument);
 };
@@ -112,7 +112,7 @@ struct Limits {
   std::uint32_t kept_expansions() const { return expansions != 0 ? expansions : vertices / 2 + 1; }
 
   /// Argument::none, or the first limit that is out of its range. O(1).
-  Argument first_bad() const;
+  [[nodiscard]] Argument first_bad() const;
 };
 
 }  // namespace krait

@@ -107,7 +107,7 @@ class Robot {
   bool keeps_reserve(const float* s) const { return functions_->keeps_reserve(self_, s); }
   /// Writes bounds on the motion of every body while u is held for dt seconds from s to next; returns false where the
   /// limits are not proven to hold in between.
-  bool travel(const float* s, const float* u, float dt, const float* next, Travel* travel) const {
+  [[nodiscard]] bool travel(const float* s, const float* u, float dt, const float* next, Travel* travel) const {
     return functions_->travel(self_, s, u, dt, next, travel);
   }
   /// A cheap bound on the same step; one that proves nothing for a robot without that function.
@@ -115,7 +115,7 @@ class Robot {
     return functions_->quick_bound(self_, s, u, dt, next);
   }
   /// Moves s and its frames by dt seconds under u, roughly; false where that leaves the limits.
-  bool sketch(float* s, Pose* poses, const float* u, float dt) const {
+  [[nodiscard]] bool sketch(float* s, Pose* poses, const float* u, float dt) const {
     return functions_->sketch(self_, s, poses, u, dt);
   }
   /// 1/s: how fast the dynamics can change within a time step of dt seconds; 0 for a robot without that function.
@@ -131,7 +131,7 @@ class Robot {
   /// Writes to s the state of standing still there: metres, radians; `angles` are `count` headings of the bodies after
   /// the first, none: they have `heading`. False, and nothing is written, where the robot has no such function or
   /// another number of bodies.
-  bool rest(Vec2 position, float heading, const float* angles, std::uint32_t count, float* s) const {
+  [[nodiscard]] bool rest(Vec2 position, float heading, const float* angles, std::uint32_t count, float* s) const {
     return functions_->rest(self_, position, heading, angles, count, s);
   }
 

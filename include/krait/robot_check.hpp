@@ -63,6 +63,7 @@ struct RobotRanges {
 /// Draws `samples` states and controls from the ranges and reports every promise of the concept that the robot breaks
 /// at one of them, with the worst case found. Returns the same report for the same seed. An empty report is no proof.
 /// Work: some thousand derivatives a sample.
-RobotReport check_robot(const Robot& robot, const RobotRanges& ranges, int samples = 1000, std::uint64_t seed = 1);
+[[nodiscard]] RobotReport check_robot(const Robot& robot, const RobotRanges& ranges, int samples = 1000,
+                                      std::uint64_t seed = 1);
 
 }  // namespace krait
