@@ -19,10 +19,15 @@
 namespace krait {
 
 class Planner;
+class Watch;
 namespace detail {
 class AdaptiveSearch;
 AdaptiveSearch& opened(Planner& planner);
 const AdaptiveSearch& opened(const Planner& planner);
+
+// What a Watch can call: any but a Watch itself.
+template <class W>
+concept Watches = !std::same_as<std::remove_cvref_t<W>, Watch> && std::invocable<W&, const float*, const float*>;
 }  // namespace detail
 
 /// The arguments of Planner::init; all of it must outlive the planner and stay where it is.
@@ -41,10 +46,11 @@ class Watch {
  public:
   Watch() = default;  ///< refers to no callable
   /// Calls watch(from, to) with states, and watch.expands(vertex, target) where there is such a member.
-  template <class W>
-  requires(!std::same_as<std::remove_cvref_t<W>, Watch> && std::invocable<W&, const float*, const float*>)
-      Watch(W&& watch)  // NOLINT(google-explicit-constructor,bugprone-forwarding-reference-overload): made by its name
-      : self_(&watch), step_(&step<std::remove_reference_t<W>>), expands_(&expands<std::remove_reference_t<W>>) {}
+  template <detail::Watches W>
+  Watch(W& watch)  // NOLINT(google-explicit-constructor): made by its name
+      : self_(&watch), step_(&step<W>), expands_(&expands<W>) {}
+  template <detail::Watches W>
+  Watch(const W&&) = delete;  ///< would not outlive this
 
   /// A step that the tree grew by: states of robot.state_size() floats, which last for the call only.
   void operator()(const float* from, const float* to) const {
@@ -149,6 +155,11 @@ class Planner {
   /// The same, and calls watch(from, to) with the two states of every step that the tree grows by, and
   /// watch.expands(vertex, target) before each expansion, where there is such a member.
   [[nodiscard]] Status advance(std::uint64_t iterations, const Watch& watch);
+  /// The same with a watch that has no name, such as a lambda: it is called during the call only.
+  template <detail::Watches W>
+  [[nodiscard]] Status advance(std::uint64_t iterations, W&& watch) {
+    return advance(iterations, Watch(watch));
+  }
 
   /// Runs at most `iterations` iterations that look for a plan with fewer steps. plan() and the plan's figures in
   /// Statistics are then those of the best plan so far, proven like the first. Invalidates earlier plans and cursors.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wrong programs that do not compile: planners that are copied, and scenes and robots that would be gone when they are
-// used. Results that are thrown away are refused in thrown_away.cpp and thrown_away.c.
+// Wrong programs that do not compile: planners that are copied, and scenes, robots and watches that would be gone when
+// they are used. Results that are thrown away are refused in thrown_away.cpp and thrown_away.c.
 #include <gtest/gtest.h>
 
+#include <concepts>
 #include <type_traits>
 #include <utility>
 
@@ -43,6 +44,20 @@ static_assert(Drives<Car&> && !Drives<Car>);
 
 static_assert(std::is_constructible_v<detail::Obstacles, Scene&, float> &&
               !std::is_constructible_v<detail::Obstacles, Scene, float>);
+
+// Whether a watch can be made from what is called, and whether a planner can be given it during one call.
+constexpr auto kWatch = [](const float*, const float*) {};
+using Watching = std::remove_const_t<decltype(kWatch)>;
+template <class W>
+constexpr bool kMakesWatch = std::is_constructible_v<Watch, W>;
+static_assert(kMakesWatch<Watching&> && kMakesWatch<const Watching&> && kMakesWatch<Watch> &&
+              kMakesWatch<const Watch&>);
+static_assert(!kMakesWatch<Watching> && !kMakesWatch<const Watching>);
+template <class W>
+concept Advances = requires(Planner& planner, W&& watch) {
+  { planner.advance(1, std::forward<W>(watch)) } -> std::same_as<Status>;
+};
+static_assert(Advances<Watching> && Advances<Watching&> && Advances<const Watching&> && Advances<Watch>);
 
 TEST(RefusedUse, IsRefusedWhereThisFileCompiles) { SUCCEED(); }
 

@@ -9,6 +9,7 @@ void plan(krait::Planner& planner, const krait::Scene& scene, const krait::Unicy
   planner.init({nullptr, 0, &scene, robot});
   planner.start(krait::Query());
   planner.advance(1);
+  planner.advance(1, krait::Watch());
   planner.advance(1, [](const float*, const float*) {});
   planner.improve(1);
   planner.status();

@@ -63,7 +63,8 @@ class Follower {
     const std::vector<std::uint32_t> selections = core_selections();
     const std::uint64_t restarts = planner_->statistics().restarts;
     Expansion expansion;
-    (void)planner_->advance(1, Watch<P>(*planner_, selections, expansion));
+    const Watch<P> watch(*planner_, selections, expansion);
+    (void)planner_->advance(1, watch);
     ++iterations_;
     const bool anew = rules_.restart_unit > 0 && iterations_ == try_ends_ + 1;
     EXPECT_EQ(planner_->statistics().restarts > restarts, anew);
@@ -212,9 +213,10 @@ class Follower {
   void expect_plan() {
     const std::vector<std::uint32_t> selections = core_selections();
     Expansion expansion;
+    const Watch<P> watch(*planner_, selections, expansion);
     const std::uint64_t refused = planner_->statistics().plans_refused;
     for (int i = 0; i < 100'000 && planner_->status() == Status::searching && !expansion.begun; ++i) {
-      (void)planner_->advance(1, Watch<P>(*planner_, selections, expansion));
+      (void)planner_->advance(1, watch);
       refused_ = planner_->statistics().plans_refused > refused;
       if (refused_) return;
     }

@@ -60,10 +60,11 @@ class PlannerSession : public Session {
     return kInfinity;
   }
   Status advance_watched(const Watch& watch) override {
-    return planner_.advance(1, [&](const float* from, const float* to) {
+    const auto with_vectors = [&](const float* from, const float* to) {
       const int n = robot_.state_size();
       watch({from, from + n}, {to, to + n});
-    });
+    };
+    return planner_.advance(1, with_vectors);
   }
   void copy_plan(PlanFile& file) const override {
     const Plan plan = planner_.plan();

@@ -116,9 +116,10 @@ std::pair<int, int> nearest_expansions(float nearest_share) {
       before[group] = {f.planner.groups().selections(group), least_distance(f.planner, group, center)};
     }
     float from = kInfinity;  // of the expansion's first state, if it had a step
-    (void)f.planner.advance(1, [&](const float* state, const float*) {
+    const auto watch = [&](const float* state, const float*) {
       if (from == kInfinity) from = distance(state, center);
-    });
+    };
+    (void)f.planner.advance(1, watch);
     if (from == kInfinity) continue;
     ++all;
     for (const auto& [group, then] : before) {

@@ -29,14 +29,15 @@ TEST(RrtPlanner, ConnectionsBeginAtTheVertexNearestToTheirTarget) {
     for (Index v = 0; v < size; ++v) least = std::min(least, length(center - position(f.planner, v)));
     const Vec2 last = position(f.planner, size - 1);
     bool first = true;
-    (void)f.planner.advance(1, [&](const float* from, const float*) {
+    auto watch = [&](const float* from, const float*) {
       const bool goes_on = from[0] == last.x && from[1] == last.y && size > 1;  // may be the last connection
       if (first && !goes_on) {
         ++begun;
         EXPECT_LE(length(center - Vec2{from[0], from[1]}), least + 3e-3F);
       }
       first = false;
-    });
+    };
+    (void)f.planner.advance(1, watch);
   }
   EXPECT_GT(begun, 0);
 }
@@ -51,11 +52,12 @@ TEST(RrtPlanner, ConnectionsGoOnInTheNextIteration) {
   EXPECT_EQ(f.planner.start({start, Goal::disc({1, 1}, 1e-3F), 1}), Status::searching);
   std::vector<float> last(3, kInfinity);
   std::uint32_t steps = 0, connections = 0;
-  (void)f.planner.advance(3000, [&](const float* from, const float* to) {
+  auto watch = [&](const float* from, const float* to) {
     ++steps;
     connections += std::equal(last.begin(), last.end(), from) ? 0U : 1U;
     last.assign(to, to + 3);
-  });
+  };
+  (void)f.planner.advance(3000, watch);
   ASSERT_GT(steps, 1000U);
   EXPECT_EQ(f.planner.tree().vertices(), steps + 1);
   EXPECT_GT(steps / connections, 20U);
@@ -94,9 +96,10 @@ TEST(RrtPlanner, ConnectionsEndThatComeNoCloser) {
   const float start[] = {10, 10, 0};
   EXPECT_EQ(f.planner.start({start, Goal::disc({1, 1}, 1e-3F), 1}), Status::searching);
   Connection now;
+  const ConnectionWatch watch{&f.planner, &now};
   int longest = 0;
   for (int i = 0; i < 3000; ++i) {
-    (void)f.planner.advance(1, ConnectionWatch{&f.planner, &now});
+    (void)f.planner.advance(1, watch);
     longest = std::max(longest, now.expansions);
   }
   EXPECT_GT(longest, 10);
