@@ -83,8 +83,8 @@ CONSTANTS = {
         "lib/improve/improver.hpp": {"kWorthBackwards": (), "kBackwards": (), "kNoShots": (), "kVaryShots": ()}},
 }
 
-# Those that follow from an argument, which stands beside them; all others of these folders and of SearchTuning are
-# measured above or, as SECTIONS says, in a section of the page.
+# Those that follow from an argument, which stands beside them or here; all others of these folders and of SearchTuning
+# are measured above or, as SECTIONS says, in a section of the page; or they are STEERING.
 ARGUED = {
     "lib/search/search.hpp": ["kStartDepth"],
     "lib/search/disc_route.hpp": ["kReachRounding"],
@@ -106,6 +106,54 @@ ARGUED = {
     "lib/scene/grid_checker.cpp": ["kRounding", "kNear"],
     "lib/scene/checker.cpp": ["kMaxCount", "kMaxOrigin", "kCrcStart", "kBitsAtOnce", "kCrcTables", "kBitsMask",
                               "kTablesOfWord", "kWordsAtOnce", "kLeast"],
+    # Where a triangle is not found in so many steps, its bucket is searched, which finds the same one.
+    "lib/decomposition/locate.cpp": ["kMaxWalk"],
+    # A power of two that a float's bits lead to; and how closely a report names a place, which no search asks for.
+    "lib/decomposition/regions.cpp": ["kExactRatio", "kPoints"],
+    # A packed byte's parts.
+    "lib/decomposition/regions.hpp": ["kEdgeMask", "kNoEdge", "kListed"],
+    # Simpson's and Dekker's numbers; and from where on rounding is as large as what Simpson's rule corrects.
+    "lib/motion/plan_drive.cpp": ["kSimpson", "kSplitter", "kSame", "kNear"],
+    # A power of two, so that it rounds nothing; and shorter steps than the tree's, whatever the robot.
+    "lib/motion/plan_drive.hpp": ["kMagnified", "kUnknownParts"],
+    # They bound the error of a step, which tests hold (lib/DESIGN.md, "Integration"), and the work that keeps it.
+    "lib/motion/rk4.hpp": ["kStepRate", "kPlanStepRate", "kFinePlanStepRate", "kMostParts", "kMostPlanParts"],
+    # Promised to users: Parameters::end_speed; and at most a tenth of what a pose's tolerances leave.
+    "lib/plan/ending.hpp": ["kRestSpeed", "kMostInside"],
+    # A vertex, and parts of packed words.
+    "lib/plan/motion_tree.hpp": ["kRoot", "kMostExpansions", "kMostSteps", "kUse", "kNoBranch"],
+    # They bound how far a driven plan is from where its controls lead (lib/DESIGN.md, "Integration").
+    "lib/plan/plan_proof.hpp": ["kDriveError", "kDriftShare", "kMostError", "kLarge", "kSpare"],
+    # The largest numbers of 16 and 15 bits, and what rounds to the nearest.
+    "lib/plan/target_grid.cpp": ["kParts", "kSpeedParts", "kHalf"],
+    # No length; and memory against work: a state takes as much as a leg or two, and a leg is driven to find it again.
+    "lib/plan/way.hpp": ["kOffRoute", "kLegsAState"],
+    # Bounds on rounding and on Runge-Kutta's error, which the lemmas' tests hold, and a reserve of several of them.
+    "lib/robot/chain.cpp": ["kHitchReserve", "kHitchError", "kRounding", "kNormError", "kStages", "kMaxHeading"],
+    "lib/robot/chain_sketch.cpp": ["kLittlePull"],
+    # Controls of robots that hold still.
+    "lib/robot/differential_drive.cpp": ["kStill"],
+    "lib/robot/kinematic_truck.cpp": ["kCarState", "kNoControl"],
+    # So much more than rounding that no state crosses its limit by it.
+    "lib/robot/limits.hpp": ["kInside"],
+    # As many trailers as the wheels can answer to (lib/robot/TRUCK.md, "Reverse").
+    "lib/robot/pushing.hpp": ["kMostPushed"],
+    # Promised to users: RobotModel, body(k).
+    "lib/robot/shape.cpp": ["kMaxExtent", "kLeastSide"],
+    # Keeps a division from zero.
+    "lib/robot/truck.cpp": ["kLeast"],
+}
+# How the models are steered: gains and shares of their controllers, which are part of what a model is, as its page in
+# lib/robot says, and are held by the tests of robots. They were found by driving and are not varied here.
+STEERING = {
+    "lib/robot/chain.cpp": ["kHeadingGains", "kSpeedGains"],
+    "lib/robot/differential_drive.cpp": ["kHeadingGains"],
+    "lib/robot/kinematic_truck.cpp": ["kHeadingGains"],
+    "lib/robot/unicycle.cpp": ["kHeadingGains"],
+    "lib/robot/pushing.cpp": ["kNear", "kSharpest", "kLockShare", "kShortest", "kLongest", "kBack"],
+    "lib/robot/tracking.hpp": ["kHeadingShare", "kShare"],
+    "lib/robot/trailers.hpp": ["kUnfoldRate", "kFoldBound"],
+    "lib/robot/turning.hpp": ["kSteered", "kTurnBrake"],
 }
 SECTIONS = {
     "include/krait/parameters.hpp": ["update_regions", "goal_near_radius"],
@@ -113,6 +161,8 @@ SECTIONS = {
     "lib/improve/improver.hpp": ["kLongChain", "kSearches"],
     "lib/last_metres/last_metres.hpp": ["kMostLegs"],
     "lib/last_metres/last_metres.cpp": ["kMoveRadius"],
+    "lib/robot/pushing.cpp": ["kFading"],
+    "lib/robot/truck.cpp": ["kLag"],
     "lib/last_metres/docking.cpp": ["kHoldWay", "kPushLook", "kMostPush", "kStages"],
     "lib/last_metres/pull_in.cpp": ["kBraking", "kAstray", "kGrip", "kLeastTurn", "kStill", "kMostWait", "kMostStops"],
     "lib/last_metres/pull_outs.hpp": ["kMost", "kMostMoves"],
@@ -256,12 +306,13 @@ def write(constants, measured):
     PAGE.write_text(before + mark + "".join(line + "\n" for line in lines) + end + after)
 
 
-# What is defined in the folders whose constants are measured or argued for, by file.
+# What is defined in the folders of whose constants this file has every one, by file.
 def defined():
-    number = r"(?:float|double|int|Span|Index|std::(?:u?int\d+|size)_t)"
-    for folder in ("search", "last_metres", "improve", "collision", "scene"):
+    number = r"(?:float|double|int|Span|Index|PidGains|std::(?:u?int\d+|size)_t)"
+    for folder in ("decomposition", "robot", "motion", "collision", "scene", "plan", "last_metres", "improve",
+                   "search"):
         for path in sorted(Path("lib", folder).glob("*.[ch]pp")):
-            for name in re.findall(rf"constexpr {number} (\w+)(?:\[\w*\])? =", path.read_text()):
+            for name in re.findall(rf"constexpr {number} (\w+)(?:\[\w*\])?(?: =|{{)", path.read_text()):
                 yield str(path), name
     parameters = Path("include/krait/parameters.hpp")
     tuning = parameters.read_text().partition("struct SearchTuning {")[2].partition("\n};")[0]
@@ -275,11 +326,11 @@ def check(constants):
              if constant.begin not in page]
     found = set(defined())
     known = {(constant.file, constant.name) for constant in constants}
-    known |= {(file, name) for listed_ones in (ARGUED, SECTIONS) for file, names in listed_ones.items()
+    known |= {(file, name) for listed_ones in (ARGUED, SECTIONS, STEERING) for file, names in listed_ones.items()
               for name in names}
     wrong += [f"{file}: {name} is not in bench/constants/constants.py" for file, name in sorted(found - known)]
     wrong += [f"{file} has no {name}, which is in bench/constants/constants.py" for file, name in sorted(known - found)]
-    print("\n".join(wrong) if wrong else f"{len(known)} constants are measured or argued for")
+    print("\n".join(wrong) if wrong else f"{len(known)} constants are measured, argued for or a robot's steering")
     return 1 if wrong else 0
 
 
