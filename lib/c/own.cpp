@@ -6,23 +6,18 @@ namespace {
 
 using krait::c::convert;
 
-// A robot whose functions are the user's, in C.
-class OwnRobot {
+// A robot whose functions are the user's, in C: those that it must have.
+class NeededFunctions {
  public:
   static constexpr int kMaxState = krait::kMaxState;
   static constexpr int kMaxControl = krait::kMaxControl;
   static constexpr int kMaxBodies = krait::kMaxBodies;
 
-  explicit OwnRobot(const krait_own& own) : f_(*own.functions), self_(own.self) {}
+  explicit NeededFunctions(const krait_own& own) : f_(*own.functions), self_(own.self) {}
 
   int state_size() const { return f_.state_size; }
   int control_size() const { return f_.control_size; }
   int body_count() const { return f_.body_count; }
-  bool sound() const {
-    return f_.derivative != nullptr && f_.steer != nullptr && f_.within_limits != nullptr && f_.body != nullptr &&
-           f_.place != nullptr && (f_.travel != nullptr || f_.rates != nullptr);
-  }
-  bool exact() const { return f_.exact != nullptr && f_.exact(); }
 
   void derivative(krait::StateView s, krait::ControlView u, krait::StateRef ds) const {
     f_.derivative(self_, s.data(), u.data(), ds.data());
@@ -39,45 +34,73 @@ class OwnRobot {
   void place(krait::StateView s, krait::Pose* poses) const {
     f_.place(self_, s.data(), reinterpret_cast<krait_frame*>(poses));
   }
-  bool travel(krait::StateView s, krait::ControlView u, float dt, krait::StateView next, krait::Travel* travel) const {
-    if (f_.travel != nullptr) {
-      return f_.travel(self_, s.data(), u.data(), dt, next.data(), reinterpret_cast<krait_travel*>(travel));
-    }
-    return travel_by_rates(s.data(), u.data(), dt, next.data(), travel);
+  bool rates(krait::StateView s, krait::ControlView u, float dt, krait::StateView next, krait::BodyRates* rates) const {
+    return f_.rates(self_, s.data(), u.data(), dt, next.data(), reinterpret_cast<krait_body_rates*>(rates));
   }
-
-  float stopping_way(krait::StateView s) const {
-    return f_.stopping_way == nullptr ? 0.0F : f_.stopping_way(self_, s.data());
-  }
-  float turning_radius() const { return f_.turning_radius == nullptr ? length() : f_.turning_radius(self_); }
-  float top_speed() const { return f_.top_speed == nullptr ? length() : f_.top_speed(self_); }
-  float fastest_rate(float dt) const { return f_.fastest_rate == nullptr ? 0.0F : f_.fastest_rate(self_, dt); }
-  void track(krait::StateView s, krait::StateView reference, float dt, krait::ControlRef u) const {
-    if (f_.track != nullptr) f_.track(self_, s.data(), reference.data(), dt, u.data());
-  }
-  bool keeps_reserve(krait::StateView s) const {
-    return f_.keeps_reserve == nullptr || f_.keeps_reserve(self_, s.data());
-  }
-  bool reversible() const { return f_.reversible != nullptr && f_.reversible(self_); }
-  int self_collision_gap() const { return f_.self_collision_gap == nullptr ? 2 : f_.self_collision_gap(self_); }
-  int backing_body() const { return f_.backing_body == nullptr ? 0 : f_.backing_body(self_); }
 
  protected:
   const krait_functions& functions() const { return f_; }
   const void* self() const { return self_; }
 
  private:
-  bool travel_by_rates(const float* s, const float* u, float dt, const float* next, krait::Travel* travel) const {
-    krait::BodyRates rates[krait::kMaxBodies] = {};
-    const bool limits_hold = f_.rates(self_, s, u, dt, next, reinterpret_cast<krait_body_rates*>(rates));
-    for (int k = 0; k < f_.body_count; ++k) travel[k] = krait::detail::travel_of(rates[k], dt);
-    return limits_hold;
-  }
-
-  float length() const { return krait::detail::body_length(body(0)); }
-
   krait_functions f_;
   const void* self_;
+};
+
+// The same with those that it may have. Where one is NULL, what stands for it is what stands for that of a C++ robot
+// which lacks it.
+class OwnRobot : public NeededFunctions {
+ public:
+  using NeededFunctions::NeededFunctions;
+
+  bool sound() const {
+    const krait_functions& f = functions();
+    return f.derivative != nullptr && f.steer != nullptr && f.within_limits != nullptr && f.body != nullptr &&
+           f.place != nullptr && (f.travel != nullptr || f.rates != nullptr);
+  }
+  bool exact() const { return functions().exact != nullptr && functions().exact(); }
+  bool travel(krait::StateView s, krait::ControlView u, float dt, krait::StateView next, krait::Travel* travel) const {
+    if (functions().travel == nullptr) return krait::detail::travel(needed(), s, u, dt, next, travel);
+    return functions().travel(self(), s.data(), u.data(), dt, next.data(), reinterpret_cast<krait_travel*>(travel));
+  }
+  float stopping_way(krait::StateView s) const {
+    if (functions().stopping_way == nullptr) return krait::detail::stopping_way(needed(), s);
+    return functions().stopping_way(self(), s.data());
+  }
+  float turning_radius() const {
+    if (functions().turning_radius == nullptr) return krait::detail::turning_radius(needed(), length());
+    return functions().turning_radius(self());
+  }
+  float top_speed() const {
+    if (functions().top_speed == nullptr) return krait::detail::top_speed(needed(), length());
+    return functions().top_speed(self());
+  }
+  float fastest_rate(float dt) const {
+    if (functions().fastest_rate == nullptr) return krait::detail::fastest_rate(needed(), dt);
+    return functions().fastest_rate(self(), dt);
+  }
+  void track(krait::StateView s, krait::StateView reference, float dt, krait::ControlRef u) const {
+    if (functions().track != nullptr) functions().track(self(), s.data(), reference.data(), dt, u.data());
+  }
+  bool keeps_reserve(krait::StateView s) const {  // asked of states that are within the limits
+    return functions().keeps_reserve == nullptr || functions().keeps_reserve(self(), s.data());
+  }
+  bool reversible() const {
+    if (functions().reversible == nullptr) return krait::detail::reversible(needed());
+    return functions().reversible(self());
+  }
+  int self_collision_gap() const {
+    if (functions().self_collision_gap == nullptr) return krait::detail::self_collision_gap(needed());
+    return functions().self_collision_gap(self());
+  }
+  int backing_body() const {
+    if (functions().backing_body == nullptr) return krait::detail::backing_body(needed());
+    return functions().backing_body(self());
+  }
+
+ private:
+  const NeededFunctions& needed() const { return *this; }
+  float length() const { return krait::detail::body_length(body(0)); }
 };
 
 // One that says how fast it moves.

@@ -2,6 +2,7 @@
 // Limits hold under steering, exactly; and states outside them are told.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -182,6 +183,22 @@ TEST(RobotLimitsKinematicTruck, EachLimitIsExact) {
   EXPECT_FALSE(inside({0, 0, 0, -1.0F, -1.0F - p.max_hitch_angle - 1e-6F}));
   const std::vector<float> near = {0, 0, 0, p.max_hitch_angle - 1e-3F, 0};
   EXPECT_FALSE(robot.keeps_reserve(StateView(near.data(), 5)));
+}
+
+// A workstation's ranges lie within what the core accepts, so that no ROBOT.json is refused for a number that its help
+// allows. The least speed is at most the largest one, which a workstation asks for, too.
+TYPED_TEST(RobotLimits, ARobotIsSoundAtBothEndsOfEveryRange) {
+  using Parameters = typename TypeParam::Parameters;
+  Parameters::describe([]<class Number>(const ParameterField<Parameters, Number>& field) {
+    if (*field.unit == '\0') return;  // no range
+    EXPECT_LT(field.least, field.most) << field.name;
+    for (const float end : {field.least, field.most}) {
+      Parameters p = defaults_of<TypeParam>();
+      p.*field.member = static_cast<Number>(end);
+      if constexpr (requires { p.min_speed; }) p.max_speed = std::max(p.max_speed, p.min_speed);
+      EXPECT_TRUE(TypeParam(p).sound()) << field.name << " " << end;
+    }
+  });
 }
 
 struct Spoiled {

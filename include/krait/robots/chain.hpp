@@ -46,11 +46,11 @@ struct ChainParameters {
     see(length_field("hitch_length", &P::hitch_length));
     see(limit_field("max_speed", &P::max_speed, "metres a second"));
     see(reverse_field("min_speed", &P::min_speed));
-    see(ParameterField<P, float>{"max_steering", &P::max_steering, "radians", 0.001F, kMostSteering});
+    see(ParameterField<P, float>{"max_steering", &P::max_steering, "radians", kLeastLimit, kMostSteering});
     see(limit_field("max_acceleration", &P::max_acceleration, "metres a second squared"));
     see(limit_field("max_steering_rate", &P::max_steering_rate, "radians a second"));
     see(ParameterField<P, int>{"self_collision_gap", &P::self_collision_gap, "bodies", 1, 1000});
-    see(ParameterField<P, float>{"max_hitch_angle", &P::max_hitch_angle, "radians", 0.001F, kMostHitch});
+    see(ParameterField<P, float>{"max_hitch_angle", &P::max_hitch_angle, "radians", kLeastLimit, kMostHitch});
   }
 };
 

@@ -2,6 +2,10 @@
 /// \file
 /// Names, units and ranges of the parameters of the library's robots, for the files, help and pages of a workstation. A
 /// program that does not use them does not contain them.
+///
+/// These ranges lie within what a robot's sound() accepts, and are narrower on purpose. sound() is in the flash of
+/// every program and refuses only what the planner cannot compute with, such as a length that is 0, negative or not
+/// finite. A workstation also refuses what is most likely a mistake of units or typing, such as a body of 10 km.
 #pragma once
 
 namespace krait {
@@ -17,22 +21,26 @@ struct ParameterField {
   float most = 0.0F;      ///< in the unit
 };
 
+inline constexpr float kLeastLimit = 0.001F;   ///< the least of a length or a limit, in its unit
+inline constexpr float kMostLength = 1000.0F;  ///< metres: the most of a length
+inline constexpr float kMostLimit = 1e4F;      ///< the most of a limit, in its unit
+
 /// A dimension of a robot.
 template <class P>
 constexpr ParameterField<P, float> length_field(const char* name, float P::*member) {
-  return {name, member, "metres", 0.001F, 1000.0F};
+  return {name, member, "metres", kLeastLimit, kMostLength};
 }
 
 /// A limit of a robot: of a speed, a rate or an acceleration.
 template <class P>
 constexpr ParameterField<P, float> limit_field(const char* name, float P::*member, const char* unit) {
-  return {name, member, unit, 0.001F, 1e4F};
+  return {name, member, unit, kLeastLimit, kMostLimit};
 }
 
 /// The least speed of a robot, at most 0: below 0 it drives backwards.
 template <class P>
 constexpr ParameterField<P, float> reverse_field(const char* name, float P::*member) {
-  return {name, member, "metres a second", -1e4F, 0.0F};
+  return {name, member, "metres a second", -kMostLimit, 0.0F};
 }
 
 /// The extremes of a robot's motion.

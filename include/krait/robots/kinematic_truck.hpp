@@ -11,19 +11,22 @@ namespace krait {
 /// Metres, radians, seconds; all numbers finite.
 struct KinematicTruckParameters {
   static constexpr float kMostSteering = 1.5F;  ///< radians: the most max_steering, whose tangent is 14
+  static constexpr ChainParameters kChain{};    ///< whose defaults these have
 
-  int trailers = 0;            ///< 0 … kMaxTrailers
-  float body_length = 0.7F;    ///< metres, > 0
-  float body_width = 0.5F;     ///< metres, > 0
-  float body_offset = 0.0F;    ///< metres, any: of body 0's centre ahead of the rear axle
-  float wheelbase = 0.8F;      ///< metres, > 0: rear axle to front axle
-  float hitch_length = 0.8F;   ///< metres, > 0: axle to axle
-  float max_speed = 2.5F;      ///< m/s, > 0: of the rear axle
-  float min_speed = 0.0F;      ///< m/s, <= 0: of the rear axle; below 0 it may reverse
-  float max_steering = 1.0F;   ///< radians, above 0, up to kMostSteering: the most of the steering angle, either way
-  int self_collision_gap = 2;  ///< >= 1: bodies i and j are tested against each other where |i - j| is at least this
-  float max_hitch_angle =
-      1.5707963F;  ///< radians, above 0, up to ChainParameters::kMostHitch: the most of theta(i-1) - theta(i)
+  int trailers = kChain.trailers;            ///< 0 … kMaxTrailers
+  float body_length = kChain.body_length;    ///< metres, > 0
+  float body_width = kChain.body_width;      ///< metres, > 0
+  float body_offset = kChain.body_offset;    ///< metres, any: of body 0's centre ahead of the rear axle
+  float wheelbase = kChain.wheelbase;        ///< metres, > 0: rear axle to front axle
+  float hitch_length = kChain.hitch_length;  ///< metres, > 0: axle to axle
+  float max_speed = kChain.max_speed;        ///< m/s, > 0: of the rear axle
+  float min_speed = kChain.min_speed;        ///< m/s, <= 0: of the rear axle; below 0 it may reverse
+  /// Radians, above 0, up to kMostSteering: the most of the steering angle, either way.
+  float max_steering = kChain.max_steering;
+  /// >= 1: bodies i and j are tested against each other where |i - j| is at least this.
+  int self_collision_gap = kChain.self_collision_gap;
+  /// Radians, above 0, up to ChainParameters::kMostHitch: the most of theta(i-1) - theta(i).
+  float max_hitch_angle = kChain.max_hitch_angle;
 
   /// Calls see(field) for all of them, in their order.
   template <class See>
@@ -37,9 +40,9 @@ struct KinematicTruckParameters {
     see(length_field("hitch_length", &P::hitch_length));
     see(limit_field("max_speed", &P::max_speed, "metres a second"));
     see(reverse_field("min_speed", &P::min_speed));
-    see(ParameterField<P, float>{"max_steering", &P::max_steering, "radians", 0.001F, kMostSteering});
+    see(ParameterField<P, float>{"max_steering", &P::max_steering, "radians", kLeastLimit, kMostSteering});
     see(ParameterField<P, int>{"self_collision_gap", &P::self_collision_gap, "bodies", 1, 1000});
-    see(ParameterField<P, float>{"max_hitch_angle", &P::max_hitch_angle, "radians", 0.001F,
+    see(ParameterField<P, float>{"max_hitch_angle", &P::max_hitch_angle, "radians", kLeastLimit,
                                  ChainParameters::kMostHitch});
   }
 };

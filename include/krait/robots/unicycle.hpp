@@ -23,7 +23,7 @@ struct UnicycleParameters {
     see(length_field("body_length", &P::body_length));
     see(length_field("body_width", &P::body_width));
     see(limit_field("max_speed", &P::max_speed, "metres a second"));
-    see(ParameterField<P, float>{"min_speed", &P::min_speed, "metres a second", -1e4F, 1e4F});
+    see(ParameterField<P, float>{"min_speed", &P::min_speed, "metres a second", -kMostLimit, kMostLimit});
     see(limit_field("max_turn_rate", &P::max_turn_rate, "radians a second"));
   }
 };

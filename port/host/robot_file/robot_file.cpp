@@ -19,8 +19,6 @@ namespace krait::host {
 namespace {
 
 constexpr std::uint64_t kMaxFileBytes = 1 << 20;
-constexpr std::size_t kMaxBodyVertices = 8;
-constexpr double kMaxLength = 1000;  // m; of a robot's dimensions and the coordinates of its bodies
 
 static_assert(kMaxLinks == kMaxTrailers);
 
@@ -126,7 +124,7 @@ bool strictly_convex(const Ring& ring) {
 
 Ring read_body(const Field& field) {
   field.keys({"polygon"});
-  Ring ring = field.at("polygon").ring(kMaxBodyVertices, kMaxLength);
+  Ring ring = field.at("polygon").ring(kMaxVertices, static_cast<double>(kMostLength));
   if (twice_area(ring) < 0) std::reverse(ring.begin(), ring.end());
   if (!strictly_convex(ring)) field.fail("must be strictly convex: no crossing edges, no three corners in a line");
   return ring;
