@@ -118,7 +118,7 @@ Argument Limits::first_bad() const {
   if (vertices != 0 && !within(vertices, 2, kMost)) return Argument::vertices;
   if (expansions != 0 && !within(expansions, 2, kMost)) return Argument::expansions;
   if (when_full != WhenFull::recycle && when_full != WhenFull::stop) return Argument::when_full;
-  if (way_legs != 0 && !within(way_legs, 16, 1'000'000)) return Argument::way_legs;
+  if (way_legs != 0 && !within(way_legs, kLeastLegs, kMostLegs)) return Argument::way_legs;
   return iterations < 1 ? Argument::iterations : Argument::none;
 }
 

@@ -6,67 +6,39 @@
 namespace krait {
 namespace {
 
-constexpr const char* kStatusNames[] = {"ok",
-                                        "ready",
-                                        "searching",
-                                        "solved",
-                                        "no_route",
-                                        "budget_used",
-                                        "tree_full",
-                                        "time_used",
-                                        "bad_scene",
-                                        "bad_robot",
-                                        "bad_argument",
-                                        "start_outside",
-                                        "start_in_collision",
-                                        "goal_in_obstacle",
-                                        "arena_too_small",
-                                        "bad_arithmetic",
-                                        "internal"};
-static_assert(sizeof(kStatusNames) / sizeof(kStatusNames[0]) == static_cast<std::size_t>(Status::internal) + 1);
+// The enumerators, whose names are their texts, in their order.
+// clang-format off
+#define KRAIT_STATUSES(NAME)                                                                                      \
+  NAME(ok) NAME(ready) NAME(searching) NAME(solved) NAME(no_route) NAME(budget_used) NAME(tree_full)              \
+  NAME(time_used) NAME(bad_scene) NAME(bad_robot) NAME(bad_argument) NAME(start_outside) NAME(start_in_collision) \
+  NAME(goal_in_obstacle) NAME(arena_too_small) NAME(bad_arithmetic) NAME(internal)
+#define KRAIT_ARGUMENTS(NAME)                                                                                     \
+  NAME(none) NAME(block) NAME(scene) NAME(start) NAME(goal) NAME(iterations) NAME(vertices) NAME(expansions)      \
+  NAME(when_full) NAME(way_legs) NAME(alpha) NAME(beta) NAME(gamma) NAME(kappa) NAME(update_regions)              \
+  NAME(group_sample) NAME(epsilon) NAME(dt) NAME(max_steps) NAME(open_steps) NAME(path_regions) NAME(near_radius) \
+  NAME(goal_near_radius) NAME(clearance) NAME(stray_share) NAME(gentle_share) NAME(sight_tries) NAME(candidates)  \
+  NAME(least_sketch) NAME(doomed_steps) NAME(restart_unit) NAME(slowest) NAME(reverse_share) NAME(cost_length)    \
+  NAME(goal_margin) NAME(end_speed) NAME(max_substeps) NAME(robot_dimensions) NAME(robot_polygon) NAME(robot_sizes)
+// clang-format on
 
-constexpr const char* kArgumentNames[] = {"none",
-                                          "block",
-                                          "scene",
-                                          "start",
-                                          "goal",
-                                          "iterations",
-                                          "vertices",
-                                          "expansions",
-                                          "when_full",
-                                          "way_legs",
-                                          "alpha",
-                                          "beta",
-                                          "gamma",
-                                          "kappa",
-                                          "update_regions",
-                                          "group_sample",
-                                          "epsilon",
-                                          "dt",
-                                          "max_steps",
-                                          "open_steps",
-                                          "path_regions",
-                                          "near_radius",
-                                          "goal_near_radius",
-                                          "clearance",
-                                          "stray_share",
-                                          "gentle_share",
-                                          "sight_tries",
-                                          "candidates",
-                                          "least_sketch",
-                                          "doomed_steps",
-                                          "restart_unit",
-                                          "slowest",
-                                          "reverse_share",
-                                          "cost_length",
-                                          "goal_margin",
-                                          "end_speed",
-                                          "max_substeps",
-                                          "robot_dimensions",
-                                          "robot_polygon",
-                                          "robot_sizes"};
-static_assert(sizeof(kArgumentNames) / sizeof(kArgumentNames[0]) ==
-              static_cast<std::size_t>(Argument::robot_sizes) + 1);
+#define KRAIT_TEXT(name) #name,
+#define KRAIT_STATUS(name) Status::name,
+#define KRAIT_ARGUMENT(name) Argument::name,
+constexpr const char* kStatusNames[] = {KRAIT_STATUSES(KRAIT_TEXT)};
+constexpr const char* kArgumentNames[] = {KRAIT_ARGUMENTS(KRAIT_TEXT)};
+constexpr Status kStatuses[] = {KRAIT_STATUSES(KRAIT_STATUS)};
+constexpr Argument kArguments[] = {KRAIT_ARGUMENTS(KRAIT_ARGUMENT)};
+
+// Whether these are all enumerators up to the last, in their order.
+template <class Enum, std::size_t count>
+constexpr bool are_all(const Enum (&enumerators)[count], Enum last) {
+  for (std::size_t i = 0; i < count; ++i) {
+    if (static_cast<std::size_t>(enumerators[i]) != i) return false;
+  }
+  return count == static_cast<std::size_t>(last) + 1;
+}
+static_assert(are_all(kStatuses, Status::internal));
+static_assert(are_all(kArguments, Argument::robot_sizes));
 
 }  // namespace
 

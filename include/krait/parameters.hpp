@@ -101,6 +101,8 @@ enum class WhenFull : std::uint8_t {
 /// name. lib/MEMORY.md says how many bytes of the block each needs.
 struct Limits {
   static constexpr std::uint32_t kMost = (1U << 22U) - 2048;  ///< the most vertices, and the most expansions
+  static constexpr std::uint32_t kLeastLegs = 16;             ///< the least way_legs but 0
+  static constexpr std::uint32_t kMostLegs = 1'000'000;       ///< the most way_legs
 
   std::uint32_t vertices = 0;    ///< states kept to grow from, 2 … kMost; 0: as many as the block has room for
   std::uint32_t expansions = 0;  ///< kept, 2 … kMost; 0: half as many as vertices

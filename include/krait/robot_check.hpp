@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "krait/parameters.hpp"
 #include "krait/robot.hpp"
 
 namespace krait {
@@ -45,7 +46,7 @@ struct RobotRange {
 struct RobotRanges {
   std::vector<RobotRange> state;    ///< one a component; drawn evenly, but for the position now and then at the ends
   std::vector<RobotRange> control;  ///< one a component: the limits that steer keeps to; drawn in the same way
-  std::vector<float> dt = {0.1F};   ///< seconds: the time steps to be tried
+  std::vector<float> dt = {Parameters().dt};  ///< seconds: the time steps to be tried
   /// The components of the state that are headings, in radians: turning the robot adds to them and changes nothing else
   /// but the position. Whether it moves alike in every direction is checked where there are any.
   std::vector<int> headings = {};

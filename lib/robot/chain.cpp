@@ -16,6 +16,7 @@ using detail::inside;
 using detail::kInside;
 using detail::positive;
 using detail::recoverable_tangent;
+using detail::rest_trailers;
 using detail::steady_tangent;
 using detail::trailer_rates;
 using detail::wheel_correction;
@@ -164,7 +165,7 @@ void Chain::rest(Vec2 position, float heading, const float* angles, float* state
   state[2] = heading;
   state[3] = 0.0F;
   state[4] = 0.0F;
-  for (int i = 0; i < parameters_.trailers; ++i) state[5 + i] = angles != nullptr ? angles[i] : heading;
+  rest_trailers(heading, angles, parameters_.trailers, state + kCarState);
 }
 
 // The largest |psi| toward the side of `heading_error`. A snake's tail pulls straight by itself. A truck's folds when
@@ -294,7 +295,7 @@ float Chain::fastest_rate(float dt) const {
   const ChainParameters& p = parameters_;
   const auto least = [](float a, float b) { return b < a ? b : a; };
   const float arm = p.trailers > 0 ? least(p.wheelbase, p.hitch_length) : p.wheelbase;
-  const float speed = p.max_speed > -p.min_speed ? p.max_speed : -p.min_speed;
+  const float speed = detail::fastest(p);
   const float acceleration = least(p.max_acceleration, (p.max_speed - p.min_speed) / dt);
   const float steering = least(p.max_steering_rate, 2.0F * p.max_steering / dt);
   const float rates[] = {speed / arm, std::sqrt(acceleration / arm), 0.75F * steering};

@@ -9,6 +9,7 @@ namespace krait {
 
 using detail::deviation;
 using detail::recoverable_tangent;
+using detail::rest_trailers;
 using detail::steady_tangent;
 using detail::trailer_rates;
 using detail::wheel_correction;
@@ -84,7 +85,7 @@ void KinematicTruck::rest(Vec2 position, float heading, const float* angles, flo
   state[0] = position.x;
   state[1] = position.y;
   state[2] = heading;
-  for (int i = 0; i < parameters_.trailers; ++i) state[kCarState + i] = angles != nullptr ? angles[i] : heading;
+  rest_trailers(heading, angles, parameters_.trailers, state + kCarState);
 }
 
 // The most that the wheels may turn toward the side of `heading_error`. They turn at once, so that a single trailer may

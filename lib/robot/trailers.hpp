@@ -19,6 +19,11 @@ void trailer_rates(float pull, int trailers, const Hitch& hitch, float* ds) {
   }
 }
 
+// Writes the headings of trailers where a robot rests: `angles`, or where they are null that of the car.
+inline void rest_trailers(float heading, const float* angles, int trailers, float* headings) {
+  for (int i = 0; i < trailers; ++i) headings[i] = angles != nullptr ? angles[i] : heading;
+}
+
 inline constexpr float kUnfoldRate = 2.0F;  // 1/s: how fast a hitch may close in on its bound
 inline constexpr float kFoldBound = 1.2F;   // radians: the hitch angle that steering keeps clear of
 

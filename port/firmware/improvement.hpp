@@ -13,7 +13,7 @@ namespace krait::firmware {
 // Limits::way_legs: none where nothing is to be improved, else one a kilobyte of the block, up to those of long plans.
 inline std::uint32_t way_legs(std::uint64_t bytes, double multiples) {
   if (!(multiples > 0)) return 0;
-  return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(bytes / 1024, 16, 4096));
+  return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(bytes / 1024, Limits::kLeastLegs, 4096));
 }
 
 // Initialises a planner with that room. Where the block is too small, bytes_needed is enough for the room as well,

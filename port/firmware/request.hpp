@@ -4,6 +4,9 @@
 
 #include <cstdint>
 
+#include "krait/goal.hpp"
+#include "krait/parameters.hpp"
+
 namespace krait::firmware {
 
 // Three numbers with commas between them: the place in the world, metres, and a third.
@@ -14,25 +17,25 @@ struct Triple {
 };
 
 struct Request {
-  const char* robot = "";                  // "snake:15", "truck:2", "car", …
-  int trailers = 0;                        // the number after the colon
-  std::uint64_t seed = 1;                  //
-  std::uint64_t memory = 0;                // bytes of the planner's block; 0: by the robot's size, as much as there is
-  std::uint64_t iterations = 1'000'000;    // expansions, at most
-  double improve = 0.0;                    // multiples of the first plan's collision checks to improve it by
-  bool clock_counts_instructions = false;  // under an emulator whose clock advances 1 ns an instruction
+  const char* robot = "";    // "snake:15", "truck:2", "car", …
+  int trailers = 0;          // the number after the colon
+  std::uint64_t seed = 1;    //
+  std::uint64_t memory = 0;  // bytes of the planner's block; 0: by the robot's size, as much as there is
+  std::uint64_t iterations = Limits().iterations;  // expansions, at most
+  double improve = 0.0;                            // multiples of the first plan's collision checks to improve it by
+  bool clock_counts_instructions = false;          // under an emulator whose clock advances 1 ns an instruction
   bool has_start = false;
   bool has_goal = false;
   bool has_heading = false;
   bool has_heading_tolerance = false;
   bool has_clearance = false;
   bool has_dt = false;
-  Triple start;                    // and the heading, radians; without it, the scene's first start
-  Triple goal;                     // and the radius, metres; without it, the scene's first goal
-  double heading = 0.0;            // radians: of body 0 at the end, with `goal` only
-  double heading_tolerance = 0.1;  // radians
-  double clearance = 0.0;          // metres; without it, the library's default
-  double dt = 0.0;                 // seconds, a time step; without it, the library's default
+  Triple start;          // and the heading, radians; without it, the scene's first start
+  Triple goal;           // and the radius, metres; without it, the scene's first goal
+  double heading = 0.0;  // radians: of body 0 at the end, with `goal` only
+  double heading_tolerance = static_cast<double>(Facing().tolerance);  // radians
+  double clearance = 0.0;                                              // metres; without it, the library's default
+  double dt = 0.0;  // seconds, a time step; without it, the library's default
 };
 
 // Reads `--robot MODEL[:N] --seed S --memory B[K|M] --iterations N --improve N --start X,Y,HEADING --goal X,Y,RADIUS

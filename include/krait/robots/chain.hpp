@@ -125,7 +125,7 @@ class Chain {
   /// The extremes of its motion: at full speed and lock.
   Extremes extremes() const {
     const ChainParameters& p = parameters_;
-    const float speed = p.max_speed > -p.min_speed ? p.max_speed : -p.min_speed;
+    const float speed = detail::fastest(p);
     const float lock = p.max_steering / p.wheelbase;
     const float pull = 1.0F / p.hitch_length;
     const float slip = 0.5F * p.max_steering * p.max_steering;

@@ -50,6 +50,16 @@ struct Extremes {
   float braking;  ///< m/s^2, straight ahead at top speed; 0: it stops at once
 };
 
+namespace detail {
+
+// m/s: the most of the two limits of a speed, forwards and backwards.
+template <class P>
+constexpr float fastest(const P& parameters) {
+  return parameters.max_speed > -parameters.min_speed ? parameters.max_speed : -parameters.min_speed;
+}
+
+}  // namespace detail
+
 /// The parameters that a robot of class R has by default.
 template <class R>
 constexpr typename R::Parameters defaults_of() {

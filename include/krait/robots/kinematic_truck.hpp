@@ -143,10 +143,7 @@ class KinematicTruck {
   // Radians to be added to the steering angle, so that trailers which are pushed `way` metres come back to a reference.
   float pushing_change(StateView s, StateView reference, float way, float steering) const;
 
-  float fastest() const {  // m/s
-    const KinematicTruckParameters& p = parameters_;
-    return p.max_speed > -p.min_speed ? p.max_speed : -p.min_speed;
-  }
+  float fastest() const { return detail::fastest(parameters_); }  // m/s
 
   KinematicTruckParameters parameters_;
   Chain truck_;  // that moves alike

@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "krait/geometry.hpp"
+#include "krait/parameters.hpp"
 
 #if defined(EIGEN_VECTORIZE)
 #error "krait: build with -DEIGEN_DONT_VECTORIZE: vectors of floats add up in another order"
@@ -33,8 +34,8 @@ inline Vec2 position(const StateView& state) { return {state[0], state[1]}; }
 struct Target {
   Vec2 point = {};     ///< local metres
   float speed = 1.0F;  ///< share of the robot's top speed in (0, 1]; in [-1, 0): of its top speed backwards; 0: to rest
-  float dt = 0.1F;     ///< seconds that the control will be held
-  float turn = 1.0F;   ///< share of the robot's sharpest turn in (0, 1], for one whose turns cost it room
+  float dt = Parameters().dt;  ///< seconds that the control will be held
+  float turn = 1.0F;           ///< share of the robot's sharpest turn in (0, 1], for one whose turns cost it room
 };
 
 /// Bounds on how a body moves during a step. A point of it that is r metres from its frame's origin travels at most

@@ -77,7 +77,7 @@ class Unicycle : public PlanarBody {
   /// The extremes of its motion.
   Extremes extremes() const {
     const UnicycleParameters& p = parameters_;
-    return {p.max_speed > -p.min_speed ? p.max_speed : -p.min_speed, p.max_turn_rate, 0.0F};
+    return {detail::fastest(p), p.max_turn_rate, 0.0F};
   }
   /// Writes the control of top speed and the sharpest turn to the left; the state has none of it.
   void turn_fastest(float*, float* control) const {

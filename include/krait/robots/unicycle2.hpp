@@ -89,7 +89,7 @@ class Unicycle2 : public PlanarBody {
   /// The extremes of its motion.
   Extremes extremes() const {
     const Unicycle2Parameters& p = parameters_;
-    return {p.max_speed > -p.min_speed ? p.max_speed : -p.min_speed, p.max_turn_rate, p.max_acceleration};
+    return {detail::fastest(p), p.max_turn_rate, p.max_acceleration};
   }
   /// Writes top speed and the sharpest turn to the left, which the control keeps.
   void turn_fastest(float* state, float* control) const {

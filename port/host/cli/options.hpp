@@ -41,7 +41,7 @@ struct QueryOptions {
   std::string start;
   std::string goal;
   std::optional<double> heading;  // radians
-  double heading_tolerance = 0.1;
+  double heading_tolerance = GoalFacing().tolerance;
   bool either_way = false;
   std::optional<double> hitch_tolerance;
   bool any_heading = false;

@@ -35,8 +35,8 @@ struct PlanOptions {
   QueryOptions query;
   std::string planner = "adaptive";
   std::uint64_t seed = 1;
-  std::string memory = "64M";
-  std::uint64_t iterations = 1'000'000;
+  std::string memory = std::to_string(kUsualMegabytes) + "M";
+  std::uint64_t iterations = SearchRequest().iterations;
   std::optional<double> time_limit;
   std::optional<double> improve;
   double stop_within = 0;

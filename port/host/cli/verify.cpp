@@ -12,6 +12,7 @@
 #include "host/cli/map_options.hpp"
 #include "host/cli/options.hpp"
 #include "host/input/progress.hpp"
+#include "host/workspace/printed.hpp"
 
 namespace krait::host {
 namespace {
@@ -21,7 +22,7 @@ struct VerifyOptions {
   std::string plan;
   QueryOptions query;
   MapOptions map;
-  double dt = 0.1;
+  double dt = decimal(Parameters().dt);
   bool all = false;  // complaints, not the first only
 };
 

@@ -43,6 +43,9 @@ Ring goal_ring(const krait::Scene& scene, const krait::Goal& goal) {
   return ring;
 }
 
+// The workspace knows nothing of the library.
+static_assert(static_cast<float>(GoalFacing().tolerance) == Facing().tolerance);
+
 Facing facing_of(const GoalFacing& from) {
   const float hitches = from.hitches ? static_cast<float>(*from.hitches) : kInfinity;
   return {static_cast<float>(from.heading), static_cast<float>(from.tolerance), from.either_way, hitches};

@@ -29,17 +29,19 @@ struct GoalDisc {
   double radius = 0;
 };
 
+inline constexpr std::uint64_t kUsualMegabytes = 64;  // of the block, where nobody says otherwise
+
 struct SearchRequest {
   RobotSpec robot;
   std::string planner = "adaptive";
   std::uint64_t seed = 1;
   std::optional<StartPose> start;  // absent: the scene's start `start_name`, or its first
   std::string start_name;
-  std::optional<GoalDisc> goal;                     // absent: the scene's goal `goal_name`, or its first
-  std::string goal_name;                            // beside `goal`: of the map's goal that it is
-  std::optional<GoalFacing> facing;                 // only with `goal`
-  std::uint64_t memory = std::uint64_t{64} << 20U;  // bytes of the block
-  std::uint64_t iterations = 1'000'000;
+  std::optional<GoalDisc> goal;                   // absent: the scene's goal `goal_name`, or its first
+  std::string goal_name;                          // beside `goal`: of the map's goal that it is
+  std::optional<GoalFacing> facing;               // only with `goal`
+  std::uint64_t memory = kUsualMegabytes << 20U;  // bytes of the block
+  std::uint64_t iterations = Limits().iterations;
   std::optional<double> time_limit;  // seconds
   double improve = 0;      // multiples of the first plan's collision checks that a better one is looked for by
   double stop_within = 0;  // ends that where the plan is longer than the shortest way by this share at most; 0: never
