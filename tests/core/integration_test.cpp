@@ -79,15 +79,9 @@ TEST(IntegrationSteps, AreOneForTheDefaultRobots) {
   const auto parts = [&](const auto& robot) {
     return detail::parts_of(dt, detail::longest_tree_step(robot, dt), detail::kMostParts);
   };
+  AllRobots<Each>::call([&]<class R>() { EXPECT_EQ(parts(default_robot<R>(15)), 1) << ModelNames::GetName<R>(0); });
   ChainParameters p;
   p.trailers = 15;
-  EXPECT_EQ(parts(Snake(p)), 1);
-  EXPECT_EQ(parts(Truck(p)), 1);
-  EXPECT_EQ(parts(Car(Car::defaults())), 1);
-  EXPECT_EQ(parts(KinematicTruck({})), 1);
-  EXPECT_EQ(parts(Unicycle({})), 1);
-  EXPECT_EQ(parts(Unicycle2({})), 1);
-  EXPECT_EQ(parts(DifferentialDrive({})), 1);
   p.hitch_length = 0.15F;
   EXPECT_EQ(parts(Truck(p)), 6);
   EXPECT_EQ(parts(Slider(0.5F, 1.5F)), 1) << "a robot that does not state its rate";

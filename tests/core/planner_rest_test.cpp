@@ -2,18 +2,13 @@
 // Plans end at rest, or as slow as asked: the brake is a part of them.
 #include "krait/robots/defaults.hpp"
 #include "planner_fixture.hpp"
+#include "robot_oracle.hpp"
 #include "search/adaptive_search.hpp"
 
 namespace krait::test {
 namespace {
 
 constexpr int kSeeds = 20;
-
-ChainParameters chain(int trailers) {
-  ChainParameters p;
-  p.trailers = trailers;
-  return p;
-}
 
 template <class R>
 class Rests {
@@ -60,11 +55,10 @@ void expect_rest(const R& robot) {
 }
 
 TEST(PlannerRest, EveryModelEndsAtRestByDefault) {
-  expect_rest(Car(Car::defaults()));
-  expect_rest(Snake(chain(3)));
-  expect_rest(Truck(chain(2)));
-  expect_rest(DifferentialDrive(DifferentialDriveParameters{}));
-  expect_rest(Unicycle2(Unicycle2Parameters{}));
+  AllRobots<Each>::call([]<class R>() {
+    SCOPED_TRACE(ModelNames::GetName<R>(0));
+    if constexpr (detail::kHasSpeed<R>) expect_rest(default_robot<R>(2));
+  });
 }
 
 TEST(PlannerRest, AnEndSpeedIsKeptAndMadeUseOf) {

@@ -127,16 +127,19 @@ TEST(RobotKeepsLimits, AStraightTrainKeepsThem) {
   EXPECT_TRUE(bounds_of(truck, s, u, kDt, step(truck, s, u, kDt)).limits_kept);
 }
 
+// Those of a body without trailers are.
 TEST(RobotKeepsLimits, ARobotWhoseLimitsAreConvexKeepsThem) {
-  const std::vector<float> s = {0, 0, 0}, u = {1, 1};
-  const Unicycle unicycle({});
-  EXPECT_TRUE(bounds_of(unicycle, s, u, kDt, step(unicycle, s, u, kDt)).limits_kept);
-  const std::vector<float> turning = {0, 0, 0, 0.5F, -1};
-  const Unicycle2 second_order({});
-  EXPECT_TRUE(bounds_of(second_order, turning, u, kDt, step(second_order, turning, u, kDt)).limits_kept);
-  const std::vector<float> wheels = {0, 0, 0, 3, -5};
-  const DifferentialDrive drive({});
-  EXPECT_TRUE(bounds_of(drive, wheels, u, kDt, step(drive, wheels, u, kDt)).limits_kept);
+  std::mt19937 random(3);
+  AllRobots<Each>::call([&]<class R>() {
+    if constexpr (std::derived_from<R, PlanarBody>) {
+      for (const R& robot : instances<R>()) {
+        for (int i = 0; i < 100; ++i) {
+          const std::vector<float> s = random_state(robot, random), u = random_control(robot, s, kDt, random);
+          EXPECT_TRUE(bounds_of(robot, s, u, kDt, step(robot, s, u, kDt)).limits_kept) << ModelNames::GetName<R>(0);
+        }
+      }
+    }
+  });
 }
 
 }  // namespace

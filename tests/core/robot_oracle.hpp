@@ -171,6 +171,23 @@ inline std::vector<DifferentialDrive> instances<DifferentialDrive>() {
   return {DifferentialDrive({}), DifferentialDrive(wide_track)};
 }
 
+// With its defaults, and so many trailers where its class may have any.
+template <class R>
+R default_robot([[maybe_unused]] int trailers) {
+  typename R::Parameters p = defaults_of<R>();
+  if constexpr (kTows<R>) p.trailers = trailers;
+  return R(p);
+}
+
+// AllRobots<Each>::call(visit) calls visit.operator()<R>() for the class R of every model.
+template <class... Robots>
+struct Each {
+  template <class Visit>
+  static void call(const Visit& visit) {
+    (visit.template operator()<Robots>(), ...);
+  }
+};
+
 // Chains, or the like, that fit through a door of 2 m.
 template <class P = ChainParameters>
 P small_chain(int trailers) {

@@ -2,6 +2,7 @@
 // Any scene that opens can be planned in, and the verifier, which reads the file with code of its own, agrees with
 // every plan. The bytes before the scene choose what is planned (plan_choice.hpp).
 #include <cstring>
+#include <deque>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -31,13 +32,16 @@ Landmark repaired("regions repaired");
 Landmark ends[] = {Landmark("solved"), Landmark("no_route"), Landmark("budget_used")};
 Landmark refusals[] = {Landmark("arena_too_small"), Landmark("start_in_collision"), Landmark("start_outside"),
                        Landmark("goal_in_obstacle"), Landmark("bad_scene")};
-Landmark robots[] = {Landmark("solved for a unicycle"),   Landmark("solved for a car"),
-                     Landmark("solved for a diff_drive"), Landmark("solved for a snake:2"),
-                     Landmark("solved for a truck:1"),    Landmark("solved for a snake:6"),
-                     Landmark("solved for a unicycle2"),  Landmark("solved for a kinematic_truck:1")};
-Landmark planners[] = {Landmark("solved by adaptive"), Landmark("solved by plain"), Landmark("solved by prior"),
-                       Landmark("solved by rrt")};
-static_assert(std::size(robots) == std::size(kRobots) && std::size(planners) == std::size(kPlanners));
+
+// One for each name.
+template <std::size_t count>
+std::deque<Landmark> landmarks(const std::string& words, const char* const (&names)[count]) {
+  std::deque<Landmark> all;
+  for (const char* name : names) all.emplace_back(words + name);
+  return all;
+}
+std::deque<Landmark> robots = landmarks("solved for a ", kRobots);
+std::deque<Landmark> planners = landmarks("solved by ", kPlanners);
 
 void reach_named(Landmark* first, std::size_t count, const std::string& text) {
   for (std::size_t i = 0; i < count; ++i) {

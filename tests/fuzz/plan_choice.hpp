@@ -4,11 +4,25 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
+
+#include "krait/robots/all.hpp"
 
 namespace krait::fuzz {
 
 inline constexpr const char* kRobots[] = {"unicycle", "car",     "diff_drive", "snake:2",
                                           "truck:1",  "snake:6", "unicycle2",  "kinematic_truck:1"};
+// Inputs choose by the place in this list: a new model stands at its end.
+constexpr bool is_drawn(std::string_view model) {
+  for (const std::string_view robot : kRobots) {
+    if (robot.substr(0, robot.find(':')) == model) return true;
+  }
+  return false;
+}
+#define KRAIT_DRAWN(name, Class, file, trailers) static_assert(is_drawn(#name));
+KRAIT_MODELS(KRAIT_DRAWN)
+#undef KRAIT_DRAWN
+
 inline constexpr const char* kPlanners[] = {"adaptive", "plain", "prior", "rrt"};
 
 struct PlanChoice {

@@ -210,15 +210,14 @@ inline constexpr bool kAnswersProven = false;
 
 /// Whether the search drives robots of the class R into narrow places in reverse: those with one body that can drive
 /// backwards and do not turn on the spot. A program whose classes are all false does not contain the code for it, 3 KB
-/// on a Cortex-M4F. False of the library's models, but for car and kinematic_truck.
+/// on a Cortex-M4F. False of each of the library's models (krait/robots/all.hpp) whose header says so.
 template <class R>
 inline constexpr bool kParks = requires(const R& robot) {
   { robot.reversible() } -> std::same_as<bool>;
 };
 
 /// Whether the search pushes the trailers of robots of the class R back to a pose: those whose backing_body is not 0. A
-/// program whose classes are all false does not contain the code for it. False of the library's models, but for truck
-/// and kinematic_truck.
+/// program whose classes are all false does not contain the code for it. Of the library's models as kParks.
 template <class R>
 inline constexpr bool kDocks = requires(const R& robot) {
   { robot.backing_body() } -> std::same_as<int>;

@@ -13,7 +13,7 @@
 namespace krait::host {
 
 struct RobotSpec {
-  std::string model;                           // "snake", "truck", "kinematic_truck", …
+  std::string model;                           // its name in krait/robots/all.hpp
   int links = 0;                               // trailers; 0 for the models without
   std::map<std::string, double> parameters;    // every number that dynamics and limits use; complete after parsing
   std::vector<Ring> bodies;                    // bodies[k] in body k's frame, counter-clockwise, convex, 3-8 vertices
@@ -21,10 +21,10 @@ struct RobotSpec {
   std::map<std::string, std::string> sources;  // where a parameter's number comes from, or that of "bodies"
 };
 
-// "snake:15", "truck:2", "kinematic_truck:1", "car", "unicycle", "unicycle2", "diff_drive", the name of a shipped
-// robot, or the path of a ROBOT.json (the form of the plan's `robot` object; missing parameters take the model's
-// defaults; bodies follow from the parameters if left out; `about` and `sources` are for the reader). Throws InputError
-// naming the field that is wrong.
+// A model of krait/robots/all.hpp, with its number of trailers where it may have any, as "snake:15" or "car"; the name
+// of a shipped robot; or the path of a ROBOT.json (the form of the plan's `robot` object; missing parameters take the
+// model's defaults; bodies follow from the parameters if left out; `about` and `sources` are for the reader). Throws
+// InputError naming the field that is wrong.
 RobotSpec parse_robot(const std::string& text);
 
 // Whether parse_robot takes the text for the path of a file.
@@ -36,13 +36,12 @@ RobotSpec read_robot(const Field& field);
 // The form that read_robot reads, bodies included, without what is for the reader only.
 Json to_json(const RobotSpec& robot);
 
-// The components of a state, in their order: x, y, theta0, v, psi, theta1, … for snake, truck and car; x, y, theta0,
-// theta1, … for kinematic_truck; x, y, theta for the unicycle; x, y, theta, v, omega for unicycle2; x, y, theta, left,
-// right (wheel speeds) for diff_drive. Throws InputError for a model that is not known.
+// The components of a state, in their order: kStateNames of the model's class, and theta1, … of the trailers. Throws
+// InputError for a model that is not known.
 std::vector<std::string> state_names(const RobotSpec& robot);
 
-// How users name the models: those with trailers, with `between` between them, and what N is, then the others:
-// "snake:N and truck:N and kinematic_truck:N (N trailers), car, unicycle, unicycle2, diff_drive".
+// How users name the models: those with trailers, with `between` between them, and what N is, then the others, as in
+// "snake:N and truck:N (N trailers), car, unicycle".
 std::string model_forms(const std::string& between, const std::string& about_trailers);
 
 // The names of the models, in the order of the documentation.

@@ -16,6 +16,7 @@
 #include "host/compiler/compiler.hpp"
 #include "host/run/session.hpp"
 #include "host/scenes/scenes.hpp"
+#include "krait/robots/all.hpp"
 
 namespace krait::host {
 namespace {
@@ -31,33 +32,26 @@ constexpr const char* kAbout =
 
 struct Kind {
   double scale;
-  const char* robot;
-  const char* planner;  // or "paper": adaptive with the paper's parameters; "pose": to the goal's middle within 0.1 m
+  std::string robot;
+  std::string planner;  // or "paper": adaptive with the paper's parameters; "pose": to the goal's middle within 0.1 m
                         // and 0.1 rad, to four headings in turn; "straight": and the hitches within 0.2 rad
 };
 
-constexpr Kind kKinds[] = {{1, "snake:15", "adaptive"},
-                           {1, "snake:5", "adaptive"},
-                           {1, "truck:2", "adaptive"},
-                           {1, "car", "adaptive"},
-                           {1, "kinematic_truck:1", "adaptive"},
-                           {1, "unicycle", "adaptive"},
-                           {1, "diff_drive", "adaptive"},
-                           {2, "snake:15", "adaptive"},
-                           {0.75, "snake:15", "adaptive"},
-                           {1, "snake:5", "paper"},
-                           {1, "unicycle", "prior"},
-                           {1, "car", "pose"},
-                           {1, "diff_drive", "pose"},
-                           {1, "unicycle2", "adaptive"},
-                           {1, "unicycle2", "pose"},
-                           {1, "truck:1", "pose"},
-                           {1, "truck:2", "pose"},
-                           {1, "kinematic_truck:1", "pose"},
-                           {1, "snake:5", "pose"},
-                           {1, "snake:15", "pose"},
-                           {1, "truck:1", "straight"},
-                           {1, "truck:2", "straight"}};
+// One of every model, and what else is worth its time.
+std::vector<Kind> kinds() {
+  std::vector<Kind> all = {{1, "snake:5", "adaptive"}, {2, "snake:15", "adaptive"},      {0.75, "snake:15", "adaptive"},
+                           {1, "snake:5", "paper"},    {1, "unicycle", "prior"},         {1, "car", "pose"},
+                           {1, "diff_drive", "pose"},  {1, "unicycle2", "pose"},         {1, "truck:1", "pose"},
+                           {1, "truck:2", "pose"},     {1, "kinematic_truck:1", "pose"}, {1, "snake:5", "pose"},
+                           {1, "snake:15", "pose"},    {1, "truck:1", "straight"},       {1, "truck:2", "straight"}};
+  const auto add = [&](const std::string& model, const std::string& trailers) {
+    all.push_back({1, trailers == "-" ? model : model + ":" + trailers, "adaptive"});
+  };
+#define KRAIT_ADD(name, Class, file, trailers) add(#name, #trailers);
+  KRAIT_MODELS(KRAIT_ADD)
+#undef KRAIT_ADD
+  return all;
+}
 
 struct Cost {
   std::uint64_t solved = 0;
@@ -81,14 +75,14 @@ void ask_pose(const Workspace& workspace, const Kind& kind, SearchRequest& reque
   }
   request.goal = GoalDisc{middle, 0.1};
   request.facing = GoalFacing{static_cast<double>(request.seed % 4) * std::numbers::pi / 2, 0.1, false, {}};
-  if (std::string(kind.planner) == "straight") request.facing->hitches = 0.2;
+  if (kind.planner == "straight") request.facing->hitches = 0.2;
 }
 
 Cost measure(const Workspace& workspace, const SceneBytes& bytes, const Kind& kind) {
   SearchRequest request;
   request.robot = parse_robot(kind.robot);
-  const bool paper = std::string(kind.planner) == "paper";
-  const bool pose = std::string(kind.planner) == "pose" || std::string(kind.planner) == "straight";
+  const bool paper = kind.planner == "paper";
+  const bool pose = kind.planner == "pose" || kind.planner == "straight";
   request.planner = paper || pose ? "adaptive" : kind.planner;
   if (paper) request.parameters = Parameters::paper();
   request.iterations = kIterations;
@@ -113,7 +107,7 @@ Cost measure(const Workspace& workspace, const SceneBytes& bytes, const Kind& ki
 void measure_scene(const std::string& scene, Costs& costs) {
   std::map<double, SceneBytes> compiled;
   std::map<double, Workspace> workspaces;
-  for (const Kind& kind : kKinds) {
+  for (const Kind& kind : kinds()) {
     if (!compiled.contains(kind.scale)) {
       workspaces[kind.scale] = make_scene(scene, kind.scale).workspace;
       const CompiledScene result = compile(workspaces[kind.scale], {});

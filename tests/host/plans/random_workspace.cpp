@@ -99,10 +99,11 @@ RobotSpec of_own_size(RobotSpec robot, Draw& draw) {
 }
 
 RobotSpec any_robot(Draw& draw) {
-  static const char* const kRobots[] = {"car",       "unicycle",          "diff_drive",       "snake:1", "snake:5",
-                                        "snake:15",  "snake:25",          "truck:0",          "truck:1", "truck:3",
-                                        "unicycle2", "kinematic_truck:0", "kinematic_truck:2"};
-  const RobotSpec robot = parse_robot(kRobots[draw.whole(0, std::size(kRobots) - 1)]);
+  static const std::vector<std::string> models = robot_models();
+  std::string name = models[static_cast<std::size_t>(draw.whole(0, static_cast<int>(models.size()) - 1))];
+  const int most = most_links(name);
+  if (most > 0) name += ':' + std::to_string(draw.whole(0, draw.chance(0.5) ? 3 : most));
+  const RobotSpec robot = parse_robot(name);
   return draw.chance(0.5) ? of_own_size(robot, draw) : robot;
 }
 

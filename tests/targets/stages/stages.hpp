@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstdint>
 #include <initializer_list>
+#include <type_traits>
 
 #include "base/random.hpp"
 #include "firmware/board.hpp"
@@ -73,6 +74,29 @@ inline KinematicTruck kinematic_truck() {
   return KinematicTruck(parameters);
 }
 
+// Whether all robots of the library are among those of the classes R.
+template <class... Models>
+struct Every {
+  template <class M, class... R>
+  static constexpr bool kIsOneOf = (std::is_same_v<M, R> || ...);
+  template <class... R>
+  static constexpr bool kAreAmong = (kIsOneOf<Models, R...> && ...);
+};
+
+template <class R>
+struct Named {
+  const char* name;
+  const R& robot;
+};
+template <class R>
+Named(const char*, const R&) -> Named<R>;
+
+template <class Visit, class... R>
+void visit_each(Visit& visit, const Named<R>&... robots) {
+  static_assert(AllRobots<Every>::kAreAmong<R...>);
+  (visit(robots.name, robots.robot), ...);
+}
+
 // Calls visit(name, robot) for the robots that move and search in the stages; they stay.
 template <class Visit>
 void for_each_robot(Visit visit) {
@@ -84,14 +108,9 @@ void for_each_robot(Visit visit) {
   static const KinematicTruck kinematic = kinematic_truck();
   static const Snake short_snake = with_trailers<Snake>(5);
   static const Snake long_snake = with_trailers<Snake>(15);
-  visit("unicycle", unicycle);
-  visit("unicycle2", accelerated);
-  visit("diff_drive", drive);
-  visit("car", car);
-  visit("truck:2", towing);
-  visit("kinematic_truck:1", kinematic);
-  visit("snake:5", short_snake);
-  visit("snake:15", long_snake);
+  visit_each(visit, Named{"unicycle", unicycle}, Named{"unicycle2", accelerated}, Named{"diff_drive", drive},
+             Named{"car", car}, Named{"truck:2", towing}, Named{"kinematic_truck:1", kinematic},
+             Named{"snake:5", short_snake}, Named{"snake:15", long_snake});
 }
 
 }  // namespace krait::stages
