@@ -9,6 +9,7 @@
 #include "host/cli/map_options.hpp"
 #include "host/import/shapes.hpp"
 #include "host/input/file.hpp"
+#include "host/input/output_option.hpp"
 #include "host/input/outputs.hpp"
 
 namespace krait::host {
@@ -60,9 +61,9 @@ void add_export(CLI::App& app) {
   CLI::App* command = app.add_subcommand("export", "write a map as GeoJSON, SVG or JSON, which krait reads back");
   command->add_option("MAP", o->map, "a map or drawing as for krait compile, or a .krait file")->required();
   o->options.add(*command);
-  command->add_option("--geojson", o->geojson, "write GeoJSON in metres");
-  command->add_option("--svg", o->svg, "write a drawing, a metre of which is 1000 mm");
-  command->add_option("--json", o->json, "write krait's own JSON");
+  command->add_option("--geojson", o->geojson, "write GeoJSON in metres")->check(output_name());
+  command->add_option("--svg", o->svg, "write a drawing, a metre of which is 1000 mm")->check(output_name());
+  command->add_option("--json", o->json, "write krait's own JSON")->check(output_name());
   command->footer("Occupied cells become rectangles. Coordinates are the map's own, also where it lies far from 0.");
   command->callback([o] { write(*o); });
 }

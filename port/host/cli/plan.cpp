@@ -14,6 +14,7 @@
 #include "host/cli/map_options.hpp"
 #include "host/cli/options.hpp"
 #include "host/input/file.hpp"
+#include "host/input/output_option.hpp"
 #include "host/input/outputs.hpp"
 #include "host/input/progress.hpp"
 #include "host/picture/picture.hpp"
@@ -90,17 +91,24 @@ SearchRequest request_of(const PlanOptions& options) {
   return request;
 }
 
+// The states in the map's coordinates, and the control that is held from each on. A float has 9 digits; a position far
+// from 0 has more.
 std::string csv_of(const PlanFile& plan) {
   std::string text = "t";
   for (const std::string& name : plan.state_names) text += "," + name;
   for (const char* name : {"u0", "u1"}) text += std::string(",") + name;
   text += "\n";
   const auto append = [&](double value) { text += printed("%.9g", value); };
+  const auto place = [&](double origin, float local) {
+    text += printed(origin == 0 ? ",%.9g" : ",%.13g", origin + static_cast<double>(local));
+  };
   for (std::size_t i = 0; i < plan.states.size(); ++i) {
     append(plan.dt * static_cast<double>(i));
-    for (const float value : plan.states[i]) {
+    place(plan.origin.x, plan.states[i][0]);
+    place(plan.origin.y, plan.states[i][1]);
+    for (std::size_t k = 2; k < plan.states[i].size(); ++k) {
       text += ",";
-      append(static_cast<double>(value));
+      append(static_cast<double>(plan.states[i][k]));
     }
     for (std::size_t k = 0; k < 2; ++k) {
       text += ",";
@@ -479,12 +487,14 @@ void add_plan(CLI::App& app, const char* program) {
   search("--dt", o->dt, "a time step, seconds", Argument::dt, defaults.dt)->check(number_of(Argument::dt, "seconds"));
   command->add_flag("--paper", o->paper,
                     "Algorithms 1 and 2 with the paper's constants: states are checked, steps between them are not");
-  command->add_option("-o,--output", o->json, "write the plan as JSON");
-  command->add_option("--csv", o->csv, "write states and controls as a table");
-  command->add_option("--svg", o->svg, "draw the plan");
-  command->add_option("--png", o->png, "draw the plan");
-  command->add_option("--html", o->html,
-                      "write a page that replays the plan and the search, for any browser, without network");
+  command->add_option("-o,--output", o->json, "write the plan as JSON")->check(output_name());
+  command->add_option("--csv", o->csv, "write states and controls as a table")->check(output_name());
+  command->add_option("--svg", o->svg, "draw the plan")->check(output_name());
+  command->add_option("--png", o->png, "draw the plan")->check(output_name());
+  command
+      ->add_option("--html", o->html,
+                   "write a page that replays the plan and the search, for any browser, without network")
+      ->check(output_name());
   command->footer(defaults_table());
   command->callback([o, command] {
     o->map_options = o->map.given();

@@ -7,6 +7,7 @@
 
 #include "host/cli/commands.hpp"
 #include "host/input/file.hpp"
+#include "host/input/output_option.hpp"
 #include "host/input/outputs.hpp"
 #include "host/picture/robot_drawing.hpp"
 #include "host/robot_file/shipped.hpp"
@@ -175,8 +176,8 @@ void add_robot(CLI::App& app) {
   CLI::App* one = app.add_subcommand("robot", "report a robot's numbers and what follows from them, and draw it");
   one->add_option("ROBOT", options->robot, "as --robot of krait plan: snake:2, car, a shipped machine, a ROBOT.json, …")
       ->required();
-  one->add_option("--svg", options->svg, "draw it to scale, with its sizes");
-  one->add_option("--png", options->png, "draw it to scale, with its sizes");
+  one->add_option("--svg", options->svg, "draw it to scale, with its sizes")->check(output_name());
+  one->add_option("--png", options->png, "draw it to scale, with its sizes")->check(output_name());
   one->add_option("--cpp", options->cpp, "write it as a header in C++, for firmware (port/PORTING.md)");
   one->callback([options] { show_robot(*options); });
   CLI::App* all = app.add_subcommand("robots", "list the shipped robots: real machines with published numbers");

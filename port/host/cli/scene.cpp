@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "host/cli/commands.hpp"
+#include "host/input/output_option.hpp"
 #include "host/plan_file/plan_file.hpp"
 #include "host/scenes/scenes.hpp"
 
@@ -22,7 +23,7 @@ void add_scene(CLI::App& app) {
   command->add_option("NAME", options->name, about)->required();
   command->add_option("--scale", options->scale, "size of the scene; passages, walls and goal keep theirs")
       ->capture_default_str();
-  command->add_option("-o,--output", options->output, "file to write")->required();
+  command->add_option("-o,--output", options->output, "file to write")->check(output_name())->required();
   command->callback([options] { write_file(options->output, scene_json(options->name, options->scale)); });
 }
 

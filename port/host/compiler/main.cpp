@@ -12,6 +12,7 @@
 #include "host/input/file.hpp"
 #include "host/input/json.hpp"
 #include "host/input/number_option.hpp"
+#include "host/input/output_option.hpp"
 #include "host/input/outputs.hpp"
 #include "host/input/progress.hpp"
 #include "host/workspace/heading.hpp"
@@ -91,7 +92,7 @@ int main(int argc, char** argv) {
       "krait-compile");
   Arguments arguments;
   app.add_option("INPUT", arguments.input, map_formats())->required();
-  app.add_option("-o,--output", arguments.output, "the scene file to write")->required();
+  app.add_option("-o,--output", arguments.output, "the scene file to write")->check(output_name())->required();
   app.add_option("--start", arguments.start, "X,Y,HEADING: a start named 'start', in place of the file's");
   app.add_option("--goal", arguments.goal, "X,Y,RADIUS: a further goal named 'goal', inside this disc");
   app.add_flag("--any-heading", arguments.any_heading,

@@ -15,7 +15,7 @@ bool recognise(const Source& source) { return has_top_key(source.content, "envir
 
 double read_angle(const Field& obstacle) {
   for (const char* key : {"angle", "rotation"}) {
-    if (obstacle.has(key)) return obstacle.at(key).number(-kMaxAngle, kMaxAngle, "radians");
+    if (obstacle.has(key)) return box_angle(obstacle.at(key));
   }
   return 0;
 }

@@ -19,7 +19,7 @@ Ring read_box(const Field& box) {
   box.keys({"center", "size", "angle"});
   const Field size = box.at("size");
   if (size.size() != 2) size.fail("must be [width, height]");
-  const double angle = box.has("angle") ? box.at("angle").number(-kMaxAngle, kMaxAngle, "radians") : 0;
+  const double angle = box.has("angle") ? box_angle(box.at("angle")) : 0;
   return box_ring(box.at("center").point(kMaxFarCoordinate), size.item(0).number(kMinLength, kMaxCoordinate, "metres"),
                   size.item(1).number(kMinLength, kMaxCoordinate, "metres"), angle);
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "host/workspace/heading.hpp"
+
 namespace krait::host {
 namespace {
 
@@ -28,6 +30,12 @@ Ring regular(const Point& center, double corner_radius, double half_angle) {
 }
 
 }  // namespace
+
+double box_angle(const Field& field) {
+  const double angle = field.number(-kMaxAngle, kMaxAngle, "radians");
+  if (is_over_a_turn(angle)) field.fail("an angle of " + angle_over_a_turn(angle));
+  return angle;
+}
 
 Ring box_ring(const Point& center, double width, double height, double angle) {
   const double c = std::cos(angle);

@@ -190,6 +190,22 @@ TEST_F(CliBadInput, OutputsThatCannotBeWritten) {
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
 }
 
+TEST_F(CliBadInput, OutputsWithoutAName) {
+  for (const char* option : {"-o", "--csv", "--svg", "--png", "--html"}) {
+    expect_refused({"plan", "room.krait", "--robot", "car", option, ""}, "give a file name, this one is empty");
+    expect_refused({"plan", "room.krait", "--robot", "car", option, "-"}, "/dev/stdout is standard output");
+  }
+  expect_refused({"compile", "room.json", "-o", ""}, "give a file name");
+  expect_refused({"scene", "gates", "-o", ""}, "give a file name");
+  for (const char* option : {"--geojson", "--svg", "--json"})
+    expect_refused({"export", "room.json", option, ""}, "give a file name");
+}
+
+TEST_F(CliBadInput, OptionsGivenTwice) {
+  expect_refused({"plan", "room.krait", "--goal", "7,7,1", "--goal", "7,7,2"},
+                 "krait: --goal is given more than once: give it once (see krait plan --help)\n");
+}
+
 TEST_F(CliBadInput, APictureThatCannotBeWrittenLeavesTheAnswer) {
   for (const char* option : {"--svg", "--png", "--html"}) {
     const Outcome outcome = krait({"plan", "room.krait", "--robot", "car", option, "/dev/full"});

@@ -435,6 +435,28 @@ TEST_F(CliPlan, WritesATableOfTheSameNumbers) {
   EXPECT_FALSE(std::getline(table, line));
 }
 
+TEST_F(CliPlan, WritesATableInTheMapsCoordinatesFarFrom0) {
+  write("far.json", R"({"bounds": {"min": [690000, 5333000], "max": [690010, 5333010]},
+                        "starts": [{"name": "s", "position": [690002, 5333003], "heading": 0}],
+                        "goals": [{"name": "g", "circle": {"center": [690008, 5333007], "radius": 1}}]})");
+  expect_done({"plan", "far.json", "--robot", "car", "-o", "plan.json", "--csv", "plan.csv"});
+  const ordered_json plan = json("plan.json");
+  std::ifstream table(path("plan.csv"));
+  std::string line;
+  std::getline(table, line);
+  std::getline(table, line);
+  EXPECT_THAT(line, testing::StartsWith("0,690002,5333003,0,"));
+  for (std::size_t i = 1; std::getline(table, line); ++i) {
+    std::istringstream row(line.substr(line.find(',') + 1));
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      std::string cell;
+      std::getline(row, cell, ',');
+      const double local = plan.at("states")[i][axis].get<double>();
+      EXPECT_NEAR(std::stod(cell), plan.at("origin")[axis].get<double>() + local, 1e-6);
+    }
+  }
+}
+
 TEST_F(CliPlan, DrawsAndLeavesNothingElse) {
   plan({"--robot", "car", "--svg", "p.svg", "--png", "p.png", "--html", "p.html"});
   EXPECT_THAT(read_text(path("p.svg")), HasSubstr("<svg"));

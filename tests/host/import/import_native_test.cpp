@@ -58,6 +58,15 @@ TEST_F(NativeTest, WarnsOfHeadingsThatMayBeDegrees) {
                   path("s.json") + ": goal \"g\": a heading of -45" + meant + "-45 degrees are -0.7854 radians"));
 }
 
+TEST_F(NativeTest, RefusesAnglesThatAreDegrees) {
+  const std::string box = R"("obstacles": [{"box": {"center": [2, 2], "size": [1, 2], "angle": )";
+  EXPECT_EQ(read(box + "-6.28}}]").obstacles.size(), 1U);
+  EXPECT_EQ(error(box + "90}}]"),
+            path("s.json") +
+                ": obstacles[0].box.angle: an angle of 90 radians is more than a whole turn; were "
+                "degrees meant? 90 degrees are 1.5708 radians");
+}
+
 TEST_F(NativeTest, TakesNamesWithoutControlCharactersOnly) {
   const std::string file = path("s.json");
   const std::string expected = ": must be a name of 1 to 200 bytes without control characters, is \"a\\u202eb\"";
