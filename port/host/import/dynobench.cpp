@@ -9,26 +9,12 @@
 namespace krait::host {
 namespace {
 
-constexpr double kMinLength = 1e-6;  // m
-
 bool recognise(const Source& source) { return has_top_key(source.content, "environment"); }
-
-double read_angle(const Field& obstacle) {
-  for (const char* key : {"angle", "rotation"}) {
-    if (obstacle.has(key)) return box_angle(obstacle.at(key));
-  }
-  return 0;
-}
 
 Obstacle read_obstacle(const Field& field) {
   const Field type = field.at("type");
   if (type.text() != "box") type.fail("only obstacles of type box are known, this is a " + cleaned_name(type.text()));
-  const Field size = field.at("size");
-  if (size.size() != 2) size.fail("must be [width, height]");
-  const Ring ring =
-      box_ring(field.at("center").point(kMaxFarCoordinate), size.item(0).number(kMinLength, kMaxCoordinate, "metres"),
-               size.item(1).number(kMinLength, kMaxCoordinate, "metres"), read_angle(field));
-  return {field.place(), ring, {}};
+  return {field.place(), read_box(field, {"angle", "rotation"}), {}};
 }
 
 struct Pose {

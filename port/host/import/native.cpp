@@ -11,18 +11,7 @@
 namespace krait::host {
 namespace {
 
-constexpr double kMinLength = 1e-6;  // m, of boxes and radii
-
 bool recognise(const Source& source) { return is_json_object(source.content); }
-
-Ring read_box(const Field& box) {
-  box.keys({"center", "size", "angle"});
-  const Field size = box.at("size");
-  if (size.size() != 2) size.fail("must be [width, height]");
-  const double angle = box.has("angle") ? box_angle(box.at("angle")) : 0;
-  return box_ring(box.at("center").point(kMaxFarCoordinate), size.item(0).number(kMinLength, kMaxCoordinate, "metres"),
-                  size.item(1).number(kMinLength, kMaxCoordinate, "metres"), angle);
-}
 
 using RoundRing = Ring (*)(const Point& center, double radius);
 
@@ -37,7 +26,11 @@ Ring read_shape(const Field& field, RoundRing round) {
   const int shapes = (field.has("polygon") ? 1 : 0) + (field.has("box") ? 1 : 0) + (field.has("circle") ? 1 : 0);
   if (shapes != 1) field.fail("must have one of polygon, box and circle, has " + std::to_string(shapes));
   if (field.has("polygon")) return field.at("polygon").ring(SIZE_MAX, kMaxFarCoordinate);
-  if (field.has("box")) return read_box(field.at("box"));
+  if (field.has("box")) {
+    const Field box = field.at("box");
+    box.keys({"center", "size", "angle"});
+    return read_box(box, {"angle"});
+  }
   return read_circle(field.at("circle"), round);
 }
 

@@ -29,12 +29,21 @@ Ring regular(const Point& center, double corner_radius, double half_angle) {
   return ring;
 }
 
-}  // namespace
-
-double box_angle(const Field& field) {
+double read_angle(const Field& field) {
   const double angle = field.number(-kMaxAngle, kMaxAngle, "radians");
   if (is_over_a_turn(angle)) field.fail("an angle of " + angle_over_a_turn(angle));
   return angle;
+}
+
+}  // namespace
+
+Ring read_box(const Field& box, std::initializer_list<const char*> angle_names) {
+  const Field size = box.at("size");
+  if (size.size() != 2) size.fail("must be [width, height]");
+  const auto* const name = std::find_if(angle_names.begin(), angle_names.end(), [&](auto key) { return box.has(key); });
+  const double angle = name == angle_names.end() ? 0 : read_angle(box.at(*name));
+  return box_ring(box.at("center").point(kMaxFarCoordinate), size.item(0).number(kMinLength, kMaxCoordinate, "metres"),
+                  size.item(1).number(kMinLength, kMaxCoordinate, "metres"), angle);
 }
 
 Ring box_ring(const Point& center, double width, double height, double angle) {

@@ -2,6 +2,8 @@
 // Polygons of boxes and circles.
 #pragma once
 
+#include <initializer_list>
+
 #include "host/input/json.hpp"
 #include "host/workspace/workspace.hpp"
 
@@ -13,8 +15,11 @@ inline constexpr double kStateGoalRadius = 0.1;
 // Counter-clockwise; the angle in radians turns the box about its centre.
 Ring box_ring(const Point& center, double width, double height, double angle);
 
-// The angle of a box in a file, radians. Refuses more than a whole turn, which degrees most likely are.
-double box_angle(const Field& field);
+inline constexpr double kMinLength = 1e-6;  // m, of boxes and radii in files
+
+// The box of a file that has a centre, a size and, under one of these names, an angle, radians; without one it is 0.
+// Refuses an angle of more than a whole turn, which degrees most likely are.
+Ring read_box(const Field& box, std::initializer_list<const char*> angle_names);
 
 // Regular polygons of 8 to 128 corners, as few as keep within 1 cm of the circle.
 Ring ring_around_circle(const Point& center, double radius);  // contains the circle
