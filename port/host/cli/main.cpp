@@ -5,6 +5,7 @@
 #include <new>
 
 #include "host/cli/commands.hpp"
+#include "host/input/parse_error.hpp"
 #include "host/workspace/workspace.hpp"
 
 namespace krait::host {
@@ -24,12 +25,6 @@ int complain(const std::string& what) {
   return kBadInput;
 }
 
-// A parser's line for an option that is given more than once, in plain words.
-std::string without_jargon(const std::string& line) {
-  const std::size_t counted = line.find(": At Most 1 required but received");
-  return counted == std::string::npos ? line : line.substr(0, counted) + " is given more than once: give it once";
-}
-
 // What is not understood is named before what is missing: a slip of the first kind often causes the second.
 std::string complaint_of(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<CLI::App*> commands = app.get_subcommands();
@@ -37,7 +32,7 @@ std::string complaint_of(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<std::string> strange = app.remaining(true);
   if (strange.empty() && commands.empty() && error.get_name() == "RequiredError")
     return "give a command (see " + help + ")";
-  if (strange.empty()) return without_jargon(error.what()) + " (see " + help + ")";
+  if (strange.empty()) return line_of(error) + " (see " + help + ")";
   return (commands.empty() ? "no such command: " : "not expected here: ") + strange.front() + " (see " + help + ")";
 }
 

@@ -178,7 +178,8 @@ void add_robot(CLI::App& app) {
       ->required();
   one->add_option("--svg", options->svg, "draw it to scale, with its sizes")->check(output_name());
   one->add_option("--png", options->png, "draw it to scale, with its sizes")->check(output_name());
-  one->add_option("--cpp", options->cpp, "write it as a header in C++, for firmware (port/PORTING.md)");
+  one->add_option("--cpp", options->cpp, "write it as a header in C++, for firmware (port/PORTING.md)")
+      ->check(output_name());
   one->callback([options] { show_robot(*options); });
   CLI::App* all = app.add_subcommand("robots", "list the shipped robots: real machines with published numbers");
   all->callback([] { list_robots(); });

@@ -14,6 +14,7 @@
 #include "host/input/number_option.hpp"
 #include "host/input/output_option.hpp"
 #include "host/input/outputs.hpp"
+#include "host/input/parse_error.hpp"
 #include "host/input/progress.hpp"
 #include "host/workspace/heading.hpp"
 
@@ -119,7 +120,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::CallForHelp& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
-    std::fprintf(stderr, "krait-compile: %s (see --help)\n", safe_to_print(error.what()).c_str());
+    std::fprintf(stderr, "krait-compile: %s (see --help)\n", safe_to_print(line_of(error)).c_str());
     return 2;
   }
   Progress progress("krait-compile");

@@ -199,11 +199,15 @@ TEST_F(CliBadInput, OutputsWithoutAName) {
   expect_refused({"scene", "gates", "-o", ""}, "give a file name");
   for (const char* option : {"--geojson", "--svg", "--json"})
     expect_refused({"export", "room.json", option, ""}, "give a file name");
+  for (const char* option : {"--svg", "--png", "--cpp"})
+    expect_refused({"robot", "car", option, ""}, "give a file name");
 }
 
 TEST_F(CliBadInput, OptionsGivenTwice) {
   expect_refused({"plan", "room.krait", "--goal", "7,7,1", "--goal", "7,7,2"},
                  "krait: --goal is given more than once: give it once (see krait plan --help)\n");
+  expect_refused({"compile", "room.json", "-o", "a.krait", "--start", "1,1,0", "--start", "2,2,0"},
+                 "krait-compile: --start is given more than once: give it once (see --help)\n");
 }
 
 TEST_F(CliBadInput, APictureThatCannotBeWrittenLeavesTheAnswer) {
