@@ -104,10 +104,10 @@ void find_gains(int trailers, float h, float* gains) {
   const float e = growth(h);
   const float a = 1.0F + e;
   const Series grown{{e, -a * h, 0.5F * a * h * h}};
-  Series remaining = grown;
-  remaining.terms[0] = e - growth(-kFading * h);
+  Series factor = grown;
+  factor.terms[0] = e - growth(-kFading * h);
   Series all{{1.0F, -1.0F, 0.0F}};
-  for (int i = 0; i < trailers; ++i) all = all * remaining;
+  for (int i = 0; i < trailers; ++i) all = all * factor;
   if (trailers == 3) all = all * Series{{1.0F, 0.5F * h, 0.0F}};
   all = all / grown;
   float scale = 1.0F;

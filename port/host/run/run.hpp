@@ -29,7 +29,7 @@ struct GoalDisc {
   double radius = 0;
 };
 
-inline constexpr std::uint64_t kUsualMegabytes = 64;  // of the block, where nobody says otherwise
+inline constexpr std::uint64_t kUsualMegabytes = 64;  // of the block, by default
 
 struct SearchRequest {
   RobotSpec robot;
