@@ -29,6 +29,16 @@ Ring regular(const Point& center, double corner_radius, double half_angle) {
   return ring;
 }
 
+Ring box_ring(const Point& center, double width, double height, double angle) {
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  Ring ring = {{-width / 2, -height / 2}, {width / 2, -height / 2}, {width / 2, height / 2}, {-width / 2, height / 2}};
+  for (Point& corner : ring) {
+    corner = {center.x + c * corner.x - s * corner.y, center.y + s * corner.x + c * corner.y};
+  }
+  return ring;
+}
+
 double read_angle(const Field& field) {
   const double angle = field.number(-kMaxAngle, kMaxAngle, "radians");
   if (is_over_a_turn(angle)) field.fail("an angle of " + angle_over_a_turn(angle));
@@ -44,16 +54,6 @@ Ring read_box(const Field& box, std::initializer_list<const char*> angle_names) 
   const double angle = name == angle_names.end() ? 0 : read_angle(box.at(*name));
   return box_ring(box.at("center").point(kMaxFarCoordinate), size.item(0).number(kMinLength, kMaxCoordinate, "metres"),
                   size.item(1).number(kMinLength, kMaxCoordinate, "metres"), angle);
-}
-
-Ring box_ring(const Point& center, double width, double height, double angle) {
-  const double c = std::cos(angle);
-  const double s = std::sin(angle);
-  Ring ring = {{-width / 2, -height / 2}, {width / 2, -height / 2}, {width / 2, height / 2}, {-width / 2, height / 2}};
-  for (Point& corner : ring) {
-    corner = {center.x + c * corner.x - s * corner.y, center.y + s * corner.x + c * corner.y};
-  }
-  return ring;
 }
 
 Ring ring_around_circle(const Point& center, double radius) {

@@ -12,13 +12,11 @@ namespace krait::host {
 // Metres: the disc that stands for a goal where a file asks for one state.
 inline constexpr double kStateGoalRadius = 0.1;
 
-// Counter-clockwise; the angle in radians turns the box about its centre.
-Ring box_ring(const Point& center, double width, double height, double angle);
-
 inline constexpr double kMinLength = 1e-6;  // m, of boxes and radii in files
 
-// The box of a file that has a centre, a size and, under one of these names, an angle, radians; without one it is 0.
-// Refuses an angle of more than a whole turn, which degrees most likely are.
+// The box of a file that has a centre, a size and, under one of these names, an angle, radians, that turns it about its
+// centre; without one it is 0. Counter-clockwise. Refuses an angle of more than a whole turn, which degrees most likely
+// are.
 Ring read_box(const Field& box, std::initializer_list<const char*> angle_names);
 
 // Regular polygons of 8 to 128 corners, as few as keep within 1 cm of the circle.
