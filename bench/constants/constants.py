@@ -44,7 +44,7 @@ CONSTANTS = {
         "lib/search/search.hpp": {"kPatience": (), "kLeastCost": (), "kDepthKept": ()},
         "lib/search/search.cpp": {"kGentlest": ()},
         "lib/search/adaptive_search.hpp": {
-            "kSketchTime": (), "kSketchRate": (), "kSightRoom": (0.75, 1.5), "kSightStep": ()},
+            "kSketchTime": (), "kSketchRate": (), "kSightRoom": (0.8, 1.52), "kSightStep": ()},
         "lib/search/sketcher.hpp": {"kSteps": (), "kRoom": (0.963, 1.074)},
         "lib/search/expander.hpp": {"kOpen": (0, 2)},
         "lib/collision/sight.hpp": {"kMostLooks": ()},

@@ -24,7 +24,7 @@ class AdaptiveSearch : public GroupedSearch {
   // Measured: bench/ABLATIONS.md, "Constants".
   static constexpr float kSketchTime = 2.0F;   // of a sketched step, in time steps, at most
   static constexpr float kSketchRate = 0.65F;  // a sketched step times the robot's fastest rate, at most
-  static constexpr float kSightRoom = 1.6F;    // of a line of sight, in radii of the bodies' discs
+  static constexpr float kSightRoom = 1.05F;   // of a line of sight, in radii of the bodies' discs
   static constexpr float kSightStep = 0.4F;    // of looks along it, in lengths of body 0
 
   // Empties the groups, and ends a long expansion.

@@ -89,7 +89,7 @@ class Trials(unittest.TestCase):
         subprocess.run([BIN / "krait", "scene", "gates", "-o", gates], check=True)
         files = {"input": str(gates), "scene": str(self.compiled(gates))}
         settings = ({}, {"beta": 0.85}, {"beta": 0.1}, {"candidates": 0}, {"prune_portals": 0})
-        trials = [{"trial": i, "seed": 10, "set": setting} for i, setting in enumerate(settings)]
+        trials = [{"trial": i, "seed": 11, "set": setting} for i, setting in enumerate(settings)]
         usual, same, *others = (answer["hash"] for answer in self.answers(SEARCH, "adaptive", trials, **files))
         self.assertEqual(usual, same)
         self.assertEqual(len({usual, *others}), 4)
