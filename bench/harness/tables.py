@@ -173,6 +173,28 @@ def scenes_section(results):
     return section(f"Scenes, {ROBOT}", ["scene", "planner", *FIGURES], rows, note)
 
 
+def proofs_section(results):
+    """The verifier's worst figures over krait's plans."""
+    rows = []
+    for scene in SCENES:
+        solved = [run for run in results.runs(Cell(scene, ROBOT, "adaptive")) if run["status"] == "solved"]
+        if solved:
+            figures = [
+                f"{max(run['step_error'] for run in solved):.1e}",
+                f"{1e3 * max(run['drift_m'] for run in solved):.1f}",
+                f"{1e3 * min(run['clearance_m'] for run in solved):.1f}",
+                f"{1e3 * min(run['goal_depth_m'] for run in solved):.1f}",
+            ]
+            rows.append([scene, str(len(solved)), *figures])
+    note = (
+        "\nThe worst over all plans: by how much a component of a step's end departs from where the controls lead (m, "
+        "rad, m/s or rad/s), how far that adds up (drift), and the clearance and the depth in the goal of the motion as "
+        "driven.\n"
+    )
+    header = ["scene", "plans", "error", "drift mm", "clearance mm", "depth mm"]
+    return section(f"What the verifier measured, {ROBOT}, adaptive", header, rows, note)
+
+
 def ablations_section(results):
     """By vertices alone, which no machine changes."""
     rows = []
@@ -373,6 +395,7 @@ def tables(results):
         claims_section(results),
         foreign_section(results),
         scenes_section(results),
+        proofs_section(results),
         ablations_section(results),
         links_section(results),
         streets_section(results),
