@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "krait/krait.hpp"
-#include "krait/robots/defaults.hpp"
+#include "krait/robots/detail/defaults.hpp"
 
 namespace krait::bench {
 namespace {

@@ -14,7 +14,7 @@
 #include "host/run/robots.hpp"
 #include "host/run/run.hpp"
 #include "host/workspace/workspace.hpp"
-#include "krait/robots/defaults.hpp"
+#include "krait/robots/detail/defaults.hpp"
 #include "motion/rk4.hpp"
 #include "search/adaptive_search.hpp"
 #include "search/groups.hpp"

@@ -9,7 +9,7 @@
 #include "firmware/line.hpp"
 #include "firmware/scene_pack.hpp"
 #include "instructions.hpp"
-#include "krait/robots/defaults.hpp"
+#include "krait/robots/detail/defaults.hpp"
 #include "quantile.hpp"
 
 namespace krait::bench {

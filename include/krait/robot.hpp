@@ -5,7 +5,7 @@
 
 #include <concepts>
 
-#include "krait/robots/functions.hpp"
+#include "krait/robots/detail/functions.hpp"
 
 namespace krait {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "last_metres/docking.hpp"
 
-#include "krait/robots/functions.hpp"
+#include "krait/robots/detail/functions.hpp"
 #include "last_metres/arc.hpp"
 #include "last_metres/last_metres.hpp"
 

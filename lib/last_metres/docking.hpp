@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // How robots push trailers back to a pose. The functions are called by their addresses, which the tables of the models
-// hold that do so (krait/robots/functions.hpp): a program of other models does not contain them.
+// hold that do so (krait/robots/detail/functions.hpp): a program of other models does not contain them.
 #pragma once
 
 #include "krait/geometry.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // How robots drive into narrow places in reverse. The functions are called by their addresses, which the tables of the
-// models hold that do so (krait/robots/functions.hpp): a program of other models does not contain them.
+// models hold that do so (krait/robots/detail/functions.hpp): a program of other models does not contain them.
 #pragma once
 
 #include "last_metres/pull_in.hpp"

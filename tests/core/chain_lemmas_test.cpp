@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "krait/robots/defaults.hpp"
+#include "krait/robots/detail/defaults.hpp"
 #include "robot_oracle.hpp"
 
 namespace krait::test {

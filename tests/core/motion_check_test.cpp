@@ -6,7 +6,7 @@
 
 #include "convex.hpp"
 #include "in_own_memory.hpp"
-#include "krait/robots/defaults.hpp"
+#include "krait/robots/detail/defaults.hpp"
 #include "robot_oracle.hpp"
 #include "step_oracle.hpp"
 #include "user_robot.hpp"

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "krait/robots/defaults.hpp"
+#include "krait/robots/detail/defaults.hpp"
 #include "planner_fixture.hpp"
 #include "robot_oracle.hpp"
 #include "search/adaptive_search.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Plans end at rest, or as slow as asked: the brake is a part of them.
-#include "krait/robots/defaults.hpp"
+#include "krait/robots/detail/defaults.hpp"
 #include "planner_fixture.hpp"
 #include "robot_oracle.hpp"
 #include "search/adaptive_search.hpp"

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "krait/robots/defaults.hpp"
+#include "krait/robots/detail/defaults.hpp"
 #include "robot/shape.hpp"
 #include "robot_oracle.hpp"
 

@@ -2,7 +2,7 @@
 // Rough steps against Runge-Kutta's, and how far they find a way free.
 
 #include "in_own_memory.hpp"
-#include "krait/robots/defaults.hpp"
+#include "krait/robots/detail/defaults.hpp"
 #include "planner_fixture.hpp"
 #include "robot_oracle.hpp"
 #include "search/sketcher.hpp"

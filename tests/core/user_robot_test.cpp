@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "host/rivals/plain.hpp"
-#include "krait/robots/defaults.hpp"
+#include "krait/robots/detail/defaults.hpp"
 #include "planner_fixture.hpp"
 #include "robot/shape.hpp"
 

@@ -25,7 +25,8 @@ PUBLIC = {
     "math.hpp", "geometry.hpp", "format.hpp",  # what these stand on
     "robots/all.hpp",  # and the headers that it includes, of a model each
     "robots/chain.hpp", "robots/planar.hpp", "robots/fields.hpp",  # what some robots share
-    "robots/model.hpp", "robots/defaults.hpp", "robots/functions.hpp",  # what the author of a robot writes to
+    "robots/model.hpp",  # what the author of a robot writes to
+    "robots/detail/defaults.hpp", "robots/detail/functions.hpp",  # what such a robot is compiled with
 }
 ENTRANCES = ["krait.hpp", "krait.h", "robot_check.hpp"]  # what a user's program includes, under include/krait
 SEARCHED = ["include", "lib", "port"]  # what #include "…" is relative to, beside the including file's folder

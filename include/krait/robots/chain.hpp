@@ -7,8 +7,8 @@
 
 #include <cstdint>
 
+#include "krait/robots/detail/functions.hpp"
 #include "krait/robots/fields.hpp"
-#include "krait/robots/functions.hpp"
 
 namespace krait {
 

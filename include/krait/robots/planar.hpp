@@ -4,7 +4,7 @@
 #pragma once
 
 #include "krait/geometry.hpp"
-#include "krait/robots/functions.hpp"
+#include "krait/robots/detail/functions.hpp"
 
 namespace krait {
 

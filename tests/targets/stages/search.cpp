@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "krait/krait.hpp"
-#include "krait/robots/defaults.hpp"
+#include "krait/robots/detail/defaults.hpp"
 #include "stages.hpp"
 
 namespace krait::stages {

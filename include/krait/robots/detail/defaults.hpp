@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// \file
-/// The functions that are optional for a robot (model.hpp): its own where it has one, else the default.
+/// The functions that are optional for a robot (model.hpp): its own where it has one, else the default. Internal, and
+/// installed since functions.hpp includes it.
 #pragma once
 
 #include "krait/robots/model.hpp"

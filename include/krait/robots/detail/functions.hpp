@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 /// \file
-/// The functions of a model of robot by their addresses, so that the planner is compiled once for all models.
+/// The functions of a model of robot by their addresses, so that the planner is compiled once for all models. Internal,
+/// and installed since a robot of a user's is compiled with it.
 #pragma once
 
 #include <cstddef>
 #include <new>
 #include <type_traits>
 
-#include "krait/robots/defaults.hpp"
+#include "krait/robots/detail/defaults.hpp"
 
 namespace krait::detail {
 
@@ -16,11 +17,11 @@ struct alignas(8) Lead {
   std::byte bytes[64];
 };
 
-// How robots drive into narrow places in reverse; the library's own.
+// How robots drive into narrow places in reverse, and how they push trailers back to a pose. The planner's part for the
+// last metres defines both. They are only named here, so that the tables of the models that need them, and nothing
+// else, link them: a planner that named them itself would put them into every program.
 struct Parking;
 extern const Parking kParking;
-
-// How robots push trailers back to a pose; the library's own.
 struct Docking;
 extern const Docking kDocking;
 
