@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Trailers that are each hitched over the axle before: how fast they turn, and how far the wheels of a car may be
-// turned whose trailers roll without slip. In a steady turn the last of N trailers follows only where R^2 > N d^2, and
-// a hitch must not close in on its bound faster than it can recover.
+// turned whose trailers roll without slip: in a steady turn N trailers follow only where R^2 > N d^2, and the first
+// hitch must not close in on its bound faster than it can recover (lemmas 14 and 15 of lib/robot/CHAIN.md).
 #pragma once
 
 #include "krait/robots/chain.hpp"
@@ -24,16 +24,19 @@ inline void rest_trailers(float heading, const float* angles, int trailers, floa
   for (int i = 0; i < trailers; ++i) headings[i] = angles != nullptr ? angles[i] : heading;
 }
 
-inline constexpr float kUnfoldRate = 2.0F;  // 1/s: how fast a hitch may close in on its bound
-inline constexpr float kFoldBound = 1.2F;   // radians: the hitch angle that steering keeps clear of
+// Of lemma 15: k, 1/s, how fast the first hitch may close in on its bound, and B, radians, that bound: more than the
+// 1.141 of a steady turn (lemma 14), and less than pi/2.
+inline constexpr float kUnfoldRate = 2.0F;
+inline constexpr float kFoldBound = 1.2F;
 
-// The most tangent of the steering angle of a turn that all trailers follow for long. P: ChainParameters or the like.
+// The most tangent of the steering angle of a turn that all trailers follow for long, by lemma 14. P: ChainParameters
+// or the like.
 template <class P>
 [[gnu::always_inline]] inline float steady_tangent(const P& p) {
   return p.wheelbase / (Chain::kTurnReserve * p.hitch_length * std::sqrt(static_cast<float>(p.trailers)));
 }
 
-// That toward the side on which the first hitch angle is `hitch`, at `speed` m/s, either way.
+// The most toward the side on which the first hitch angle is `hitch`, radians, at `speed` m/s, either way: lemma 15.
 template <class P>
 [[gnu::always_inline]] inline float recoverable_tangent(const P& p, float hitch, float speed) {
   const float bound = p.max_hitch_angle < kFoldBound ? p.max_hitch_angle : kFoldBound;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Each lemma of lib/robot/CHAIN.md on steps that are integrated in double precision: what is proven there is so, and
-// the bounds that chain.cpp computes by it hold. Lemma 13 is in robot_travel_test.cpp.
+// the bounds that chain.cpp and trailers.hpp compute by it hold. Lemma 13 is in robot_travel_test.cpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "krait/robots/detail/defaults.hpp"
+#include "robot/trailers.hpp"
 #include "robot_oracle.hpp"
 
 namespace krait::test {
@@ -296,6 +297,81 @@ TYPED_TEST(ChainLemmas, Lemma12_TheWholeChainFoldsNoFaster) {
     }
   });
   EXPECT_GT(kept, 500);
+}
+
+// A truck at 1 m/s of its rear axle, its wheels turned for a circle of that radius to the left, and its trailers in the
+// steady turn of lemma 14, or straight.
+Numbers turning(const Truck& truck, double radius, bool steady) {
+  const ChainParameters& p = truck.parameters();
+  const double psi = std::atan(wide(p.wheelbase) / radius), d = wide(p.hitch_length);
+  Numbers s = {0, 0, 0, 1 / std::cos(psi), psi};
+  double square = radius * radius;  // of the circle of the axle ahead
+  for (int i = 0; i < p.trailers; ++i, square -= d * d) {
+    s.push_back(i == 0 ? 0 : s.back());
+    if (steady) s.back() -= std::asin(d / std::sqrt(square));
+  }
+  return s;
+}
+
+double largest_hitch(const Numbers& s) {
+  double most = 0;
+  for (std::size_t i = Chain::kCarState; i < s.size(); ++i) {
+    most = std::max(most, std::abs(s[i == Chain::kCarState ? 2 : i - 1] - s[i]));
+  }
+  return most;
+}
+
+TEST(ChainTurn, Lemma14_TrailersFollowATurnOnlyWhereTheLastOneHasARadius) {
+  for (const Truck& truck : instances<Truck>()) {
+    const ChainParameters& p = truck.parameters();
+    if (p.trailers == 0) continue;
+    const double d = wide(p.hitch_length), least = d * std::sqrt(p.trailers),
+                 radius = wide(Chain::kTurnReserve) * least;
+    EXPECT_NEAR(wide(p.wheelbase) / wide(detail::steady_tangent(p)), radius, 1e-5 * radius);
+    Numbers s = turning(truck, radius, true);
+    const double hitch = largest_hitch(s);
+    EXPECT_LE(hitch, std::asin(1 / wide(Chain::kTurnReserve)) + 1e-9);
+    EXPECT_LT(hitch, wide(detail::kFoldBound));
+    for (int i = 0; i < 1000; ++i) s = rk4(truck, s, {0, 0}, 0.01);
+    EXPECT_NEAR(largest_hitch(s), hitch, 1e-5);
+    double square = radius * radius;
+    for (const Frame& axle : frames(truck, s)) {
+      EXPECT_NEAR(std::hypot(axle.x, axle.y - radius), std::sqrt(square), 1e-5 * radius);
+      square -= d * d;
+    }
+    if (p.trailers > 5) continue;  // a straight chain takes longer to follow
+    const auto after = [&](double circle) {
+      Numbers at = turning(truck, circle, false);
+      double most = 0;
+      for (int i = 0; i < 20000 && most < 2; ++i)
+        most = std::max(most, largest_hitch(at = rk4(truck, at, {0, 0}, 0.01)));
+      return most;
+    };
+    EXPECT_NEAR(after(radius), hitch, 1e-3) << p.trailers;
+    EXPECT_GT(after(0.98 * least), 2) << p.trailers;
+  }
+}
+
+TEST(ChainTurn, Lemma15_TheFirstHitchStaysBelowItsBound) {
+  const double bound = wide(detail::kFoldBound);
+  for (const Truck& truck : instances<Truck>()) {
+    if (truck.parameters().trailers == 0) continue;
+    for (const double speed : {0.05, 0.5, 2.5}) {
+      for (const double hitch : {-0.5, 0.0, 0.9, bound - 0.01}) {
+        Numbers s = turning(truck, 1, false);
+        s[3] = speed;
+        for (std::size_t k = Chain::kCarState; k < s.size(); ++k) s[k] = -hitch;
+        for (int i = 0; i < 4000; ++i) {
+          const float tangent = detail::recoverable_tangent(truck.parameters(), static_cast<float>(s[2] - s[5]),
+                                                            static_cast<float>(speed));
+          s[4] = std::atan(wide(tangent));
+          s = rk4(truck, s, {0, 0}, 0.005);
+          ASSERT_LT(s[2] - s[5], bound + 1e-5);
+        }
+        EXPECT_GT(s[2] - s[5], speed < 0.1 ? hitch : bound - 0.01);
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -65,7 +65,8 @@ class Chain {
   static constexpr int kMaxControl = 2;                                           ///< floats of a control
   static constexpr const char* kStateNames[] = {"x", "y", "theta0", "v", "psi"};  ///< of the car's components
   static constexpr int kMaxBodies = 1 + kMaxTrailers;                             ///< the car and its trailers, at most
-  static constexpr float kTurnReserve = 1.1F;  ///< of a truck: its turns over the tightest that its trailers follow
+  static constexpr float kTurnReserve = 1.1F;  ///< of a truck: the least radius of its turns over d sqrt(trailers), the
+                                               ///< least that they follow by lemma 14 of lib/robot/CHAIN.md
 
   /// How the trailers follow: `slip` with s = v (the paper's snake), else with the rear axle's speed s = v cos psi. A
   /// number of trailers that is out of range becomes -1, which no size overflows by and sound() refuses. Every body is
