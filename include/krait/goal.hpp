@@ -16,12 +16,13 @@ struct Facing {
                               ///< it; infinite: any hitch angles will do
 };
 
-/// Where a plan ends. A value, which refers to nothing.
+/// Where a plan ends. A value, which refers to nothing. Any numbers may be given; valid() says whether they can be
+/// used, and the functions after it, which get the same scene, are for goals of which it is true.
 class Goal {
  public:
   /// The scene's goal of that number, 0 … Scene::goal_count() - 1.
   static Goal named(Index goal) { return {goal, {}, 0.0F}; }
-  /// The disc around a point in local coordinates; radius > 0, metres.
+  /// The disc around a point of the scene's bounds, metres, local coordinates; radius > 0, metres.
   static Goal disc(Vec2 center, float radius) { return {kNone, center, radius}; }
   /// The position within `radius` metres of a point, and the bodies turned as `facing` says.
   static Goal pose(Vec2 point, float radius, const Facing& facing) {
@@ -30,7 +31,8 @@ class Goal {
     goal.facing_ = facing;
     return goal;
   }
-  /// The same, of body 0's heading alone: within `tolerance` radians of `heading`.
+  /// The same, of body 0's heading alone: within `tolerance` radians, above 0 and at most pi, of `heading`, radians, at
+  /// most kMaxAngle either way.
   static Goal pose(Vec2 point, float radius, float heading, float tolerance) {
     return pose(point, radius, Facing{heading, tolerance});
   }
@@ -48,7 +50,8 @@ class Goal {
   /// facing's numbers are in their ranges. O(1).
   [[nodiscard]] bool valid(const Scene& scene) const;
 
-  /// Whether p lies inside and at least `depth` metres, 0 or more, from the border. O(vertices of the polygon).
+  /// Whether p, metres, local coordinates, lies inside and at least `depth` metres, 0 or more, from the border.
+  /// O(vertices of the polygon).
   bool contains(const Scene& scene, Vec2 p, float depth) const;
 
   /// Whether a triangle belongs to the goal: by its label, or by meeting the disc. O(1).
@@ -61,7 +64,7 @@ class Goal {
   /// Whether p lies in the goal or at most `reach` metres away from it. O(vertices of the polygon).
   bool near(const Scene& scene, Vec2 p, float reach) const;
 
-  /// The smallest box around the goal. O(vertices of the polygon).
+  /// The smallest box around the goal, local metres. O(vertices of the polygon).
   Box box(const Scene& scene) const;
 
   /// Square root of the area, metres: above 0, since Scene::open refuses a goal without area. O(vertices of the

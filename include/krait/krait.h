@@ -92,8 +92,8 @@ typedef union krait_scene {
 } krait_scene;
 
 /** Checks the whole file, then views it. `file` is aligned to 4 and must stay, unchanged, for as long as the scene is
-    used. KRAIT_OK, or KRAIT_BAD_SCENE with section and element. Writes to `scene` only. O(file_bytes log l), l the
-    longest list of a bucket. */
+    used. KRAIT_OK, or KRAIT_BAD_SCENE with section and element; then no krait_init accepts the scene. Writes to `scene`
+    only. O(file_bytes log l), l the longest list of a bucket. */
 KRAIT_NODISCARD krait_failure krait_open(krait_scene* scene, const void* file, size_t file_bytes);
 
 /** What a scene says of itself. */
@@ -287,7 +287,7 @@ typedef struct krait_functions {
   /** Writes the frame of every body in s; body 0's origin is the position. */
   void (*place)(const void* self, const float* s, krait_frame* frames);
 
-  /* One of these two: `rates` is asked where `travel` is NULL. */
+  /* One of these two: `rates` is called where `travel` is NULL. */
   /** Writes bounds on every body's motion while u is held for dt from s to next, which prove that no obstacle is jumped
       over. Returns false when the limits, which hold in s and next, are not proven to hold in between; it writes the
       bounds in either case. */
@@ -298,14 +298,14 @@ typedef struct krait_functions {
 
   /* Each of these may be NULL. */
   /** m/s, at least 0: how fast it moves in s, 0 at rest. A plan then ends at rest, or as slow as krait_parameters'
-      end_speed asks: steer with a target whose speed is 0 must decrease it at every step until it is 0. NULL: a plan
-      ends at any speed. */
+      end_speed requires: steer with a target whose speed is 0 must decrease it at every step until it is 0. NULL: a
+      plan ends at any speed. */
   float (*speed)(const void* self, const float* s);
   /** Metres along body 0's x axis, negative backwards: how far from the position it comes to rest, roughly, when it
       brakes in s. Used to know where it pays to brake for the goal. NULL: 0. */
   float (*stopping_way)(const void* self, const float* s);
-  /** Metres, at least 0: of the sharpest turn that it drives for long, forwards. Used to find the way to a pose. NULL:
-      the length of body 0. */
+  /** Metres, at least 0: of the sharpest turn that it drives for long, forwards; 0: it turns on the spot, at any target
+      speed above 0 toward a point that it does not face. Used to find the way to a pose. NULL: the length of body 0. */
   float (*turning_radius)(const void* self);
   /** m/s, above 0: of the position, straight ahead at a target's speed of 1. Used to come to rest at a pose. NULL: a
       length of body 0 a second. */
@@ -543,9 +543,10 @@ typedef struct krait_query {
 KRAIT_NODISCARD krait_status krait_start(krait_planner* planner, const krait_query* query);
 
 /** Runs at most `iterations` more expansions, each of at most max_steps steps; returns at once when the search has
-    ended. A way that reached the goal is driven once more before it becomes the plan: each max_steps steps of that use
-    up one of `iterations`, but do not count in krait_statistics and krait_limits. The plan does not depend on how a
-    search is split into calls.
+    ended. Returns KRAIT_SEARCHING where it goes on, or how it has ended: KRAIT_SOLVED, KRAIT_BUDGET_USED,
+    KRAIT_TREE_FULL (when_full of krait_limits), KRAIT_INTERNAL, or what krait_start returned. A way that reached the
+    goal is driven once more before it becomes the plan: each max_steps steps of that use up one of `iterations`, but do
+    not count in krait_statistics and krait_limits. The plan does not depend on how a search is split into calls.
     Work per iteration: at most max_steps steps, each with its collision check; the lines of sight and sketches of
     sight_tries and candidates; and at most one Dijkstra. `krait info` on the workstation prints these bounds for a
     scene and a robot. Two more depend on the query. With a full memory: O(R) per step and per group of states that is

@@ -78,7 +78,7 @@ struct Parameters {
   float end_speed = 0.0F;  ///< m/s, 0 … infinity: a plan ends no faster, to 5 mm/s; 0: at rest; infinity: at any speed
   SearchTuning tuning;     ///< how the search proceeds
 
-  /// Algorithms 1 and 2 with the paper's constants: discrete collision checks, no pruning, Eqn 9 as printed.
+  /// Algorithms 1 and 2 with the paper's constants: discrete collision checks, no pruning, Eqn 9 as printed. O(1).
   static Parameters paper();
 
   /// Argument::none, or the first parameter that is NaN or out of its range. O(1).

@@ -30,7 +30,8 @@ template <class W>
 concept Watches = !std::same_as<std::remove_cvref_t<W>, Watch> && std::invocable<W&, const float*, const float*>;
 }  // namespace detail
 
-/// The arguments of Planner::init; all of it must outlive the planner and stay where it is.
+/// The arguments of Planner::init, copied. What they refer to (block, scene with its bytes, and robot) must outlive the
+/// planner and stay where it is.
 struct Setup {
   static constexpr std::size_t kAlignment = 8;  ///< bytes, of the block
 
@@ -79,8 +80,9 @@ class Watch {
 
 /// A planning problem.
 struct Query {
-  const float* start = nullptr;  ///< robot.state_size() floats, copied; the position in the scene's local coordinates
-  Goal goal = Goal::named(0);    ///< copied
+  const float* start = nullptr;  ///< robot.state_size() finite floats within the robot's limits, copied; the position
+                                 ///< in the scene's local coordinates
+  Goal goal = Goal::named(0);    ///< copied; start refuses one that is not Goal::valid
   std::uint64_t seed = 1;        ///< any; the same seed, the same plan
 };
 
@@ -107,7 +109,8 @@ struct Statistics {
 /// Until an init has succeeded, every member that returns a Status returns that of the last init, bad_argument before
 /// the first; plan() is empty and statistics() is all zeros. The same holds after an init that fails, except that
 /// statistics() keeps the counts of the last search. A planner is neither copied nor moved: a copy would write to the
-/// same block. Below, R is the number of the scene's triangles.
+/// same block. Planners with blocks of their own may be used in threads of their own, also of one scene and one robot;
+/// a planner is used by one thread at a time. Below, R is the number of the scene's triangles.
 class Planner {
  public:
   /// A planner without a block: call init before all else. O(1).
@@ -116,7 +119,7 @@ class Planner {
   Planner& operator=(const Planner&) = delete;  ///< would write to the same block
 
   /// The bytes of the block that init needs, the same on every target. Limits::vertices 0 is counted as no vertices at
-  /// all, so state a number. Unspecified for a robot that init would refuse. O(1).
+  /// all, so state a number. Unspecified for a robot or limits that init would refuse. O(1).
   static std::uint64_t bytes_required(const Scene& scene, const Robot& robot, const Limits& limits);
 
   /// The limits that use a block of `bytes` fully: as many vertices and expansions as fit beside `way_legs` legs, at
@@ -139,10 +142,11 @@ class Planner {
   [[nodiscard]] Status start(const Query& query);
 
   /// Runs at most `iterations` more expansions, each of at most max_steps steps; returns at once when the search has
-  /// ended. Steps that brake or drive the last metres to a pose count as steps of their expansion, which continues from
-  /// where they began if they do not end in the goal. A way that reached the goal is driven once more before it becomes
-  /// the plan: each max_steps steps of that use up one of `iterations`, but do not count in Statistics and Limits. The
-  /// result does not depend on how a search is split into calls.
+  /// ended. Returns searching where it goes on, or how it has ended: solved, budget_used, tree_full (WhenFull),
+  /// internal, or what start returned. Steps that brake or drive the last metres to a pose count as steps of their
+  /// expansion, which continues from where they began if they do not end in the goal. A way that reached the goal is
+  /// driven once more before it becomes the plan: each max_steps steps of that use up one of `iterations`, but do not
+  /// count in Statistics and Limits. The result does not depend on how a search is split into calls.
   ///
   /// Work per iteration: at most max_steps steps, each with its collision check; the lines of sight and sketches of
   /// SearchTuning::sight_tries and candidates; and at most one Dijkstra, O(R log R). `krait info` prints these bounds

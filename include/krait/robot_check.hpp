@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// \file
-/// Holds a robot of one's own to what the RobotModel concept asks of it (krait/robots/model.hpp), before it plans:
+/// Holds a robot of one's own to what the RobotModel concept requires of it (krait/robots/model.hpp), before it plans:
 /// against its own derivative, integrated finely in double precision. For hosts: not part of krait.hpp, with the
 /// standard library, in an archive of its own (krait::robot_check).
 #pragma once
@@ -42,7 +42,8 @@ struct RobotRange {
   float high;  ///< in the component's own unit, not below low
 };
 
-/// Where a robot's states and controls lie, in its own units, and what holds of it.
+/// Where a robot's states and controls lie, in its own units, and what holds of it. check_robot reports ranges that do
+/// not fit the robot's sizes as faults of the function `ranges`.
 struct RobotRanges {
   std::vector<RobotRange> state;    ///< one a component; drawn evenly, but for the position now and then at the ends
   std::vector<RobotRange> control;  ///< one a component: the limits that steer keeps to; drawn in the same way
@@ -63,7 +64,7 @@ struct RobotRanges {
 
 /// Draws `samples` states and controls from the ranges and reports every promise of the concept that the robot breaks
 /// at one of them, with the worst case found. Returns the same report for the same seed. An empty report is no proof.
-/// Work: some thousand derivatives a sample.
+/// Throws nothing but std::bad_alloc, and what ranges.complete_state throws. Work: some thousand derivatives a sample.
 [[nodiscard]] RobotReport check_robot(const Robot& robot, const RobotRanges& ranges, int samples = 1000,
                                       std::uint64_t seed = 1);
 

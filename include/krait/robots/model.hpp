@@ -135,7 +135,7 @@ concept StatesRates = requires(const R& robot, StateView s, ControlView u, float
 /// - `self_collision_gap()`: at least 1: bodies i and j are tested against each other where |i - j| is at least this.
 ///   Without it, 2
 /// - `speed(s)`: m/s, at least 0: how fast it moves in s, 0 at rest. A plan then ends at rest, or as slow as
-///   Parameters::end_speed asks: steer with a target whose speed is 0 must decrease it at every step until it is 0.
+///   Parameters::end_speed requires: steer with a target whose speed is 0 must decrease it at every step until it is 0.
 ///   Without it a plan ends at any speed
 /// - `stopping_way(s)`: metres along body 0's x axis, negative backwards: how far from the position it comes to rest,
 ///   roughly, when it brakes in s. Used to know where it pays to brake for the goal; without it, 0
