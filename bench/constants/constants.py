@@ -106,7 +106,7 @@ ARGUED = {
     "lib/scene/grid_checker.cpp": ["kRounding", "kNear"],
     "lib/scene/checker.cpp": ["kMaxCount", "kMaxOrigin", "kCrcStart", "kBitsAtOnce", "kCrcTables", "kBitsMask",
                               "kTablesOfWord", "kWordsAtOnce", "kLeast"],
-    # Where a triangle is not found in so many steps, its bucket is searched, which finds the same one.
+    # Where a triangle is not found in that many steps, its bucket is searched, which finds the same one.
     "lib/decomposition/locate.cpp": ["kMaxWalk"],
     # A power of two that a float's bits lead to; and how closely a report names a place, which no search asks for.
     "lib/decomposition/regions.cpp": ["kExactRatio", "kPoints"],

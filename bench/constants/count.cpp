@@ -17,7 +17,7 @@ namespace {
 constexpr std::uint64_t kIterations = 20'000;  // of a search; one that uses them up costs what it has cost
 constexpr std::uint64_t kBlock = 8U << 20U;    // bytes; enough that nothing is given up
 constexpr std::uint32_t kWayLegs = 400;        // of a plan that is improved,
-constexpr std::uint64_t kImprove = 3;          // by so many times the first plan's collision checks
+constexpr std::uint64_t kImprove = 3;          // times the first plan's collision checks
 constexpr std::uint64_t kSlice = 16;           // iterations between looks at them
 constexpr float kPi = 3.14159265F;
 

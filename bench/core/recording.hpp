@@ -25,7 +25,7 @@ struct Expansion {
   std::size_t taken = 0;
 };
 
-// A snake that tells what it was asked to steer. Its answers are the snake's.
+// A snake that records the steps that it steers. Its results are the snake's.
 class RecordingSnake : public Snake {
  public:
   explicit RecordingSnake(const Snake& snake) : Snake(snake) {}
@@ -33,15 +33,15 @@ class RecordingSnake : public Snake {
   void steer(StateView state, const Target& target, Steering& steering, ControlRef control) const {
     Snake::steer(state, target, steering, control);
     target_ = target;
-    asked_.push_back({{state.begin(), state.end()}, {control.begin(), control.end()}, {}});
+    steered_.push_back({{state.begin(), state.end()}, {control.begin(), control.end()}, {}});
   }
 
   // What was steered since the last call.
-  Expansion take() const { return {target_, std::exchange(asked_, {}), 0}; }
+  Expansion take() const { return {target_, std::exchange(steered_, {}), 0}; }
 
  private:
   mutable Target target_;
-  mutable std::vector<Attempt> asked_;
+  mutable std::vector<Attempt> steered_;
 };
 
 // All expansions of a search that is `planner`'s and has begun.

@@ -98,13 +98,13 @@ def apart_by_euler(robot, table):
 def plan(problem, robot, seed, *options):
     table, result = WORK / "plan.csv", WORK / "plan.json"
     hitches = ["--hitch-tolerance", "0.1"] if robot["model"] == "kinematic_truck" else []
-    told = subprocess.run([KRAIT, "plan", problem, "--robot", ROBOT, "--seed", str(seed), "--csv", table, "-o",
+    result = subprocess.run([KRAIT, "plan", problem, "--robot", ROBOT, "--seed", str(seed), "--csv", table, "-o",
                            result, *hitches, *options], capture_output=True, text=True)
-    if told.returncode == 1:
+    if result.returncode == 1:
         return None
-    if told.returncode != 0:
-        sys.exit(f"{problem}, seed {seed}: {told.stderr}")
-    took = float(re.search(r"seed \d+: ([\d.]+) s", told.stdout).group(1))
+    if result.returncode != 0:
+        sys.exit(f"{problem}, seed {seed}: {result.stderr}")
+    took = float(re.search(r"seed \d+: ([\d.]+) s", result.stdout).group(1))
     duration = json.loads(result.read_text())["statistics"]["plan_duration_s"]
     return took, duration, apart_by_euler(robot, table)
 
@@ -185,7 +185,7 @@ def count(text):
     return int(text)
 
 
-def asked():
+def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("samples", type=Path, help="folder with a folder for each robot: its model.yaml, its problems")
     parser.add_argument("seeds", type=count, nargs="?", default=100, help="of first plans and of the shorter time")
@@ -199,7 +199,7 @@ def asked():
 
 
 def main():
-    options = asked()
+    options = parse_arguments()
     WORK.mkdir(parents=True, exist_ok=True)
     rows = []
     for name, problem in PUBLISHED:

@@ -41,8 +41,8 @@ def measure_instructions(session, progress):
             continue
         progress.say(f"instructions of {cell.key}")
         trials = [session.trial(cell, round_) for round_ in range(min(SEEDS, session.protocol.seeds))]
-        asked = {"limit_s": TIME_LIMIT, "planner": cell.name, "robot": robot_argument(cell.robot, session.files)}
+        request = {"limit_s": TIME_LIMIT, "planner": cell.name, "robot": robot_argument(cell.robot, session.files)}
         problem = session.problem(cell.problem)
-        asked |= {"scene": str(problem.scene), "input": str(problem.input)}
-        count = _count([{**trial, **asked} for trial in trials])
+        request |= {"scene": str(problem.scene), "input": str(problem.input)}
+        count = _count([{**trial, **request} for trial in trials])
         journal.append({"kind": "instructions", "cell": cell.key, "seeds": len(trials), "each": count / len(trials)})

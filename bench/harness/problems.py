@@ -20,7 +20,7 @@ SAMPLES = ROOT.parent / "shared/samples"
 COMPILED_TIMES = 3  # the median counts
 GOAL_RADIUS = 0.5  # m, of a MovingAI query: the goal's cell
 OWN = "own:"
-MAX_QUERY_LENGTH = 100.0  # m, longest shortest way (8-connected) of the queries that are asked
+MAX_QUERY_LENGTH = 100.0  # m, longest shortest way (8-connected) of the queries that are used
 
 DYNOBENCH = ("dynobench/bugtrap_0", "dynobench/parallelpark_0")
 MOVINGAI = ("movingai/arena", "movingai/den312d")
@@ -128,7 +128,7 @@ def prepare(name, folder):
 
 
 def robot_argument(robot, folder):
-    """What --robot takes: the name, or the file of one of ROBOTS."""
+    """The value of --robot: the name, or the file of one of ROBOTS."""
     return str(folder / f"{robot}.json") if robot in ROBOTS else robot
 
 

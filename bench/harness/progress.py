@@ -26,7 +26,7 @@ class Progress:
         self.stream.flush()
 
     def expect(self, runs):
-        """At most so many, from now on: cells may be given up."""
+        """At most that many, from now on: cells may be given up."""
         self._to_make = runs
         self._made = 0
         self._begin = time.monotonic()

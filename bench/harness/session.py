@@ -55,7 +55,7 @@ class Session:
             if any(earlier[name] != described[name] for name in ("commit", "programs", "machine")):
                 raise JournalError(
                     f"{self.journal.path}: was measured of commit {earlier['commit']} or on another machine, and "
-                    "figures of two builds are not held against each other; move it away to measure anew"
+                    "figures of two builds are not held against each other; move it away to measure again"
                 )
 
     def measure_all(self, cells, rounds_of=None):
@@ -86,8 +86,8 @@ class Session:
         counts, give_up = {}, {}
         for cell in cells:
             queries = self.problem(cell.problem).queries
-            asked = min(len(queries), self.protocol.queries or len(queries))
-            counts[cell] = asked if queries else rounds_of.get(cell, self.protocol.seeds)
+            used = min(len(queries), self.protocol.queries or len(queries))
+            counts[cell] = used if queries else rounds_of.get(cell, self.protocol.seeds)
             give_up[cell] = None if queries else self.protocol.give_up
         return Rounds(counts, give_up)
 
@@ -143,13 +143,13 @@ class Session:
     def _run(self, cell, trial, limit):
         """The run of several that was disturbed least, where the first was."""
         problem = self.problem(cell.problem)
-        asked = {**trial, "scene": str(problem.scene), "input": str(problem.input), "limit_s": limit}
-        asked |= {"robot": problems.robot_argument(cell.robot, self.files), "planner": cell.name}
+        request = {**trial, "scene": str(problem.scene), "input": str(problem.input), "limit_s": limit}
+        request |= {"robot": problems.robot_argument(cell.robot, self.files), "planner": cell.name}
         if cell.settings:
-            asked["set"] = cell.set
+            request["set"] = cell.set
         answers = []
         for _ in range(1 + self.protocol.repeats):
-            answers.append(self._answer(cell, asked))
+            answers.append(self._answer(cell, request))
             self._refuse_nonsense(cell, problem, answers[-1])
             if not disturbed(answers[-1]):
                 break
@@ -158,12 +158,12 @@ class Session:
         record |= kept(best)
         return record | ({"repeats": len(answers) - 1} if len(answers) > 1 else {})
 
-    def _answer(self, cell, asked):
+    def _answer(self, cell, request):
         if not cell.fresh:
-            return self._krait.run(asked)
+            return self._krait.run(request)
         command = [BIN / ("krait-bench-peers" if cell.peer else "krait-bench-search"), "trials"]
         with Worker(command, True, self.core) as worker:
-            return worker.run(asked)
+            return worker.run(request)
 
     @staticmethod
     def _refuse_nonsense(cell, problem, answer):

@@ -120,7 +120,7 @@ class Interval:
 
 
 def interval(samples, estimate):
-    """Bootstrap by percentiles: each of the samples is drawn anew, with replacement, and the figure formed of them."""
+    """Bootstrap by percentiles: each of the samples is drawn again, with replacement, and the figure formed of them."""
     dice = random.Random(1)
     drawn = [estimate([dice.choices(sample, k=len(sample)) for sample in samples]) for _ in range(RESAMPLED)]
     tail = (1 - COVERED) / 2

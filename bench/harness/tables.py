@@ -141,8 +141,8 @@ def descriptions():
 
 
 def ompl_version():
-    asked = subprocess.run(["dpkg-query", "-W", "-f", "${Version}", "libompl-dev"], capture_output=True, text=True)
-    found = re.match(r"[\d.]+", asked.stdout)
+    result = subprocess.run(["dpkg-query", "-W", "-f", "${Version}", "libompl-dev"], capture_output=True, text=True)
+    found = re.match(r"[\d.]+", result.stdout)
     return "OMPL " + found.group() if found else "OMPL"
 
 

@@ -29,7 +29,7 @@ def top_speed(robot):
     return parameters["wheel_radius"] * parameters["max_wheel_speed"]
 
 
-# What asks for the pose in the middle of the scene's goal that faces in the direction, of four.
+# The options for the pose in the middle of the scene's goal that faces in the direction, of four.
 def pose(scene, quarter):
     polygon = json.loads((WORK / f"{scene}.json").read_text())["goals"][0]["polygon"]
     x, y = ((min(values) + max(values)) / 2 for values in zip(*polygon))
@@ -38,9 +38,9 @@ def pose(scene, quarter):
 
 # Length and duration of the first plan and of the improved one, both over those of the shortest way.
 def plan(scene, goal, robot, seed, times):
-    told = run("plan", WORK / f"{scene}.krait", "--robot", robot, *goal, "--seed", seed, "--improve", times,
+    output = run("plan", WORK / f"{scene}.krait", "--robot", robot, *goal, "--seed", seed, "--improve", times,
                "-o", WORK / "plan.json")
-    shortest = float(re.search(r"wide enough \(([\d.]+) m\)", told).group(1))
+    shortest = float(re.search(r"wide enough \(([\d.]+) m\)", output).group(1))
     found = json.loads((WORK / "plan.json").read_text())
     statistics, fastest = found["statistics"], shortest / top_speed(found["robot"])
     return [(statistics[f"{which}plan_length_m"] / shortest, statistics[f"{which}plan_duration_s"] / fastest)

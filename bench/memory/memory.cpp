@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint64_t kIterations = 20'000;
 constexpr std::uint64_t kKilobytes[] = {32, 48, 64, 96, 128, 192, 256, 384, 512};
 
-// Of `seeds` searches in a block of so many bytes, how many were solved.
+// Of `seeds` searches in a block of that size, how many were solved.
 int solved(const krait::Scene& scene, const Snake& robot, std::uint64_t bytes, int seeds) {
   std::vector<std::uint64_t> block(bytes / 8);
   std::vector<float> start(static_cast<std::size_t>(robot.state_size()));

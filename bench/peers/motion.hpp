@@ -17,8 +17,8 @@ namespace krait::bench {
 // The robot's own control, held for a step, that a control of OMPL's planners stands for.
 void robot_control(const PeerProblem& problem, const float* state, const ompl::control::Control* control, float* held);
 
-// OMPL's planners take a step with propagate and then ask isValid about its end. So the last step is remembered, and
-// judged only when it is asked about.
+// OMPL's planners take a step with propagate and then call isValid on its end. So the last step is remembered, and
+// judged only by isValid.
 class PeerMotion {
  public:
   PeerMotion(const PeerProblem& problem, Stop stop);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What OMPL's planners are asked: our robot, scene, goal and parameters behind OMPL's interfaces.
+// The problem that OMPL's planners solve: our robot, scene, goal and parameters behind OMPL's interfaces.
 #pragma once
 
 #include <ompl/base/State.h>

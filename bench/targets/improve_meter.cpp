@@ -28,9 +28,9 @@ struct Costs {
   std::uint64_t best = 0;         // when they were improved
   std::uint64_t search = 0;       // instructions until those were found, and
   std::uint64_t improve = 0;      // of improving them
-  std::uint64_t start = 0;        // the dearest start: it holds a Dijkstra
-  std::uint64_t placement = 0;    // the dearest of an iteration's placements on average, all in
-  std::uint64_t first_worst = 0;  // the dearest first iteration: it holds a Dijkstra
+  std::uint64_t start = 0;        // the most expensive start: it holds a Dijkstra
+  std::uint64_t placement = 0;    // the most expensive of an iteration's placements on average, all in
+  std::uint64_t first_worst = 0;  // the most expensive first iteration: it holds a Dijkstra
   Median<6> iteration;            // the others
 };
 

@@ -24,13 +24,13 @@ struct Costs {
   std::uint64_t runge_kutta = 0;
   Median<8> vertex;
   Median<8> advance;       // the calls that leave the search going on
-  std::uint64_t last = 0;  // the dearest call that ended one: it replays the plan
+  std::uint64_t last = 0;  // the most expensive call that ended one: it replays the plan
   std::uint64_t searches = 0;
   std::uint64_t solved = 0;
   std::uint64_t vertices = 0;
   std::uint64_t search = 0;     // instructions of all calls of advance
-  std::uint64_t start = 0;      // the dearest start: it holds a Dijkstra
-  std::uint64_t placement = 0;  // the dearest of an expansion's placements on average, all in but a Dijkstra
+  std::uint64_t start = 0;      // the most expensive start: it holds a Dijkstra
+  std::uint64_t placement = 0;  // the most expensive of an expansion's placements on average, all in but a Dijkstra
 };
 
 std::uint64_t runge_kutta(const Board& board, const Robot& robot) {

@@ -104,7 +104,7 @@ def most_placements(scenes, robot):
 
 
 def bound_of_advance(build, robot, meter):
-    """Instructions: the most placements, each as dear as the dearest seen, and a Dijkstra."""
+    """Instructions: the most placements, each as expensive as the most expensive seen, and a Dijkstra."""
     bound = most_placements(build.scenes, robot) * meter["placement_worst"] + meter["start_worst"]
     if meter["advance_worst"] > bound:
         sys.exit(f"bench/targets: {build.name} {robot}: a call took {meter['advance_worst']} instructions, above {bound}")
@@ -165,7 +165,7 @@ def chain(builds):
 
 
 def bound_of_improve(build, meter):
-    """Instructions: the most placements of an iteration, each as dear as the dearest seen, and two Dijkstras."""
+    """Instructions: the most placements of an iteration, each as expensive as the most expensive seen, and two Dijkstras."""
     bound = most_placements(build.scenes, meter["robot"]) * meter["placement_worst"] + 2 * meter["start_worst"]
     if max(meter["iteration_worst"], meter["first_worst"]) > bound:
         sys.exit(f"bench/targets: {meter['robot']}: an iteration took {meter['iteration_worst']} instructions, above {bound}")

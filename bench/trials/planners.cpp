@@ -85,7 +85,7 @@ const std::vector<CorePlanner>& core_planners() {
       {"plain",
        "plain",
        {},
-       "krait the plain way: full Dijkstra, all weights anew for each choice, Box2D for every body and pair, no "
+       "krait the plain way: full Dijkstra, all weights recomputed for each choice, Box2D for every body and pair, no "
        "tables"},
       {"adaptive-unpruned", "adaptive", unpruned({}), "krait that has to find out which portals are too narrow"},
       {"prior-unpruned", "prior", unpruned({}), "[18], which has to find out as well"},

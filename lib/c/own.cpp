@@ -82,7 +82,7 @@ class OwnRobot : public NeededFunctions {
   void track(krait::StateView s, krait::StateView reference, float dt, krait::ControlRef u) const {
     if (functions().track != nullptr) functions().track(self(), s.data(), reference.data(), dt, u.data());
   }
-  bool keeps_reserve(krait::StateView s) const {  // asked of states that are within the limits
+  bool keeps_reserve(krait::StateView s) const {  // called for states within the limits only
     return functions().keeps_reserve == nullptr || functions().keeps_reserve(self(), s.data());
   }
   bool reversible() const {

@@ -238,15 +238,15 @@ bool MotionCheck::hull_free(const Step& step, int k) {
 }
 
 MotionCheck::Outcome MotionCheck::judge(const Step& step, Unproven& unproven) {
-  const Unproven asked = unproven;
+  const Unproven before = unproven;
   const bool kept = bound(step);
-  unproven = {asked.limits && !kept, false, 0};
+  unproven = {before.limits && !kept, false, 0};
   for (int k = next_near(0); k < bodies_; k = next_near(k + 1)) {
-    if ((asked.bodies >> k & 1U) == 0 || hull_free(step, k)) continue;
+    if ((before.bodies >> k & 1U) == 0 || hull_free(step, k)) continue;
     if (!keeps_margin(after(), k)) return Outcome::hit;
     unproven.bodies |= 1U << k;
   }
-  unproven.self = asked.self && !self_free(step);
+  unproven.self = before.self && !self_free(step);
   return unproven.limits || unproven.self || unproven.bodies != 0 ? Outcome::unproven : Outcome::free;
 }
 

@@ -50,7 +50,7 @@ class MotionCheck {
   // margin everywhere. Call begin before the next step.
   Contact contact(const float* state);
 
-  // False where body 0 does not keep the margin at the end of the step to be asked next, of which `next` has only the
+  // False where body 0 does not keep the margin at the end of the step to be checked next, of which `next` has only the
   // leading components: the step is not free then, and the rest need not be found. True promises nothing.
   bool lead_free(const float* state, const float* next);
 

@@ -90,7 +90,7 @@ bool Regions::connected(Index from, const Goal& goal, float reach, float least_w
 }
 
 Bottleneck Regions::widest_way(Index from, float reach) {
-  settle_widest(reach);
+  find_widest_ways(reach);
   const Bottleneck narrowest = narrowest_on_way(from);
   update();
   return narrowest;
@@ -98,7 +98,7 @@ Bottleneck Regions::widest_way(Index from, float reach) {
 
 // Dijkstra with the width of a way in place of its length: h is minus the width of the widest way to the goal, and
 // next_ the edge that it crosses first.
-void Regions::settle_widest(float reach) {
+void Regions::find_widest_ways(float reach) {
   heap_.reset();
   for (Index t = 0; t < scene_->triangle_count(); ++t) {
     const bool source = reach > 0.0F ? goal_.may_reach(*scene_, t, reach) : goal_.covers(*scene_, t);
@@ -191,21 +191,21 @@ void Regions::push_sources() {
 void Regions::update() {
   push_sources();
   largest_ = 0.0F;
-  settle();
+  run_dijkstra();
 }
 
-// Dijkstra's loop.
-void Regions::settle() {
+// Until the heap is empty.
+void Regions::run_dijkstra() {
   while (!heap_.empty()) {
     const Index triangle = heap_.pop();
     if (h_[triangle] > largest_) largest_ = h_[triangle];
-    settle(triangle);
+    relax_edges(triangle);
   }
 }
 
 // Finds what comes next on the triangle's path, the edge to argmin over the neighbours of (h + C, region), a pure
 // function of h and C: who is further from the goal cannot come next. And relaxes the edges to those that are.
-[[gnu::flatten]] void Regions::settle(Index triangle) {
+[[gnu::flatten]] void Regions::relax_edges(Index triangle) {
   const float distance = h_[triangle];
   std::uint8_t best = kNoEdge;
   float least = distance > 0.0F ? kInfinity : -kInfinity;  // a goal has no next
@@ -253,7 +253,7 @@ void Regions::repair_listed(Index count) {
     if (h_[triangle] < kInfinity) heap_.push(triangle);
   }
   raised_count_ = 0;
-  settle();
+  run_dijkstra();
 }
 
 // The shortest path that goes on to a region whose own is not to be recomputed.

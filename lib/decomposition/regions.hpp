@@ -89,14 +89,14 @@ class Regions {
     return goal_region_ != kNone && scene_->goal_of(triangle) == goal_.index();
   }
   Vec2 region_center(Index region) const;
-  void settle_widest(float reach);
+  void find_widest_ways(float reach);
   std::uint8_t edge_to(Index triangle, Index neighbor) const;
   Bottleneck narrowest_on_way(Index from) const;
   Vec2 roomiest_point(Index triangle, int edge) const;
   void set_costs(float least_width, float least_cost);
   void push_sources();
-  void settle();
-  void settle(Index triangle);
+  void run_dijkstra();
+  void relax_edges(Index triangle);
   float cost_beside(Index triangle) const;
   bool follows(Index triangle, Index ahead) const;
   Index list_stale();

@@ -26,7 +26,7 @@ void Improver::allocate(Arena& arena, std::uint32_t legs, int state_size) {
 }
 
 void Improver::begin(const WayTools& tools, PlanProof& proof, const Regions& regions, const PlanPath& plan,
-                     const EndDepth& depth, const Random& random, bool anew) {
+                     const EndDepth& depth, const Random& random, bool restarts) {
   tools_ = tools;
   proof_ = &proof;
   regions_ = &regions;
@@ -42,7 +42,7 @@ void Improver::begin(const WayTools& tools, PlanProof& proof, const Regions& reg
   best_route_.clear();
   searches_ = 0;
   searched_ = 0;
-  if (anew && tools.robot.body_count() >= kLongChain && size(plan).legs <= best_.capacity()) {
+  if (restarts && tools.robot.body_count() >= kLongChain && size(plan).legs <= best_.capacity()) {
     searches_ = kSearches;
     take_found(plan);
   }
@@ -51,7 +51,7 @@ void Improver::begin(const WayTools& tools, PlanProof& proof, const Regions& reg
 
 bool Improver::iterate() {
   switch (stage_) {
-    case Stage::anew:
+    case Stage::searching:
       break;
     case Stage::turning:
       measure_turn();
@@ -142,9 +142,9 @@ void Improver::aim_aside(const Pose& pose, bool to_the_left) {
 }
 
 void Improver::begin_round() {
-  if (searches_anew_again()) {
+  if (searches_next()) {
     ++searched_;
-    stage_ = Stage::anew;
+    stage_ = Stage::searching;
   } else {
     searched_ = 0;
     begin_line();

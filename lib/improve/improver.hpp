@@ -26,20 +26,20 @@ class Improver {
 
   // Begins with a plan of one step or more, which must stay, as must what the tools name and `proof`. The regions'
   // costs and paths are those of the goal, as they were before any was raised. A plan ends as deep inside the
-  // goal as `depth` says. Restarted searches are asked for only if `anew`.
+  // goal as `depth` says. Its rounds are restarted searches, too, only if `restarts`.
   void begin(const WayTools& tools, PlanProof& proof, const Regions& regions, const PlanPath& plan,
-             const EndDepth& depth, const Random& random, bool anew);
+             const EndDepth& depth, const Random& random, bool restarts);
 
   // Continues by one iteration, which is at most max_steps steps of a drive, and some more at its begin: those that
   // Way::kLegsAState legs have, driven again unproven, or a turn in the void; or a stretch of pulling a line taut; or
-  // the regions from the start to the goal. Returns whether there is a better plan now. Not while it searches_anew.
+  // the regions from the start to the goal. Returns whether there is a better plan now. Not while searching().
   bool iterate();
 
-  // Whether this round is a search for a plan of fewer steps, until search_over. It may change the tree and the
-  // regions.
-  bool searches_anew() const { return stage_ == Stage::anew; }
+  // Whether this round is a restarted search for a plan of fewer steps, until search_over. It may change the tree and
+  // the regions.
+  bool searching() const { return stage_ == Stage::searching; }
   // Whether the round after it is one, too. Where it is not, search_over must find the regions as begin does.
-  bool searches_anew_again() const { return searched_ < searches_; }
+  bool searches_next() const { return searched_ < searches_; }
   void search_over() { begin_round(); }
 
   // Whether the way has fewer steps than the best plan so far, and there is room for its legs. O(legs).
@@ -55,7 +55,7 @@ class Improver {
  private:
   using Outcome = WayDrive::Outcome;
 
-  enum class Stage : std::uint8_t { turning, anew, tracing, pulling, driving, proving };
+  enum class Stage : std::uint8_t { turning, searching, tracing, pulling, driving, proving };
 
   // Room for the line of a short plan, however few legs its ways may have.
   static constexpr std::uint32_t kLeastVias = 64;

@@ -31,9 +31,9 @@ class WayDrive {
   enum class Outcome {
     drives,    // has not ended
     reached,   // the way ends the plan
-    passed,    // the next leg would begin behind the place on the route that was asked for
+    passed,    // the next leg would begin behind the place on the route that it should get to
     blocked,   // a step is not free, or the robot gets no further
-    too_long,  // it would not have fewer steps than asked for
+    too_long,  // it would not have fewer steps than the limit
     full       // the way has no room for more legs
   };
 
@@ -95,7 +95,7 @@ class WayDrive {
 
   Outcome begin_leg();
 
-  // Whether the way would not have fewer steps than asked for, with `remaining` metres to drive.
+  // Whether the way would not have fewer steps than the limit, with `remaining` metres to drive.
   bool too_long(float remaining) const;
 
   const WayTools* tools_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a state must be for a plan to end with it: in the goal, turned as a pose asks, and no faster than asked.
+// What a state must be for a plan to end with it: in the goal, turned as a pose requires, and no faster than end_speed.
 #pragma once
 
 #include "krait/goal.hpp"
@@ -7,7 +7,7 @@
 
 namespace krait::detail {
 
-inline constexpr float kRestSpeed = 5e-3F;  // m/s: as much faster than asked still counts as no faster
+inline constexpr float kRestSpeed = 5e-3F;  // m/s: as much faster than end_speed still counts as no faster
 
 class Ending {
  public:
@@ -23,7 +23,7 @@ class Ending {
   // radian for each of them inside a pose's tolerances, at most a tenth of those.
   bool holds(const float* state, float depth) const;
 
-  // Whether the state is no faster than asked.
+  // Whether the state is no faster than end_speed.
   bool slow(const float* state) const { return !limits_speed() || robot_.speed(state) <= most_; }
 
   // Whether a robot that is too fast in the state, its body 0 at `pose`, would come to rest in the goal by braking,
@@ -33,7 +33,7 @@ class Ending {
  private:
   static constexpr float kMostInside = 0.1F;  // of a tolerance
 
-  // Whether the bodies are turned as a pose asks.
+  // Whether the bodies are turned as a pose requires.
   bool faces(const float* state, float inside) const;
 
   static bool within(float angle, float tolerance, float inside);

@@ -71,11 +71,11 @@ class MotionTree {
   Branch branch(Index vertex) const { return unpacked(branches_[vertex]); }
 
   // Turns the path that ends at `last` around: from then on next(root's expansion) is the expansion after it, and so
-  // on, and steps() is how many of its steps the path takes. Ends all other use of the tree, until the path is turned
+  // on, and steps() is how many of its steps the path has. Ends all other use of the tree, until the path is turned
   // back. Returns the first expansion.
   Index turn_path(Branch last);
   // Turns the path that begins with `first` back: the tree is again as before turn_path but for steps() of the path's
-  // expansions, which nothing but a path asks for.
+  // expansions, which nothing but a path reads.
   void turn_path_back(Index first);
   Index next_of_path(Index expansion) const { return origin(expansion).expansion; }
 

@@ -29,7 +29,7 @@ class PlanProof {
   // The next steps are toward this target, with a fresh controller.
   void aim(const Target& target) { drive_.aim(target); }
 
-  // Makes the check keep the margin that the way so far asks for. O(bodies).
+  // Makes the check keep the margin that the way so far requires. O(bodies).
   void keep();
 
   // Drives a step. False when it is not proven, or when the states would be too far from where the controls lead.

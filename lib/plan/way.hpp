@@ -52,7 +52,7 @@ class Way {
     }
     legs_[count_++] = {target, 0, arc};
   }
-  // A whole leg, of a way whose states are not asked for. Not when full.
+  // A whole leg, of a way whose states are not needed. Not when full.
   void add(const PackedTarget& target, std::uint32_t steps) {
     KRAIT_ASSERT(!full());
     legs_[count_++] = {target, steps, 0.0F};

@@ -117,10 +117,10 @@ void KinematicTruck::steer(StateView s, const Pose* poses, const Target& target,
     return;
   }
   const bool backward = target.speed < 0.0F;
-  const float asked = target.speed * (backward ? -p.min_speed : p.max_speed);
+  const float set_point = target.speed * (backward ? -p.min_speed : p.max_speed);
   const bool pushes = backward && backing_body() > 0;
   const float slowest = pushes ? -detail::fastest_push(detail::train_of(p), target.dt) : p.min_speed;
-  const float speed = asked < slowest ? slowest : asked;
+  const float speed = set_point < slowest ? slowest : set_point;
   const float way = math::absolute(speed) * target.dt;
   const float lock = target.turn < 1.0F ? math::atan2(target.turn * lock_, 1.0F) : p.max_steering;
   u[0] = speed;

@@ -20,7 +20,7 @@ struct Case {
   const RobotRanges& ranges;
   Findings& findings;
   Sample sample;             // within the limits
-  std::vector<float> other;  // a state within the limits, to be asked about in between
+  std::vector<float> other;  // a state within the limits, evaluated in between
   std::vector<float> next;   // where the sample leads
   Motion33 motion;
   std::vector<std::vector<Frame>> frames;  // by time and body

@@ -107,7 +107,7 @@ class RobotCheck {
     return drawn;
   }
 
-  // Draws controls until one ends the step within the limits, which is all that travel is asked about. False, and the
+  // Draws controls until one ends the step within the limits, as every step does that travel bounds. False, and the
   // motion is unknown, when none does.
   bool move(Case& c) {
     constexpr int kTries = 20;

@@ -41,13 +41,13 @@ Status AdaptiveSearch::improve(std::uint64_t iterations) {
 }
 
 void AdaptiveSearch::search_anew() {
-  if (resume_anew()) {
+  if (resume_restarted()) {
     (void)advance(1);
   } else {
     reset_groups();
-    begin_anew();
+    begin_restarted();
   }
-  pause_anew();
+  pause_restarted();
 }
 
 void AdaptiveSearch::reset_groups() {

@@ -131,7 +131,7 @@ Outcome Expander::grow(const Watch& watch) {
     last_metres_.choose(poses);
     if (begin_shot()) return Outcome::target_not_reached;
   }
-  return settle();
+  return end_step();
 }
 
 bool Expander::begin_shot() {
@@ -155,7 +155,7 @@ Outcome Expander::shoot(const Watch& watch) {
   }
   if (braking()) tools_.tree->end_expansion(braking_, 0);
   braking_ = kNone;
-  return begin_shot() ? Outcome::target_not_reached : settle();
+  return begin_shot() ? Outcome::target_not_reached : end_step();
 }
 
 bool Expander::begin_shot_leg(const Moment& now) {
@@ -172,7 +172,7 @@ bool Expander::begin_shot_leg(const Moment& now) {
   return true;
 }
 
-Outcome Expander::settle() {
+Outcome Expander::end_step() {
   recent_.remember(expanded_.last.step, expanded_.region, drive_.state());
   if (!keep_recent(tools_.parameters->tuning.doomed_steps)) return Outcome::tree_full;
   const bool reached = target_distance() <= near_;
@@ -204,7 +204,7 @@ Outcome Expander::take_brake_step(const Watch& watch) {
   tools_.tree->end_expansion(braking_, 0);
   braking_ = kNone;
   tools_.check->begin(drive_.state());
-  return settle();
+  return end_step();
 }
 
 Outcome Expander::end_braking() {

@@ -129,8 +129,8 @@ class Expander {
   // Metres: how near a target is reached.
   float near(Vec2 target) const;
 
-  // What becomes of an expansion whose last state does not end it in the goal.
-  Outcome settle();
+  // Ends a step that does not end the expansion in the goal: keeps a state, and returns whether the target is reached.
+  Outcome end_step();
 
   // The brake is an expansion of its own, toward the same target, which the tree has a slot for.
   void begin_braking();

@@ -286,15 +286,15 @@ void Search::refuse_plan() {
   restarts_.end_try();
 }
 
-void Search::begin_to_improve(bool anew) {
+void Search::begin_to_improve(bool restarts) {
   improving_ = true;
-  anew_ = false;
+  restarted_goes_on_ = false;
   find_paths();
   const TargetGrid grid(scene_->bounds());
   LastMetres* const last_metres = shoots() ? &expander_.last_metres() : nullptr;
   const WayTools tools{robot_, scene_,   &parameters_, &check_,     &expander_.drive(), &expander_.brake(),
                        grid,   &ending_, last_metres,  goal_depth_, tree_.state(kRoot)};
-  improver_.begin(tools, proof_, regions_, found_path(), end_depth_, random_, anew);
+  improver_.begin(tools, proof_, regions_, found_path(), end_depth_, random_, restarts);
   random_ = Random(random_.bits());  // restarted searches draw other numbers than the improver
 }
 
@@ -304,18 +304,18 @@ void Search::improve_along_line() {
   record(improver_.measures());
 }
 
-bool Search::resume_anew() {
+bool Search::resume_restarted() {
   finish(Status::searching);
-  return anew_;
+  return restarted_goes_on_;
 }
 
-void Search::begin_anew() {
+void Search::begin_restarted() {
   new_try();
   begin_tries();
   keep_for_tree();
 }
 
-void Search::pause_anew() {
+void Search::pause_restarted() {
   const bool goes_on = status() == Status::searching && !(driving() && !improver_.wants(found_path()));
   if (status() == Status::internal) return;
   if (status() == Status::solved) {
@@ -323,10 +323,10 @@ void Search::pause_anew() {
     ++statistics_.improvements;
   }
   finish(Status::solved);
-  anew_ = goes_on;
+  restarted_goes_on_ = goes_on;
   if (goes_on) return;
   driven_ = kNone;
-  if (!improver_.searches_anew_again()) find_paths();  // which the next search would do once more
+  if (!improver_.searches_next()) find_paths();  // which the next search would do once more
   improver_.search_over();
 }
 

@@ -29,7 +29,7 @@ inline constexpr Parameters kDefaults;
 //   init             check_setup, take_block, and what it keeps itself from arena_
 //   start            usable, then begin
 //   advance          advance_by, an iteration being new_try where new_try_due, or else expand or go_on
-//   improve          improve_by, a restarted search being what advance does between resume_anew and pause_anew
+//   improve          improve_by, a restarted search being what advance does from resume_restarted to pause_restarted
 //   keep             as Keeper has it
 class Search {
  public:
@@ -117,16 +117,16 @@ class Search {
     return status();
   }
 
-  // Improves the plan by `iterations` iterations: calls search_anew() for one of a restarted search; there are such
-  // only if `anew`.
-  template <class SearchAnew>
-  Status improve_by(std::uint64_t iterations, bool anew, SearchAnew search_anew) {
+  // Improves the plan by `iterations` iterations: calls search() for one of a restarted search; there are such
+  // only if `restarts`.
+  template <class RestartedSearch>
+  Status improve_by(std::uint64_t iterations, bool restarts, RestartedSearch search) {
     if (status() != Status::solved || path_ == kNone) return status();
     if (limits_.way_legs == 0) return Status::bad_argument;
-    if (!improving_) begin_to_improve(anew);
+    if (!improving_) begin_to_improve(restarts);
     for (; iterations > 0 && status() == Status::solved; --iterations) {
-      if (improver_.searches_anew()) {
-        search_anew();
+      if (improver_.searching()) {
+        search();
       } else {
         improve_along_line();
       }
@@ -134,12 +134,12 @@ class Search {
     return status();
   }
 
-  // Lets the search go on that improves the plan; false when it has yet to begin: then begin_anew, which is an
+  // Lets the restarted search go on; false when it has yet to begin: then begin_restarted, which is an
   // iteration of its own.
-  bool resume_anew();
-  void begin_anew();
+  bool resume_restarted();
+  void begin_restarted();
   // Lets it rest: the status is solved, as it is for the caller of improve.
-  void pause_anew();
+  void pause_restarted();
 
   // Whether a try is over; then new_try forgets all but the start and where the random numbers have got to.
   bool new_try_due() { return restarts_.due(); }
@@ -243,7 +243,7 @@ class Search {
   // Goes on with the search; with its next try, since other ways to the goal would mostly begin as this one did.
   void refuse_plan();
 
-  void begin_to_improve(bool anew);
+  void begin_to_improve(bool restarts);
 
   void improve_along_line();
 
@@ -264,8 +264,8 @@ class Search {
   Index driven_ = kNone;  // the expansion of the way to the goal that is driven next; kNone while the tree grows
   std::uint32_t steps_remaining_ = 0;  // of that expansion
   PlanProof proof_;
-  bool improving_ = false;  // since the first call of improve
-  bool anew_ = false;       // whether a search for a better plan has begun and not ended
+  bool improving_ = false;          // since the first call of improve
+  bool restarted_goes_on_ = false;  // whether a restarted search has begun and not ended
   Improver improver_;
 };
 

@@ -59,7 +59,7 @@ TEST(Improve, PlansComeNearToTheShortest) {
   EXPECT_LE(steps_after(Truck(small_chain(2)), 2000), 1890U);
 }
 
-// A search that begins anew makes vertices, and others than the first.
+// A restarted search makes vertices, and others than the first.
 TEST(Improve, PlansOfLongChainsAreSearchedForAnew) {
   Solved<Snake> chain(long_chain());
   Solved<Truck> truck(Truck(small_chain(2)));

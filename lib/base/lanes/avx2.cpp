@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compiled for AVX2 as no other file is: nothing here runs before the processor was asked.
+// Compiled for AVX2 as no other file is: nothing here runs on a processor that does not report AVX2.
 #include "base/lanes/kernels.hpp"
 
 #ifdef KRAIT_AVX2
