@@ -408,7 +408,8 @@ typedef struct krait_search_tuning {
       beta,              /**< above 0, below 1, default 0.85: a group's weight shrinks by this factor with each
                               selection */
       epsilon;           /**< above 0, up to 1, default 0.01: keeps every weight positive */
-  float gamma,           /**< 0 to 1e6, default 20: how much a failure raises edge costs; 0: costs never change */
+  float gamma,           /**< 0 to 1e6, default 20: how much a failure raises edge costs; no unit, but with cost_length
+                              0 square metres; 0: costs never change */
       cost_length;       /**< 0 to 10, default 1, in lengths of body 0: with this length l, a failure raises C by
                               gamma l^2 / max(C, l); 0: by gamma / C */
   uint32_t kappa,        /**< 1 to 10000, default 10: expansions between updates of the heuristic costs */
@@ -636,7 +637,7 @@ typedef struct krait_statistics {
   float plan_length;     /**< metres */
   float plan_duration;   /**< seconds */
   float plan_end_speed;  /**< m/s, of the last state; 0 of a robot whose states have no speed */
-  uint64_t hash;         /**< of the plan: FNV-1a 64 over its states and controls; 0 without a plan */
+  uint64_t hash;         /**< of the plan: FNV-1a 64 over the bytes of s0, u0, s1, u1, ..., sL; 0 without a plan */
   uint64_t improvements; /**< better plans that krait_improve has found */
 } krait_statistics;
 /** Returns the statistics of the search that started last. O(1). */

@@ -31,7 +31,9 @@ struct SearchTuning {
   float epsilon = 0.01F;  ///< above 0, up to 1: keeps every weight positive
   // The cost C of an edge between two regions is at first the distance of their centroids, metres. An expansion that
   // fails raises the costs of the edges of the next region on the shortest path (Eqn 9).
-  float gamma = 20.0F;  ///< 0 … 1e6: how much a failure raises edge costs; 0: costs never change
+  /// 0 … 1e6: how much a failure raises edge costs; no unit, but with cost_length 0 square metres; 0: costs never
+  /// change.
+  float gamma = 20.0F;
   /// 0 … 10, in lengths of body 0: with this length l, a failure raises C by gamma l^2 / max(C, l); 0: by gamma / C, as
   /// in Eqn 9.
   float cost_length = 1.0F;

@@ -97,7 +97,7 @@ class Plan {
   /// Metres, of the line through the positions; 0 for no plan. O(steps).
   float length() const;
 
-  /// FNV-1a 64 over s0, u0, s1, u1, …, sL; 0 for no plan. O(steps).
+  /// FNV-1a 64 over s0, u0, s1, u1, …, sL, each float as 4 little-endian bytes; 0 for no plan. O(steps).
   std::uint64_t hash() const;
 
   /// Writes (steps() + 1) * state_size() and steps() * control_size() floats into the caller's arrays; nothing for no

@@ -121,7 +121,7 @@ void MotionCheck::place(const float* state, Placement& placement) {
   robot_.place(state, placement.poses);
   ++checks_;
   find_room(placement, bodies_);
-  if (!robot_.answers_proven() && !all_finite(state, placement)) place_nowhere(placement);
+  if (!robot_.answers_proven() && !all_finite(state, placement)) leave_no_room(placement);
 }
 
 bool MotionCheck::all_finite(const float* state, const Placement& placement) const {
@@ -136,7 +136,7 @@ float MotionCheck::sum_of(const float* numbers, int count) {
   return sum;
 }
 
-void MotionCheck::place_nowhere(Placement& placement) {
+void MotionCheck::leave_no_room(Placement& placement) {
   placement.poses[0].position.x = std::numeric_limits<float>::quiet_NaN();
   placement.circle_room[0] = -kInfinity;
 }

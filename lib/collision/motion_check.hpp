@@ -113,7 +113,7 @@ class MotionCheck {
   static float sum_of(const float* numbers, int count);
 
   // Makes a placement that is free by no proof: body 0 has no room.
-  static void place_nowhere(Placement& placement);
+  static void leave_no_room(Placement& placement);
 
   // Finds the room of the first `bodies` bodies.
   void find_room(Placement& placement, int bodies) const;

@@ -85,7 +85,7 @@ Improver::Size Improver::size(const PlanPath& plan) {
   return size;
 }
 
-bool Improver::wants(const PlanPath& found) const {
+bool Improver::is_better(const PlanPath& found) const {
   const Size size = this->size(found);
   return size.steps < plan_steps_ && size.legs <= best_.capacity();
 }
@@ -97,7 +97,7 @@ void Improver::take_found(const PlanPath& found) {
   best_route_.clear();
 }
 
-float Improver::step_in_void(Pose& after) {
+float Improver::step_unproven(Pose& after) {
   Drive& drive = *tools_.drive;
   Pose poses[kMaxBodies];
   tools_.robot.place(drive.state(), poses);
@@ -119,7 +119,7 @@ void Improver::measure_turn() {
   for (std::uint32_t step = 0; step < kRunUp + kTurning; ++step) {
     if (step % kHold == 0) aim_aside(pose[0], step >= kRunUp);
     const SinCos before = pose[0].heading;
-    const float made = step_in_void(pose[0]);
+    const float made = step_unproven(pose[0]);
     if (made > stride_) stride_ = made;
     if (step < kRunUp + kTurning - kMeasured) continue;
     path += made;
@@ -191,7 +191,7 @@ void Improver::trace() {
   for (std::uint32_t remaining = tools_.parameters->tuning.max_steps; remaining > 0; --remaining) {
     if (step_ == 0) tools_.drive->aim(plan_.target(leg_));
     Pose pose;
-    step_in_void(pose);
+    step_unproven(pose);
     const Vec2 at{tools_.drive->state()[0], tools_.drive->state()[1]};
     if (++step_ == plan_.steps(leg_)) {
       step_ = 0;
@@ -214,11 +214,11 @@ void Improver::begin_pull() {
 void Improver::pull() {
   if (line_.step()) return;
   if (line_.count() < 2 || line_.count() > route().capacity()) return begin_round();
-  dress();
+  make_route();
   begin_search();
 }
 
-void Improver::dress() {
+void Improver::make_route() {
   Via via{};
   vary(via, turns_, random_);
   route().clear();
@@ -294,7 +294,7 @@ void Improver::drive() {
 void Improver::next_corner() {
   ++corner_;
   tries_ = 0;
-  promised_ = kInfinity;
+  least_steps_ = kInfinity;
   from_leg_ = current().count() > 0 ? current().count() - 1 : 0;
   changed().copy(route());
   drive_corner();
@@ -312,7 +312,7 @@ void Improver::drive_corner() {
 void Improver::learn_corner(Outcome outcome) {
   ++tries_;
   if (outcome == Outcome::passed) learn_passed();
-  const bool passed = promised_ < kInfinity;
+  const bool passed = least_steps_ < kInfinity;
   const std::uint32_t enough = best_route_.count() > 0 ? kTries : 1;
   if (tries_ < (passed ? enough : kMostTries)) return try_corner();
   if (passed) return next_corner();
@@ -329,13 +329,13 @@ void Improver::begin_repair() {
 }
 
 void Improver::learn_passed() {
-  const float promise = this->promise();
-  if (!(promise < promised_)) return;
-  promised_ = promise;
+  const float least = this->least_steps();
+  if (!(least < least_steps_)) return;
+  least_steps_ = least;
   accept();
 }
 
-float Improver::promise() {
+float Improver::least_steps() {
   const float ahead = kAhead * turns_.unit;
   const Pose& pose = tools_.check->poses()[0];
   const Vec2 next = changed().point(drives_.arc() + ahead);

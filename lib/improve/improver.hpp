@@ -43,8 +43,8 @@ class Improver {
   void search_over() { begin_round(); }
 
   // Whether the way has fewer steps than the best plan so far, and there is room for its legs. O(legs).
-  bool wants(const PlanPath& found) const;
-  // Makes a plan that a search has found, and that it wants, the best, by a copy. O(legs).
+  bool is_better(const PlanPath& found) const;
+  // Makes a plan that a search has found, and that is_better, the best, by a copy. O(legs).
   void take_found(const PlanPath& found);
 
   // The best plan so far.
@@ -107,7 +107,7 @@ class Improver {
   void take_plan(const PlanPath& plan);
 
   // One unproven step of the drive; returns how long it is.
-  float step_in_void(Pose& after);
+  float step_unproven(Pose& after);
 
   // What the robot's turns are like: far ahead for some steps, then far to the left, as if nothing was there.
   void measure_turn();
@@ -130,7 +130,7 @@ class Improver {
   void pull();
 
   // Makes the line a route.
-  void dress();
+  void make_route();
 
   // Whether a robot of one body turns less at the line's ends if it drives the line backwards.
   bool saves_turns_backwards() const;
@@ -163,7 +163,7 @@ class Improver {
   void learn_passed();
 
   // Steps that the driven way would take to the goal at best.
-  float promise();
+  float least_steps();
 
   // Drives past the corner with a random change at it.
   void try_corner();
@@ -228,7 +228,7 @@ class Improver {
   std::uint32_t corner_;    // the via that is passed,
   std::uint32_t tries_;     // how often it was driven to,
   std::uint32_t from_leg_;  // from which leg on,
-  float promised_;          // and the least steps that a way past it promises
+  float least_steps_;       // and the least steps that a way past it promises
   bool repairing_;          // whether no way got past it
   float remaining_;         // metres of the route where the current way fails,
   float failed_;            // metres along the route to there,

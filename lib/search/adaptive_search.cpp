@@ -72,7 +72,7 @@ void AdaptiveSearch::iterate(const Watch& watch) {
     return;
   }
   if (goes_on_) {
-    learn_from(go_on(watch));
+    learn_from(continue_expansion(watch));
   } else {
     begin_expansion(watch);
   }

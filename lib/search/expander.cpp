@@ -59,7 +59,7 @@ Expanded Expander::expand(Index vertex, Index region, const Target& toward, cons
   expanded_ = {Outcome::target_not_reached, region, {expansion, 0}};
   near_ = near(drive_.target().point);
   apart_ = kInfinity;
-  return go_on(watch);
+  return continue_expansion(watch);
 }
 
 float Expander::near(Vec2 target) const {
@@ -74,11 +74,11 @@ float Expander::target_distance() const {
   return length(target.point - tools_.check->poses()[leader].position);
 }
 
-Expanded Expander::go_on(const Watch& watch) {
+Expanded Expander::continue_expansion(const Watch& watch) {
   bool goes = true;
   for (std::uint32_t remaining = tools_.parameters->tuning.max_steps; goes && remaining > 0; --remaining) {
     expanded_.outcome = take_turn(watch);
-    goes = expanded_.outcome == Outcome::target_not_reached && (aside() || continues());
+    goes = expanded_.outcome == Outcome::target_not_reached && (waits() || continues());
   }
   if (goes) expanded_.outcome = Outcome::goes_on;
   if (goes || expanded_.outcome == Outcome::goal_reached) return expanded_;

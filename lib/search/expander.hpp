@@ -75,9 +75,9 @@ class Expander {
   void reset();
 
   // Expands from a vertex, which lies in `region` (or kNone: not known), toward the target. The tree must have room for
-  // an expansion. At most SearchTuning::max_steps steps; where it goes_on, go_on makes as many more.
+  // an expansion. At most SearchTuning::max_steps steps; where it goes_on, continue_expansion makes as many more.
   Expanded expand(Index vertex, Index region, const Target& toward, const Watch& watch);
-  Expanded go_on(const Watch& watch);
+  Expanded continue_expansion(const Watch& watch);
 
   // The last state of an expansion that has reached the goal, that of its brake included.
   Branch end() const { return braking() ? Branch{braking_, brake_steps_} : expanded_.last; }
@@ -106,7 +106,7 @@ class Expander {
   bool braking() const { return braking_ != kNone; }
 
   // Whether the expansion waits for what may end the way from its last state.
-  bool aside() const { return braking() || shooting_; }
+  bool waits() const { return braking() || shooting_; }
 
   Outcome take_turn(const Watch& watch);
 

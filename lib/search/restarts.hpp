@@ -31,13 +31,13 @@ class Restarts {
       --remaining_;
       return false;
     }
-    go_on();
+    next_term();
     remaining_ = std::uint64_t{unit_} * units_ - 1;
     return true;
   }
 
  private:
-  void go_on() {
+  void next_term() {
     if ((turn_ & (~turn_ + 1)) == units_) {
       ++turn_;
       units_ = 1;

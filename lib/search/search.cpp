@@ -191,9 +191,9 @@ Expanded Search::expand(Index vertex, Index region, const Target& toward, const 
   return finish_expansion(expander_.expand(vertex, region, toward, watch));
 }
 
-Expanded Search::go_on(const Watch& watch) {
+Expanded Search::continue_expansion(const Watch& watch) {
   restarts_.uncount();
-  return finish_expansion(expander_.go_on(watch));
+  return finish_expansion(expander_.continue_expansion(watch));
 }
 
 Expanded Search::finish_expansion(const Expanded& expanded) {
@@ -316,7 +316,7 @@ void Search::begin_restarted() {
 }
 
 void Search::pause_restarted() {
-  const bool goes_on = status() == Status::searching && !(driving() && !improver_.wants(found_path()));
+  const bool goes_on = status() == Status::searching && !(driving() && !improver_.is_better(found_path()));
   if (status() == Status::internal) return;
   if (status() == Status::solved) {
     improver_.take_found(found_path());

@@ -28,7 +28,7 @@ inline constexpr Parameters kDefaults;
 //   bytes_required   counts what is kept here and what it keeps itself
 //   init             check_setup, take_block, and what it keeps itself from arena_
 //   start            usable, then begin
-//   advance          advance_by, an iteration being new_try where new_try_due, or else expand or go_on
+//   advance          advance_by, an iteration being new_try where new_try_due, or else expand or continue_expansion
 //   improve          improve_by, a restarted search being what advance does from resume_restarted to pause_restarted
 //   keep             as Keeper has it
 class Search {
@@ -149,7 +149,7 @@ class Search {
   Expanded expand(Index vertex, Index region, const Target& toward, const Watch& watch);
 
   // The next max_steps steps of a long expansion.
-  Expanded go_on(const Watch& watch);
+  Expanded continue_expansion(const Watch& watch);
 
   // The way to a point at a random speed. The more often it was tried, the more often is the turn gentle, and does the
   // robot drive backwards.

@@ -62,7 +62,7 @@ class Unicycle : public PlanarBody {
   void steer(StateView s, const Target& target, Steering& steering, ControlRef u) const;
   /// Brings it back to its reference's line within some body lengths.
   void track(StateView s, StateView reference, float dt, ControlRef u) const;
-  /// Metres: it turns on the spot, unless it must move.
+  /// Metres: 0, it turns on the spot; or where it must move, of the circle at its least speed and largest turn rate.
   float turning_radius() const {
     return parameters_.min_speed > 0.0F ? parameters_.min_speed / parameters_.max_turn_rate : 0.0F;
   }
