@@ -63,11 +63,14 @@ struct Ground {
 };
 
 constexpr double kImprove = 10;               // times the first plan's collision checks
+constexpr double kLeastChecks = 300'000;      // of improvement, where nobody says how much
 constexpr const char* kRoomToImprove = "1M";  // of memory: a smaller block can spare none
 
 // The default of --improve. Of the rivals and the paper's algorithm it is their own plan that is wanted.
-double usual_improvement(const SearchRequest& request, bool paper) {
-  return paper || request.planner != "adaptive" || request.memory < parse_memory(kRoomToImprove) ? 0 : kImprove;
+void improve_as_usual(SearchRequest& request, bool paper) {
+  if (paper || request.planner != "adaptive" || request.memory < parse_memory(kRoomToImprove)) return;
+  request.improve = kImprove;
+  request.improve_least = kLeastChecks;
 }
 
 SearchRequest request_of(const PlanOptions& options) {
@@ -79,7 +82,11 @@ SearchRequest request_of(const PlanOptions& options) {
   request.memory = parse_memory(options.memory);
   request.iterations = options.iterations;
   request.time_limit = options.time_limit;
-  request.improve = options.improve.value_or(usual_improvement(request, options.paper));
+  if (options.improve) {
+    request.improve = *options.improve;
+  } else {
+    improve_as_usual(request, options.paper);
+  }
   request.stop_within = options.stop_within;
   Parameters& p = request.parameters;
   if (options.alpha) p.tuning.alpha = static_cast<float>(*options.alpha);
@@ -197,7 +204,8 @@ void print_improvement(const SearchResult& result, const SearchRequest& request)
   } else if (result.late) {
     std::printf("no better plan was found within the time limit\n");
   } else {
-    std::printf("no better plan was found in %.7g times the first plan's collision checks\n", request.improve);
+    std::printf("no better plan was found in %.7g times the first plan's collision checks\n",
+                s.at("improve").get<double>());
   }
   if (result.near_shortest) {
     std::printf("  longer than the shortest way by less than %.7g %%, as asked (--stop-within)\n",
@@ -453,9 +461,10 @@ void add_plan(CLI::App& app, const char* program) {
           "--improve", o->improve,
           "search for a better plan with this many times the collision checks that the first one took,\n"
           "0 to 1e6; the best is the result, proven and verified as the first would be\n" +
-              printed("(default: %.7g; 0, the first plan, with --paper, --planner prior or rrt, or a --memory\n"
-                      "under %s)",
-                      kImprove, kRoomToImprove))
+              printed(
+                  "(default: %.7g, or as many as make %.7g checks; 0, the first plan, with --paper, --planner prior\n"
+                  "or rrt, or a --memory under %s)",
+                  kImprove, kLeastChecks, kRoomToImprove))
       ->check(number_in(0, 1e6, "times the first plan's checks"));
   command
       ->add_option("--stop-within", o->stop_within,

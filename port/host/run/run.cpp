@@ -87,10 +87,11 @@ bool near_shortest(const Session& session, const SearchRequest& request, const k
 
 // By collision checks, so that the result does not depend on the machine; without a time limit. Returns whether the
 // plan became as short as asked.
-bool improve(Session& session, const SearchRequest& request, const krait::Scene& scene, Company& company) {
+bool improve(Session& session, double multiples, const SearchRequest& request, const krait::Scene& scene,
+             Company& company) {
   std::optional<std::uint64_t> judged;  // by its number, the plan whose length was
   bool near = false;
-  firmware::improve(session, request.improve, [&] {
+  firmware::improve(session, multiples, [&] {
     if (request.stop_within > 0 && judged != session.statistics().improvements) {
       judged = session.statistics().improvements;
       near = near_shortest(session, request, scene);
@@ -198,7 +199,8 @@ SearchResult run_search(const std::string& scene_path, const SceneBytes& bytes, 
   const Statistics found = session->statistics();
   const double searched = since(begin);
   const PlanMeasure first{static_cast<double>(found.plan_length), static_cast<double>(found.plan_duration)};
-  const bool near_shortest = improve(*session, request, scene, company);
+  const double multiples = request.multiples_of(found.collision_checks);
+  const bool near_shortest = improve(*session, multiples, request, scene, company);
   SearchResult result{session->query().form, session->query().asked, since(begin)};
   result.first = first;
   result.stopped = company.stopped();
@@ -210,6 +212,7 @@ SearchResult run_search(const std::string& scene_path, const SceneBytes& bytes, 
   result.plan.statistics = statistics_json(firmware::with_plan_of(found, best), searched);
   result.why = why_no_plan(*session, scene, request);
   if (request.improve > 0) {
+    result.plan.statistics["improve"] = multiples;
     result.plan.statistics["improvements"] = best.improvements;
     result.plan.statistics["improve_time_s"] = result.seconds - searched;
     result.plan.statistics["first_plan_length_m"] = first.length;

@@ -2,6 +2,8 @@
 // Runs the core on a scene for a robot named by the user: the bridge from the workstation to the library.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -43,8 +45,9 @@ struct SearchRequest {
   std::uint64_t memory = kUsualMegabytes << 20U;  // bytes of the block
   std::uint64_t iterations = Limits().iterations;
   std::optional<double> time_limit;  // seconds
-  double improve = 0;      // multiples of the first plan's collision checks that a better one is looked for by
-  double stop_within = 0;  // ends that where the plan is longer than the shortest way by this share at most; 0: never
+  double improve = 0;        // multiples of the first plan's collision checks that a better one is looked for by
+  double improve_least = 0;  // collision checks: more of these multiples where they make fewer
+  double stop_within = 0;    // ends that where the plan is longer than the shortest way by this share at most; 0: never
   Parameters parameters;
 
   // m/s: how fast the plan may end; absent: at any speed. Only the adaptive search is asked to brake.
@@ -52,6 +55,11 @@ struct SearchRequest {
     const auto speed = static_cast<double>(parameters.end_speed);
     const bool brakes = planner == "adaptive" || planner == "plain";
     return brakes && speed < std::numeric_limits<double>::infinity() ? std::optional(speed) : std::nullopt;
+  }
+
+  // `improve`, or the least whole number of multiples that makes improve_least checks.
+  double multiples_of(std::uint64_t first_checks) const {
+    return std::max(improve, std::ceil(improve_least / static_cast<double>(std::max<std::uint64_t>(first_checks, 1))));
   }
 };
 
