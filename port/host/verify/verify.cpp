@@ -12,6 +12,7 @@
 #include "host/verify/dynamics.hpp"
 #include "host/verify/limits.hpp"
 #include "host/verify/obstacles.hpp"
+#include "host/verify/statistics.hpp"
 #include "host/verify/sweep.hpp"
 
 namespace krait::host {
@@ -198,6 +199,7 @@ Verdict verify(const Workspace& workspace, const PlanFile& plan, const Asked& as
     check_start(plan, asked.start, dynamics, complaints);
     check_goal(plan, asked, complaints);
     Judge(workspace, plan, asked, dynamics, obstacles, complaints).judge(verdict);
+    if (complaints.empty()) check_statistics(plan, dynamics, complaints);  // what else is wrong explains them
   }
   verdict.holds = complaints.empty();
   verdict.complaints = complaints.lines();

@@ -62,6 +62,8 @@ inline constexpr double kLargestClearance = 1.0;  // m, obstacles further away a
 // 3. Each stored state differs in no component by more than 5e-3 (m, rad, m/s, rad/s), 5e-6 a metre of way and float
 //    rounding from the driven one, and that difference changes in one step by no more than 1e-2 a second of the step
 //    and float rounding. Each keeps the limits and is free itself, and the last lies in the goal and is as slow.
+// 4. What the plan's statistics say of its steps, length, duration, end speed and hash agrees with its states and
+//    controls, those that they name. Looked at in a plan that holds in all else.
 // A body or a quantity that fails is named once, with the first place where it does, and only the first stored state
 // that disagrees is named. Once a plan is refused, no more than half a million bodies times sub-steps are looked at.
 // Throws InputError if the workspace or the asked robot itself is unusable; a bad plan is a verdict, never an error.

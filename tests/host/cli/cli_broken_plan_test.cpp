@@ -66,6 +66,19 @@ std::vector<Broken> all_broken() {
              for (auto& state : p["states"]) add(state[1], 6.0);
            },
            "bounds"},
+          {"steps_miscounted", [](auto& p) { p["statistics"]["plan_steps"] = 12; },
+           "statistics: plan_steps is 12, the plan's is "},
+          {"said_to_be_shorter", [](auto& p) { add(p["statistics"]["plan_length_m"], -0.01); },
+           "statistics: plan_length_m is "},
+          {"said_to_be_quicker", [](auto& p) { add(p["statistics"]["plan_duration_s"], -0.01); },
+           "statistics: plan_duration_s is "},
+          {"said_to_end_faster", [](auto& p) { p["statistics"]["plan_end_speed_m_s"] = 0.25; },
+           "statistics: plan_end_speed_m_s is 0.25, the plan's is "},
+          {"length_in_words", [](auto& p) { p["statistics"]["plan_length_m"] = "short"; },
+           "statistics: plan_length_m is \"short\", the plan's is "},
+          {"hash_of_another", [](auto& p) { p["statistics"]["hash"] = "0123456789abcdef"; },
+           "statistics: hash is \"0123456789abcdef\", that of states and controls is \""},
+          {"state_within_rounding", [](auto& p) { add(p["states"][5][0], 1e-5); }, "statistics: hash is "},
           {"nothing_solved",
            [](auto& p) {
              p["status"] = "no_route";
