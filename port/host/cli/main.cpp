@@ -6,6 +6,7 @@
 
 #include "host/cli/commands.hpp"
 #include "host/input/parse_error.hpp"
+#include "host/input/printed_out.hpp"
 #include "host/workspace/workspace.hpp"
 
 namespace krait::host {
@@ -38,8 +39,8 @@ std::string complaint_of(const CLI::App& app, const CLI::ParseError& error) {
 
 // Exit code `code`, unless what was printed has got lost.
 int after_printing(int code) {
-  if (std::fflush(stdout) == 0) return code;
-  return complain("standard output cannot be written");
+  if (printed_out()) return code;
+  return complain(kPrintingFailed);
 }
 
 int run(int argc, char** argv) {

@@ -449,7 +449,7 @@ void add_plan(CLI::App& app, const char* program) {
       ->capture_default_str();
   command->add_option("--memory", o->memory, "the planner's one block, as 128K, 64M")->capture_default_str();
   command->add_option("--iterations", o->iterations, "expansions, at most")
-      ->check(whole_number(UINT64_MAX, "expansions"))
+      ->check(whole_number(UINT64_MAX, "expansions", 1))
       ->capture_default_str();
   command
       ->add_option("--time-limit", o->time_limit,

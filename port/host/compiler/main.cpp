@@ -15,6 +15,7 @@
 #include "host/input/output_option.hpp"
 #include "host/input/outputs.hpp"
 #include "host/input/parse_error.hpp"
+#include "host/input/printed_out.hpp"
 #include "host/input/progress.hpp"
 #include "host/workspace/heading.hpp"
 
@@ -118,7 +119,10 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp& help) {
-    return app.exit(help);
+    const int code = app.exit(help);
+    if (printed_out()) return code;
+    std::fprintf(stderr, "krait-compile: %s\n", kPrintingFailed);
+    return 2;
   } catch (const CLI::ParseError& error) {
     std::fprintf(stderr, "krait-compile: %s (see --help)\n", safe_to_print(line_of(error)).c_str());
     return 2;

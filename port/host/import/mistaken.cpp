@@ -7,6 +7,7 @@
 
 #include "host/import/image.hpp"
 #include "host/import/json_keys.hpp"
+#include "host/import/yaml.hpp"
 
 namespace krait::host {
 namespace {
@@ -82,6 +83,9 @@ std::optional<std::string> mistaken(const Source& source) {
   const std::size_t first = text_begin(content);
   if (first == std::string::npos) return std::nullopt;
   if (content[first] == '<') return mistaken_xml(content);
+  if (has_top_key(content, "dynamics") && !has_top_key(content, "environment"))
+    return "is a robot of dynobench, not a map: give a problem, which has an environment, and the robot as a "
+           "ROBOT.json";
   const bool is_dxf = content[first] == '0' && content.substr(first, 20).find("SECTION") != std::string::npos;
   if (is_dxf) return "is a DXF drawing: save it as SVG";
   return std::nullopt;

@@ -208,9 +208,20 @@ std::string known_shipped() {
   return names;
 }
 
+// A file that people take for a robot's.
+void refuse_mistaken(const Field& field) {
+  if (field.has("model")) return;
+  if (field.has("bounds") || field.has("features"))
+    field.fail("is a map, not a robot: krait robots lists those that --robot takes, beside a ROBOT.json");
+  if (field.has("controls"))
+    field.fail("is a plan, not a robot: the object that is its \"robot\" may be one in a file of its own");
+}
+
 RobotSpec read_document(const std::string& text, const std::string& file) {
   const Json document = parse_json(text, file);
-  return read_robot(Field(document, file));
+  const Field field(document, file);
+  refuse_mistaken(field);
+  return read_robot(field);
 }
 
 // What is for the reader only.

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bad input: exit code 2, one clear line, nothing written.
 #include "host/cli/program.hpp"
+#include "host/workspace/printed.hpp"
 
 namespace krait::host {
 namespace {
 
 using testing::HasSubstr;
+using testing::MatchesRegex;
 using Arguments = std::vector<std::string>;
 
 class CliBadInput : public CliTest {
@@ -225,11 +227,20 @@ TEST_F(CliBadInput, OneOutputThatCannotBeWrittenKeepsTheOthersAway) {
 
 TEST_F(CliBadInput, AMapInPlaceOfASceneIsToldToBeCompiled) { expect_refused({"info", "room.json"}, "krait compile"); }
 
+TEST_F(CliBadInput, AMapOrAPlanInPlaceOfARobotIsNamed) {
+  expect_robot_refused(json("room.json").dump(), "is a map, not a robot: krait robots lists those");
+  expect_robot_refused(R"({"type": "FeatureCollection", "features": []})", "is a map, not a robot");
+  expect_robot_refused(R"({"format": "krait-plan", "controls": []})", "is a plan, not a robot: the object that");
+}
+
 TEST_F(CliBadInput, StandardOutputThatIsFullIsSaid) {
-  const Outcome outcome =
-      run_program("/bin/bash", {"-c", "exec " KRAIT_BIN_DIR "/krait info room.krait >/dev/full"}, directory());
-  EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.errors, HasSubstr("standard output"));
+  for (const char* command : {"krait info room.krait", "krait --version", "krait --help", "krait plan --help",
+                              "krait compile --help", "krait-compile --help"}) {
+    const Outcome outcome =
+        run_program("/bin/bash", {"-c", printed("exec %s/%s >/dev/full", KRAIT_BIN_DIR, command)}, directory());
+    EXPECT_EQ(outcome.code, 2) << command;
+    EXPECT_THAT(outcome.errors, MatchesRegex("krait(-compile)?: standard output cannot be written\n")) << command;
+  }
 }
 
 }  // namespace

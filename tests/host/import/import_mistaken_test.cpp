@@ -30,6 +30,9 @@ TEST_F(MistakenTest, RobotsAndPlansAreNamed) {
             path("car.json") + ": is a robot, not a map: give it to --robot");
   EXPECT_EQ(error("plan.json", R"({"format": "krait-plan", "robot": {"model": "car"}, "controls": []})"),
             path("plan.json") + ": is a plan, not a map: krait verify MAP PLAN judges it");
+  EXPECT_THAT(error("model.yaml", "max_vel: 0.5\ndynamics: unicycle1\n"),
+              HasSubstr("is a robot of dynobench, not a map: give a problem, which has an environment"));
+  EXPECT_THAT(warnings("m.yaml", "dynamics: 1\nenvironment:\n  min: [0, 0]\n  max: [1, 1]\n"), IsEmpty());
   EXPECT_THAT(error("t.json", R"({"type": "Topology", "arcs": []})"), HasSubstr("is TopoJSON: convert it to GeoJSON"));
   EXPECT_THAT(error("a.json", R"({"model": 1, "bounds": 2})"), HasSubstr("unknown key \"model\""));
 }
