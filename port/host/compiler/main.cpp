@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "host/compiler/blocked_starts.hpp"
 #include "host/compiler/compiler.hpp"
 #include "host/compiler/lost_headings.hpp"
 #include "host/compiler/reduction_options.hpp"
@@ -72,6 +73,8 @@ void run(const Arguments& arguments, Progress& progress) {
                                arguments.reduction.coarse};
   std::vector<std::string> report;
   const CompiledScene scene = arguments.reduction.compiled(workspace, robot, options, report);
+  const std::vector<std::string> blocked = robot ? blocked_starts(scene, *robot) : std::vector<std::string>();
+  if (!blocked.empty() && !arguments.start.empty()) throw InputError("--start: " + blocked.front());
   write_file(arguments.output, std::string(scene.bytes.begin(), scene.bytes.end()));
   progress.end();
   const auto warn = [&](const std::string& text) {
@@ -81,6 +84,7 @@ void run(const Arguments& arguments, Progress& progress) {
   const std::string lost = arguments.any_heading ? "" : lost_headings(workspace.goals);
   if (!lost.empty()) warn(lost);
   std::for_each(scene.warnings.begin(), scene.warnings.end(), warn);
+  std::for_each(blocked.begin(), blocked.end(), warn);
   for (const std::string& line : report) std::fprintf(stderr, "krait-compile: %s\n", line.c_str());
 }
 

@@ -56,7 +56,9 @@ class Collector {
     for (const Ring& hole : obstacle.holes) append_ring(edges, place_within(hole, frame_), {0, 1});
     const Snapped snapped = snap(edges);
     if (snapped.crossings > 0) {
-      warnings_.push_back(obstacle.label + " crosses itself: everything that its rings go around counts as solid");
+      warnings_.push_back(
+          obstacle.label +
+          " crosses itself: what its outline goes around counts as solid, but for what a hole goes around");
     }
     const bool plain = obstacle.holes.empty() && snapped.passes == 0 && snapped.edges.size() == outer.size() &&
                        std::set<GridPoint>(outer.begin(), outer.end()).size() == outer.size();
@@ -65,7 +67,8 @@ class Collector {
       parts_.emplace_back();
       append_ring(parts_.back(), outer, {1, 0});
     } else {
-      add_tangle({std::move(edges)});
+      if (!add_tangle({std::move(edges)}))
+        warnings_.push_back(obstacle.label + " is no obstacle: its holes leave nothing of it");
     }
   }
 
@@ -104,11 +107,14 @@ class Collector {
     return p.x >= b.min.x && p.x <= b.max.x && p.y >= b.min.y && p.y <= b.max.y;
   }
 
-  void add_tangle(std::vector<Edges> edges) {
+  // Whether anything of it is solid.
+  bool add_tangle(std::vector<Edges> edges) {
     United part = unite(std::move(edges), frame_.bounds);
     most_passes_ = std::max(most_passes_, part.passes);
-    if (!part.boundary.empty()) parts_.push_back(std::move(part.boundary));
     ++tangles_;
+    if (part.boundary.empty()) return false;
+    parts_.push_back(std::move(part.boundary));
+    return true;
   }
 
   // The part within the bounds of a map that was cropped.

@@ -14,8 +14,8 @@ struct Solid {
   int roundings = 0;  // each moved no boundary inwards by more than 0.71 grid steps
 };
 
-// Throws InputError naming an obstacle whose coordinates are not finite; adds a warning for one that crosses itself or
-// has no area.
+// Throws InputError naming an obstacle whose coordinates are not finite; adds a warning for one that crosses itself,
+// has no area, or is all hole.
 Solid solid_of(const Workspace& workspace, const Frame& frame, std::vector<std::string>& warnings);
 
 }  // namespace krait::host::compiler

@@ -2,6 +2,8 @@
 #include "host/reduce/reduce.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <utility>
 
 #include "host/reduce/cells.hpp"
@@ -38,22 +40,72 @@ bool has_way(const CellMap& map, const Workspace& w) {
   });
 }
 
-void resample(Workspace& w, double size) {
-  if (!w.cells) {
-    w.cells = drawn_in_cells(w, size);
-    w.obstacles.clear();
-    return;
-  }
-  CellMap larger = resampled(*w.cells, size);
+// Of a drawing in cells of that size: one in cells an eighth as large, but of a million at most; nothing where these
+// are no smaller.
+std::optional<CellMap> drawn_finer(const Workspace& drawing, double size) {
+  constexpr double kShare = 8, kMost = 1e6;
+  const double area = (drawing.max.x - drawing.min.x) * (drawing.max.y - drawing.min.y);
+  const double finer = std::max(size / kShare, std::sqrt(area / kMost));
+  return finer < size ? std::optional(drawn_in_cells(drawing, finer)) : std::nullopt;
+}
+
+// Warns of the passages that larger cells close, and refuses those that leave no way.
+void judge_closed(Workspace& w, const CellMap& before, const CellMap& after, double size) {
   const std::string option = printed("--cell %.10g", size);
-  const std::vector<ClosedPassage> closed = closed_passages(*w.cells, larger);
-  if (!closed.empty() && has_way(*w.cells, w) && !has_way(larger, w)) {
+  const std::vector<ClosedPassage> closed = closed_passages(before, after);
+  if (!closed.empty() && has_way(before, w) && !has_way(after, w)) {
     throw InputError(option + printed(" closes every way from the start to the goal, the widest passage that it closes "
                                       "at %.6g,%.6g, some %.3g m wide: take smaller cells",
                                       closed[0].place.x, closed[0].place.y, closed[0].width));
   }
   warn_of_closed(closed, option, w.warnings);
+}
+
+void resample(Workspace& w, double size) {
+  CellMap larger = w.cells ? resampled(*w.cells, size) : drawn_in_cells(w, size);
+  const std::optional<CellMap> before = w.cells ? std::move(w.cells) : drawn_finer(w, size);
+  if (before) judge_closed(w, *before, larger, size);
   w.cells = std::move(larger);
+  w.obstacles.clear();
+}
+
+// By goal, whether it has a free cell.
+std::vector<bool> open_goals(const Workspace& w) {
+  std::vector<bool> open;
+  for (const Goal& goal : w.goals) {
+    const std::vector<std::size_t> cells = cells_of(*w.cells, goal);
+    open.push_back(std::any_of(cells.begin(), cells.end(), [&](std::size_t c) { return w.cells->occupied[c] == 0; }));
+  }
+  return open;
+}
+
+// Names each goal that was open and is not; where no other is left, that is refused.
+void judge_goals(Workspace& w, const std::vector<bool>& were_open, const Girth& girth) {
+  const std::vector<bool> open = open_goals(w);
+  const bool none_left = std::find(open.begin(), open.end(), true) == open.end();
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    if (open[i] || !were_open[i]) continue;
+    const std::string line =
+        "goal '" + w.goals[i].name + "' is closed: no way from the starts to it is wide enough for " +
+        printed("a disc of radius %.4g m, the robot's or that of --fill: give a narrower one, or another goal",
+                girth.inner);
+    if (none_left) throw InputError(line);
+    w.warnings.push_back(line);
+  }
+}
+
+void close_for(Workspace& w, const Girth& girth) {
+  require_cells(w, "--fill");
+  std::vector<Point> starts;
+  for (const Start& start : w.starts) starts.push_back(start.position);
+  const std::vector<bool> open = open_goals(w);
+  w.cells = filled(*w.cells, girth, starts);
+  const std::vector<std::uint8_t>& occupied = w.cells->occupied;
+  if (std::find(occupied.begin(), occupied.end(), 0) == occupied.end()) {
+    throw InputError(printed("a disc of radius %.4g m, the robot's or that of --fill, has room nowhere", girth.inner) +
+                     (starts.empty() ? "" : " that a start leads to"));
+  }
+  judge_goals(w, open, girth);
 }
 
 }  // namespace
@@ -62,18 +114,7 @@ Workspace reduced(Workspace workspace, const Reduction& reduction) {
   Workspace w =
       reduction.crop ? cropped(std::move(workspace), reduction.crop->min, reduction.crop->max) : std::move(workspace);
   if (reduction.cell) resample(w, *reduction.cell);
-  if (reduction.fill) {
-    require_cells(w, "--fill");
-    std::vector<Point> starts;
-    for (const Start& start : w.starts) starts.push_back(start.position);
-    w.cells = filled(*w.cells, *reduction.fill, starts);
-    const std::vector<std::uint8_t>& occupied = w.cells->occupied;
-    if (std::find(occupied.begin(), occupied.end(), 0) == occupied.end()) {
-      throw InputError(
-          printed("a disc of radius %.4g m, the robot's or that of --fill, has room nowhere", reduction.fill->inner) +
-          (starts.empty() ? "" : " that a start leads to"));
-    }
-  }
+  if (reduction.fill) close_for(w, *reduction.fill);
   if (reduction.corridor) {
     require_cells(w, "--corridor");
     w.cells = within_corridor(*w.cells, *reduction.corridor, reduction.disc, w.starts, w.goals, w.warnings);

@@ -24,9 +24,9 @@ struct Reduction {
   Girth disc;                      // whose ways a corridor is around
 };
 
-// Warnings, among them those that name passages that larger cells close, go to the workspace's. Throws InputError where
-// an operation does, where a drawing has no cells for one, and where larger cells close every way from the starts to
-// the goals that there was.
+// Warnings, among them those that name passages that larger cells close and goals that a disc cannot get to, go to the
+// workspace's. Throws InputError where an operation does, where a drawing has no cells for one, where larger cells
+// close every way from the starts to the goals that there was, and where a disc can get to no goal.
 Workspace reduced(Workspace workspace, const Reduction& reduction);
 
 }  // namespace krait::host

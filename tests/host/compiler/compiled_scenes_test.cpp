@@ -124,6 +124,21 @@ TEST(Scenes, SelfCrossingRingIsFilledAndNamed) {
   EXPECT_THAT(compile(w, {}).warnings, testing::ElementsAre(testing::StartsWith("obstacles[0] crosses itself")));
 }
 
+TEST(Scenes, AHoleThatCrossesItsOutlineStaysOpenAsTheWarningSays) {
+  Workspace w = empty_room(20, 20);
+  w.obstacles.push_back({"a", box(2, 2, 8, 8), {box(6, 6, 12, 12)}});
+  EXPECT_NEAR(solid_area(checked(w)), 36 - 4, 1e-9);
+  EXPECT_THAT(compile(w, {}).warnings,
+              testing::ElementsAre(
+                  "a crosses itself: what its outline goes around counts as solid, but for what a hole goes around"));
+}
+
+TEST(Scenes, AnObstacleThatIsAllHoleIsNamed) {
+  Workspace w = empty_room(20, 20);
+  w.obstacles.push_back({"a", box(2, 2, 8, 8), {box(2, 2, 8, 8)}});
+  EXPECT_THAT(compile(w, {}).warnings, testing::ElementsAre("a is no obstacle: its holes leave nothing of it"));
+}
+
 TEST(Scenes, PartlyOutsideIsClipped) {
   Workspace w = empty_room(20, 20);
   w.obstacles.push_back({"a", rotated_box({0, 10}, 6, 6, 0.3), {}});

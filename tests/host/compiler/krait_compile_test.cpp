@@ -56,6 +56,18 @@ class KraitCompile : public testing::Test {
   fs::path folder_;
 };
 
+TEST_F(KraitCompile, AStartWhereTheRobotHasNoRoomIsNamed) {
+  const std::string robot = path("room.json") + " --cell 0.1 --for husky";
+  expect_refused(robot + " --start 8.6,10,0",
+                 "--start: the robot of --for cannot begin at start 'start': the robot overlaps an obstacle (piece ");
+  EXPECT_THAT(run(robot + " --start 5,5,0 -o " + path("out.krait")).errors, testing::Not(testing::HasSubstr("begin")));
+  std::ofstream(path("walled.json")) << R"({"bounds": {"min": [0, 0], "max": [20, 20]}, "obstacles": [],
+      "starts": [{"name": "home", "position": [0.2, 5], "heading": 0}]})";
+  const Outcome outcome = run(path("walled.json") + " --for husky -o " + path("out.krait"));
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.errors, testing::HasSubstr("warning: the robot of --for cannot begin at start 'home': "));
+}
+
 TEST_F(KraitCompile, StartReplacesAndGoalJoinsTheFiles) {
   const Outcome outcome = run(path("room.json") + " -o " + path("out.krait") + " --start 4,4,0.5 --goal 15,15,1");
   EXPECT_EQ(outcome.code, 0) << outcome.errors;

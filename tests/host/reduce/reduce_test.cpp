@@ -245,6 +245,23 @@ int corner_count(const CellMap& map) {
   return count;
 }
 
+TEST(Fill, NamesTheGoalsThatItCloses) {
+  std::vector<std::string> rows(30, "..........#.........#.........");
+  rows[14][10] = rows[15][10] = rows[16][10] = '.';        // a door of 3 cells
+  for (std::size_t i = 3; i < 15; ++i) rows[i][20] = '.';  // and one of 12
+  Workspace w = room(cells(rows, 0.1));
+  w.starts = {{"a", {2.5, 1.5}, 0, {}}};
+  w.goals = {{"near", {{1.3, 1.3}, {1.7, 1.3}, {1.7, 1.7}}}, {"far", {{0.3, 0.3}, {0.7, 0.3}, {0.7, 0.7}}}};
+  const Reduction narrow{{}, {}, Girth{0.1, 0.1, 0}, {}, {}}, wide{{}, {}, Girth{0.4, 0.4, 0}, {}, {}};
+  EXPECT_TRUE(reduced(w, narrow).warnings.empty());
+  EXPECT_THAT(
+      reduced(w, wide).warnings,
+      testing::ElementsAre("goal 'far' is closed: no way from the starts to it is wide enough for a disc of "
+                           "radius 0.4 m, the robot's or that of --fill: give a narrower one, or another goal"));
+  w.goals.erase(w.goals.begin());
+  EXPECT_THAT(complaint(w, wide), testing::StartsWith("goal 'far' is closed: no way from the starts to it is wide"));
+}
+
 TEST(Fill, LessensTheCornersOfOutlines) {
   Random random(9);
   int before = 0, after = 0;
@@ -297,6 +314,19 @@ TEST(Resample, NamesThePassagesThatClose) {
   w.goals = {{"b", {{2.5, 2.5}, {2.7, 2.5}, {2.7, 2.7}}}};
   EXPECT_THAT(complaint(w, {{}, 0.3, {}, {}, {}}), testing::HasSubstr("closes every way from the start to the goal"));
   EXPECT_TRUE(reduced(w, {{}, 0.1, {}, {}, {}}).warnings.empty());
+}
+
+TEST(Resample, NamesThePassagesOfADrawingThatClose) {
+  Workspace w;
+  w.max = {20, 10};
+  w.obstacles = {{"low", {{9.9, 0}, {10.1, 0}, {10.1, 4.6}, {9.9, 4.6}}, {}},
+                 {"high", {{9.9, 5.5}, {10.1, 5.5}, {10.1, 10}, {9.9, 10}}, {}}};
+  EXPECT_THAT(reduced(w, {{}, 1.0, {}, {}, {}}).warnings,
+              testing::ElementsAre("--cell 1 closes a passage at 10.0625,4.9375, some 0.625 m wide"));
+  EXPECT_TRUE(reduced(w, {{}, 0.2, {}, {}, {}}).warnings.empty());
+  w.starts = {{"a", {2, 5}, 0, {}}};
+  w.goals = {{"b", {{17, 4}, {18, 4}, {18, 6}, {17, 6}}}};
+  EXPECT_THAT(complaint(w, {{}, 1.0, {}, {}, {}}), testing::HasSubstr("closes every way from the start to the goal"));
 }
 
 TEST(Resample, RefusesFinerCellsAndOnesLargerThanTheMap) {
