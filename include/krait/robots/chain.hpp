@@ -61,10 +61,11 @@ class Chain {
  public:
   using Parameters = ChainParameters;  ///< what its constructor copies
   static constexpr int kCarState = 5;  ///< floats of the car's state, which moves as if it pulled nothing
-  static constexpr int kMaxState = kCarState + kMaxTrailers;                      ///< floats of a state, at most
-  static constexpr int kMaxControl = 2;                                           ///< floats of a control
-  static constexpr const char* kStateNames[] = {"x", "y", "theta0", "v", "psi"};  ///< of the car's components
-  static constexpr int kMaxBodies = 1 + kMaxTrailers;                             ///< the car and its trailers, at most
+  static constexpr int kMaxState = kCarState + kMaxTrailers;                         ///< floats of a state, at most
+  static constexpr int kMaxControl = 2;                                              ///< floats of a control
+  static constexpr const char* kStateNames[] = {"x", "y", "theta0", "v", "psi"};     ///< of the car's components
+  static constexpr const char* kControlNames[] = {"acceleration", "steering_rate"};  ///< of a control's components
+  static constexpr int kMaxBodies = 1 + kMaxTrailers;  ///< the car and its trailers, at most
   static constexpr float kTurnReserve = 1.1F;  ///< of a truck: the least radius of its turns over d sqrt(trailers), the
                                                ///< least that they follow by lemma 14 of lib/robot/CHAIN.md
 

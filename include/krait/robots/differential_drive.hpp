@@ -38,6 +38,8 @@ class DifferentialDrive : public PlanarBody {
   static constexpr int kMaxState = 5;                                                 ///< floats of a state
   static constexpr int kMaxControl = 2;                                               ///< floats of a control
   static constexpr const char* kStateNames[] = {"x", "y", "theta", "left", "right"};  ///< of a state's components
+  static constexpr const char* kControlNames[] = {"left_acceleration",
+                                                  "right_acceleration"};  ///< of a control's components
 
   /// Copies the parameters; sound() says whether they can be used.
   explicit DifferentialDrive(const DifferentialDriveParameters& parameters)

@@ -54,13 +54,14 @@ struct KinematicTruckParameters {
 /// steer.
 class KinematicTruck {
  public:
-  using Parameters = KinematicTruckParameters;                        ///< what its constructor copies
-  static constexpr int kCarState = 3;                                 ///< floats of the car's state
-  static constexpr int kMaxState = kCarState + kMaxTrailers;          ///< floats of a state, at most
-  static constexpr int kMaxControl = 2;                               ///< floats of a control
-  static constexpr const char* kStateNames[] = {"x", "y", "theta0"};  ///< of the car's components
-  static constexpr int kMaxBodies = Chain::kMaxBodies;                ///< the car and its trailers, at most
-  using Lead = Chain::Lead;                                           ///< what the trailers must know of the car
+  using Parameters = KinematicTruckParameters;                           ///< what its constructor copies
+  static constexpr int kCarState = 3;                                    ///< floats of the car's state
+  static constexpr int kMaxState = kCarState + kMaxTrailers;             ///< floats of a state, at most
+  static constexpr int kMaxControl = 2;                                  ///< floats of a control
+  static constexpr const char* kStateNames[] = {"x", "y", "theta0"};     ///< of the car's components
+  static constexpr const char* kControlNames[] = {"speed", "steering"};  ///< of a control's components
+  static constexpr int kMaxBodies = Chain::kMaxBodies;                   ///< the car and its trailers, at most
+  using Lead = Chain::Lead;                                              ///< what the trailers must know of the car
 
   /// Copies the parameters; sound() says whether they can be used. A number of trailers that is out of range becomes
   /// -1, as in a Chain.

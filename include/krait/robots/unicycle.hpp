@@ -32,10 +32,11 @@ struct UnicycleParameters {
 /// says, and take O(1).
 class Unicycle : public PlanarBody {
  public:
-  using Parameters = UnicycleParameters;                             ///< what its constructor copies
-  static constexpr int kMaxState = 3;                                ///< floats of a state
-  static constexpr int kMaxControl = 2;                              ///< floats of a control
-  static constexpr const char* kStateNames[] = {"x", "y", "theta"};  ///< of a state's components
+  using Parameters = UnicycleParameters;                                  ///< what its constructor copies
+  static constexpr int kMaxState = 3;                                     ///< floats of a state
+  static constexpr int kMaxControl = 2;                                   ///< floats of a control
+  static constexpr const char* kStateNames[] = {"x", "y", "theta"};       ///< of a state's components
+  static constexpr const char* kControlNames[] = {"speed", "turn_rate"};  ///< of a control's components
 
   /// Copies the parameters; sound() says whether they can be used.
   explicit Unicycle(const UnicycleParameters& parameters)

@@ -40,6 +40,7 @@ class Unicycle2 : public PlanarBody {
   static constexpr int kMaxState = 5;                                              ///< floats of a state
   static constexpr int kMaxControl = 2;                                            ///< floats of a control
   static constexpr const char* kStateNames[] = {"x", "y", "theta", "v", "omega"};  ///< of a state's components
+  static constexpr const char* kControlNames[] = {"acceleration", "turn_acceleration"};  ///< of a control's components
 
   /// Copies the parameters; sound() says whether they can be used.
   explicit Unicycle2(const Unicycle2Parameters& parameters)

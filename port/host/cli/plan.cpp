@@ -103,7 +103,7 @@ SearchRequest request_of(const PlanOptions& options) {
 std::string csv_of(const PlanFile& plan) {
   std::string text = "t";
   for (const std::string& name : plan.state_names) text += "," + name;
-  for (const char* name : {"u0", "u1"}) text += std::string(",") + name;
+  for (const std::string& name : control_names(plan.robot)) text += "," + name;
   text += "\n";
   const auto append = [&](double value) { text += printed("%.9g", value); };
   const auto place = [&](double origin, float local) {

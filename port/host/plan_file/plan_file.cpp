@@ -16,7 +16,6 @@ constexpr const char* kFormat = "krait-plan";
 constexpr int kVersion = 1;
 constexpr const char* kSolved = "solved";
 constexpr std::uint64_t kMaxFileBytes = 256U << 20;
-constexpr std::size_t kControls = 2;  // of every model
 
 // The double whose shortest decimal is the shortest decimal of the float.
 double shortest(float value) {
@@ -81,12 +80,21 @@ GoalFacing read_planned_facing(const Field& goal) {
   return facing;
 }
 
+std::vector<std::string> read_names(const Field& field) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < field.size(); ++i) names.push_back(field.item(i).text());
+  return names;
+}
+
 void read_motion(const Field& field, PlanFile& plan) {
   const Field names = field.at("state_names");
-  for (std::size_t i = 0; i < names.size(); ++i) plan.state_names.push_back(names.item(i).text());
+  plan.state_names = read_names(names);
   if (plan.state_names != state_names(plan.robot)) names.fail("are not those of the robot's model");
+  const std::vector<std::string> controls = control_names(plan.robot);
+  if (field.has("control_names") && read_names(field.at("control_names")) != controls)
+    field.at("control_names").fail("are not those of the robot's model");
   plan.states = read_rows(field.at("states"), plan.state_names.size());
-  plan.controls = read_rows(field.at("controls"), kControls);
+  plan.controls = read_rows(field.at("controls"), controls.size());
   if (plan.status != kSolved) {
     if (!plan.states.empty() || !plan.controls.empty()) field.fail("states and controls stand only in a solved plan");
   } else if (plan.states.size() != plan.controls.size() + 1) {
@@ -114,6 +122,7 @@ Json to_json(const PlanFile& plan) {
   json["goal"] = {{"name", plan.goal_name}, {"polygon", to_json(plan.goal_polygon)}};
   if (plan.goal_facing) add_facing(*plan.goal_facing, json["goal"]);
   json["state_names"] = plan.state_names;
+  json["control_names"] = control_names(plan.robot);
   json["states"] = solved ? rows(plan.states) : Json::array();
   json["controls"] = solved ? rows(plan.controls) : Json::array();
   json["origin"] = {plan.origin.x, plan.origin.y};

@@ -35,8 +35,9 @@ struct Model {
   const char* name;
   int most_links;
   std::vector<Parameter> parameters;
-  std::vector<std::string> states;  // the components of a state, in their order, but the trailers' headings
-  bool centred = false;             // whether the box of body 0 is centred on the wheelbase, not on the axle
+  std::vector<std::string> states;    // the components of a state, in their order, but the trailers' headings
+  std::vector<std::string> controls;  // the components of a control
+  bool centred = false;               // whether the box of body 0 is centred on the wheelbase, not on the axle
 };
 
 // Of ROBOT.json: what it does not say has no unit.
@@ -71,6 +72,7 @@ Model model_of(const char* name) {
           most_trailers<R>(),
           parameters_of(defaults_of<R>()),
           {std::begin(R::kStateNames), std::end(R::kStateNames)},
+          {std::begin(R::kControlNames), std::end(R::kControlNames)},
           is_centred<R>()};
 }
 
@@ -250,6 +252,8 @@ std::vector<Ring> default_bodies(const RobotSpec& robot) {
                     {middle - half_length, half_width}};
   return std::vector<Ring>(static_cast<std::size_t>(robot.links) + 1, box);
 }
+
+std::vector<std::string> control_names(const RobotSpec& robot) { return model_of(robot).controls; }
 
 std::vector<std::string> state_names(const RobotSpec& robot) {
   std::vector<std::string> names = model_of(robot).states;

@@ -40,6 +40,9 @@ Json to_json(const RobotSpec& robot);
 // InputError for a model that is not known.
 std::vector<std::string> state_names(const RobotSpec& robot);
 
+// The components of a control: kControlNames of the model's class. Throws as state_names.
+std::vector<std::string> control_names(const RobotSpec& robot);
+
 // How users name the models: those with trailers, with `between` between them, and what N is, then the others, as in
 // "snake:N and truck:N (N trailers), car, unicycle".
 std::string model_forms(const std::string& between, const std::string& about_trailers);

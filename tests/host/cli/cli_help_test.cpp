@@ -66,7 +66,7 @@ TEST_F(CliHelp, TeachesPlan) {
 }
 
 TEST_F(CliHelp, SaysWhatIsImprovedUnasked) {
-  EXPECT_THAT(help({"plan"}), HasSubstr("(default: 10; 0, the first plan, with --paper, --planner prior or rrt, "));
+  EXPECT_THAT(help({"plan"}), HasSubstr("(default: 10, or as many as make 300000 checks; 0, the first plan, with "));
 }
 
 TEST_F(CliHelp, ListsTheDefaultsOfEveryRobot) {

@@ -88,7 +88,7 @@ constexpr const char* kStraightOn = "5,5,0.5";   // there is no better plan than
 TEST_F(CliPlan, HasTheFieldsOfTheFormat) {
   const ordered_json plan = this->plan({"--robot", "snake:2", "--seed", "7"});
   EXPECT_THAT(keys(plan), ElementsAre("format", "version", "status", "scene", "seed", "planner", "robot", "dt", "goal",
-                                      "state_names", "states", "controls", "origin", "statistics"));
+                                      "state_names", "control_names", "states", "controls", "origin", "statistics"));
   EXPECT_EQ(plan.at("format"), "krait-plan");
   EXPECT_EQ(plan.at("version"), 1);
   EXPECT_EQ(plan.at("status"), "solved");
@@ -99,6 +99,7 @@ TEST_F(CliPlan, HasTheFieldsOfTheFormat) {
   EXPECT_EQ(plan.at("goal").at("name"), "east");
   EXPECT_EQ(plan.at("goal").at("polygon").size(), 4U);
   EXPECT_THAT(plan.at("state_names"), ElementsAre("x", "y", "theta0", "v", "psi", "theta1", "theta2"));
+  EXPECT_THAT(plan.at("control_names"), ElementsAre("acceleration", "steering_rate"));
   EXPECT_THAT(plan.at("origin"), ElementsAre(0.0, 0.0));
 }
 
@@ -423,7 +424,7 @@ TEST_F(CliPlan, WritesATableOfTheSameNumbers) {
   std::ifstream table(path("plan.csv"));
   std::string line;
   std::getline(table, line);
-  EXPECT_EQ(line, "t,x,y,theta0,v,psi,u0,u1");
+  EXPECT_EQ(line, "t,x,y,theta0,v,psi,acceleration,steering_rate");
   for (std::size_t i = 0; i < plan.at("states").size(); ++i) {
     ASSERT_TRUE(std::getline(table, line));
     std::istringstream row(line);
