@@ -37,12 +37,13 @@ class Painter : private Pen {
     tree();
     path();
     bodies();
+    goal_outline();
     heading();
     marks();
-    places();
     cairo_restore(cr_);
     map_rectangle();
     stroke(kInk, 1.2);
+    places();
     color_bar();
     scale_bar();
     key();
@@ -123,6 +124,15 @@ class Painter : private Pen {
     fill_and_stroke(kGoal, kInk, 1.6);
   }
 
+  // Over the bodies, which may cover all of it.
+  void goal_outline() {
+    if (picture_.plan.goal_polygon.empty()) return;
+    ring(picture_.plan.goal_polygon);
+    stroke(kInk, 3);
+    ring(picture_.plan.goal_polygon);
+    stroke(kGoal, 1.4);
+  }
+
   void tree() {
     cairo_set_line_cap(cr_, CAIRO_LINE_CAP_ROUND);
     for (const TreeVertex& vertex : picture_.tree) {
@@ -156,6 +166,26 @@ class Painter : private Pen {
       ring(placed);
       fill_and_stroke(inside, line, width);
     }
+    front_mark(poses.front(), line, width);
+  }
+
+  // A chevron that points ahead, inside a body that is a box.
+  void front_mark(const Pose& pose, Color line, double width) {
+    const Ring& body = picture_.plan.robot.bodies.front();
+    const auto [back, front] =
+        std::minmax_element(body.begin(), body.end(), [](const Point& a, const Point& b) { return a.x < b.x; });
+    const auto [right, left] =
+        std::minmax_element(body.begin(), body.end(), [](const Point& a, const Point& b) { return a.y < b.y; });
+    const double size = std::min(front->x - back->x, left->y - right->y) / 2;
+    const double middle = (left->y + right->y) / 2;
+    const double c = std::cos(pose.heading);
+    const double s = std::sin(pose.heading);
+    const auto to = [&](double x, double y) { line_to(figure_.at({pose.x + c * x - s * y, pose.y + s * x + c * y})); };
+    cairo_new_sub_path(cr_);
+    to(front->x - 0.9 * size, middle + 0.6 * size);
+    to(front->x - 0.3 * size, middle);
+    to(front->x - 0.9 * size, middle - 0.6 * size);
+    stroke(line, width);
   }
 
   // From the first body's front to the last one's end, metres, when the robot is straight.
@@ -179,17 +209,22 @@ class Painter : private Pen {
                      std::hypot(static_cast<double>(states[i][0]) - static_cast<double>(states[i - 1][0]),
                                 static_cast<double>(states[i][1]) - static_cast<double>(states[i - 1][1])));
     }
-    const double least = std::max({1.3 * robot_length(), 16 / figure_.scale, gone.back() / 60});
-    const double images = std::floor(gone.back() / least);
-    const double step = gone.back() / std::max(1.0, images);
+    const double step = image_step(gone.back());
     double next = step;
     for (std::size_t i = 1; i < states.size() && next < gone.back() - 0.5 * step; ++i) {
       if (gone[i] < next) continue;
       robot(states[i], kRobot, kInk, 0.8);
+      on_its_way_ = true;
       next += step;
     }
     robot(states.front(), kRobotStart, kInk, 1.1);
     robot(states.back(), kRobotEnd, kPaper, 1.1);
+  }
+
+  // Metres between two images of the robot on a way of that length.
+  double image_step(double length) const {
+    const double least = std::max({1.3 * robot_length(), 16 / figure_.scale, length / 60});
+    return length / std::max(1.0, std::floor(length / least));
   }
 
   bool has_start() const { return !picture_.plan.states.empty() || !picture_.tree.empty(); }
@@ -202,11 +237,13 @@ class Painter : private Pen {
     fill_and_stroke(kRobotStart, kInk, 1.8);
   }
 
-  // Numbered as in the line of facts.
+  // Numbered as in the line of facts; one beyond the map is drawn at its border.
   void places() {
     font(10.5, true);
     for (std::size_t i = 0; i < picture_.marks.size(); ++i) {
-      const Point at = figure_.at(picture_.marks[i].at);
+      Point at = figure_.at(picture_.marks[i].at);
+      at.x = std::clamp(at.x, figure_.left, figure_.left + figure_.map_width);
+      at.y = std::clamp(at.y, figure_.top, bottom());
       disc(at, 7.5);
       fill_and_stroke(kInk, kPaper, 1.5);
       write(std::to_string(i + 1), {at.x, at.y + 3.8}, Align::center, kPaper);
@@ -314,7 +351,7 @@ class Painter : private Pen {
       box(kGoal, kInk, 1.6);
       entry("goal", 16);
     }
-    if (!picture_.tree.empty()) {
+    if (picture_.tree.size() > 1) {
       cairo_move_to(cr_, x, y);
       cairo_line_to(cr_, x + 18, y);
       stroke(kInk, 0.55, 0.6);
@@ -325,14 +362,18 @@ class Painter : private Pen {
       entry("robot at the start", 16);
     }
     if (picture_.plan.states.empty()) return;
-    cairo_move_to(cr_, x, y);
-    cairo_line_to(cr_, x + 18, y);
-    stroke(kInk, 1.9);
-    entry("plan", 18);
+    if (picture_.plan.states.size() > 1) {
+      cairo_move_to(cr_, x, y);
+      cairo_line_to(cr_, x + 18, y);
+      stroke(kInk, 1.9);
+      entry("plan", 18);
+    }
     box(kRobotStart, kInk, 1.1);
     entry("robot at the start", 16);
-    box(kRobot, kInk, 0.8);
-    entry("on its way", 16);
+    if (on_its_way_) {
+      box(kRobot, kInk, 0.8);
+      entry("on its way", 16);
+    }
     box(kRobotEnd, kRobotEnd, 1.1);
     entry("at the end", 16);
   }
@@ -341,6 +382,7 @@ class Painter : private Pen {
 
   const Picture& picture_;
   Figure figure_;
+  bool on_its_way_ = false;  // the robot was drawn between start and end
 };
 
 }  // namespace

@@ -173,6 +173,64 @@ TEST(Png, WithoutAPlanTheRobotStandsAtItsStart) {
   EXPECT_THAT(color_at(picture, {8, 12}), IsColor(kRobotStart));
 }
 
+// A square of 4 m, alike in front and behind.
+Picture standing(double heading) {
+  Picture picture = bare_picture(20, 20);
+  picture.plan.robot.model = "car";
+  picture.plan.robot.bodies = {{{-2, -2}, {2, -2}, {2, 2}, {-2, 2}}};
+  picture.plan.dt = 0.1;
+  picture.start = {10, 10, static_cast<float>(heading), 0, 0};
+  return picture;
+}
+
+TEST(Png, TheFrontOfTheFirstBodyIsMarked) {
+  const Point tip{10 + 1.4, 10};
+  EXPECT_THAT(color_at(standing(0), tip), Not(IsColor(kRobotStart)));
+  EXPECT_THAT(color_at(standing(std::acos(-1.0)), tip), IsColor(kRobotStart));
+}
+
+TEST(Png, AGoalUnderTheRobotKeepsItsOutline) {
+  Picture picture = standing(0);
+  picture.plan.goal_polygon = {{9, 9}, {10.5, 9}, {10.5, 11}, {9, 11}};
+  EXPECT_THAT(color_at(picture, {9, 10.5}), IsColor(kGoal));
+}
+
+TEST(Png, APlaceBeyondTheMapIsDrawnAtItsBorder) {
+  Picture picture = bare_picture(20, 20);
+  picture.marks = {{{12, -1}, "stops it"}};
+  const Figure figure = layout(picture);
+  const Point border = figure.at({12, 0});
+  EXPECT_THAT(decode(draw_png(picture)).at({border.x - 5, border.y + 3}), IsColor(kInk));
+}
+
+// The pixels of the legend's last row.
+std::vector<std::uint8_t> key_of(const Picture& picture) {
+  const Figure figure = layout(picture);
+  const Pixels pixels = decode(draw_png(picture));
+  const auto row = static_cast<std::size_t>((figure.top + figure.map_height + 65) * kPixelsPerPoint);
+  return {pixels.rgb.begin() + static_cast<std::ptrdiff_t>(3 * row * pixels.width), pixels.rgb.end()};
+}
+
+// A plan straight ahead by `steps` steps of 0.1 m.
+Picture going(int steps) {
+  Picture picture = standing(0);
+  picture.plan.status = "solved";
+  for (int i = 0; i <= steps; ++i) picture.plan.states.push_back({2 + 0.1F * static_cast<float>(i), 10, 0, 0, 0});
+  picture.plan.controls.assign(static_cast<std::size_t>(steps), {0, 0});
+  return picture;
+}
+
+TEST(Png, TheLegendHasWhatIsDrawnOnly) {
+  Picture rooted = going(5);
+  rooted.tree = {{2, 10, 0, 0}};
+  EXPECT_EQ(key_of(rooted), key_of(going(5)));
+  rooted.tree.push_back({3, 10, 0, 1});
+  EXPECT_NE(key_of(rooted), key_of(going(5)));
+  EXPECT_NE(key_of(going(0)), key_of(going(5))) << "the plan's line";
+  EXPECT_EQ(key_of(going(1)), key_of(going(5)));
+  EXPECT_NE(key_of(going(5)), key_of(going(160))) << "on its way";
+}
+
 TEST(Png, PlacesThatHaveNoWayAreNumberedAndNamed) {
   Picture picture = bare_picture(20, 20);
   EXPECT_THAT(color_at(picture, {8.1, 12}), IsColor(kFree));
