@@ -17,11 +17,19 @@ struct Source {
 // The place of a content's first character behind white space and a byte order mark; npos where there is none.
 inline std::size_t text_begin(std::string_view content) { return content.find_first_not_of(" \t\r\n\xEF\xBB\xBF"); }
 
+// The import options that a format has a use for.
+struct Uses {
+  bool unknown = false;
+  bool unit = false;
+  bool datum = false;
+};
+
 struct Format {
   const char* name;
   const char* extension;                    // a name ends with it: who else has no content to go by is of this format
   bool (*recognise)(const Source& source);  // by content; cheap, true for broken files of the format too
   Workspace (*read)(const Source& source, const ImportOptions& options);  // throws InputError
+  Uses uses = {};
 };
 
 // By the format that recognises the source. Throws InputError, also where none does.

@@ -217,6 +217,6 @@ Workspace read(const Source& source, const ImportOptions& options) {
 
 }  // namespace
 
-const Format kGeoJson = {"GeoJSON", ".geojson", recognise, read};
+const Format kGeoJson = {"GeoJSON", ".geojson", recognise, read, {.unit = true, .datum = true}};
 
 }  // namespace krait::host

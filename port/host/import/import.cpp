@@ -37,6 +37,17 @@ const Format* by_name(const std::string& path) {
   throw InputError(source.path + ": is in no known format; known are " + kSceneFile.name + ", " + map_formats());
 }
 
+// An option that says nothing of the format, which its user hardly knows.
+void refuse_useless(const Source& source, const Format& format, const ImportOptions& options) {
+  const auto judge = [&](const char* option, bool given, bool used) {
+    if (given && !used)
+      throw InputError(source.path + ": " + option + " says nothing of " + format.name + ": leave it out");
+  };
+  judge("--unknown", options.unknown != Unknown::map, format.uses.unknown);
+  judge("--unit", options.unit.has_value(), format.uses.unit);
+  judge("--datum", options.datum.has_value(), format.uses.datum);
+}
+
 // Two formats may have one extension.
 void warn_of_name(const Source& source, const Format& format, Workspace& workspace) {
   const Format* named = by_name(source.path);
@@ -72,6 +83,7 @@ Workspace read_workspace(const Source& source, const ImportOptions& options) {
   const Format* format = by_content(source);
   if (format == nullptr) format = by_name(source.path);
   if (format == nullptr) refuse(source);
+  refuse_useless(source, *format, options);
   Workspace workspace = format->read(source, options);
   warn_of_name(source, *format, workspace);
   warn_of_degrees(source.path, workspace);

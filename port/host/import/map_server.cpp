@@ -201,6 +201,6 @@ Workspace read(const Source& source, const ImportOptions& options) {
 
 }  // namespace
 
-const Format kMapServer = {"map_server YAML", ".yaml", recognise, read};
+const Format kMapServer = {"map_server YAML", ".yaml", recognise, read, {.unknown = true}};
 
 }  // namespace krait::host

@@ -342,6 +342,6 @@ Workspace read(const Source& source, const ImportOptions& options) {
 
 }  // namespace
 
-const Format kSvg = {"SVG", ".svg", recognise, read};
+const Format kSvg = {"SVG", ".svg", recognise, read, {.unit = true}};
 
 }  // namespace krait::host

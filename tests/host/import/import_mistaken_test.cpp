@@ -66,6 +66,19 @@ TEST_F(MistakenTest, AMapUnderAnotherNameIsReadAndSaysSo) {
   EXPECT_THAT(warnings("m.yaml", "environment:\n  min: [0, 0]\n  max: [1, 1]\n"), IsEmpty());
 }
 
+TEST_F(MistakenTest, OptionsThatSayNothingOfTheFormatAreRefused) {
+  const auto refusal = [&](const std::string& name, const std::string& content, const ImportOptions& options) {
+    return error_of([&] { import_workspace(write(name, content), options); });
+  };
+  EXPECT_EQ(refusal("m.json", kMap, {.unit = 1}),
+            path("m.json") + ": --unit says nothing of krait's JSON: leave it out");
+  EXPECT_THAT(refusal("m.json", kMap, {.unknown = Unknown::free}), HasSubstr("--unknown says nothing of krait's JSON"));
+  EXPECT_THAT(refusal("m.json", kMap, {.datum = LonLat{}}), HasSubstr("--datum says nothing of krait's JSON"));
+  EXPECT_THAT(refusal("m.svg", kDrawing, {.datum = LonLat{}}), HasSubstr("--datum says nothing of SVG"));
+  EXPECT_EQ(refusal("m.svg", kDrawing, {.unit = 1}), "");
+  EXPECT_EQ(refusal("m.json", kMap, {}), "");
+}
+
 TEST_F(MistakenTest, WithoutContentToGoByTheNameDecides) {
   EXPECT_THAT(error("m.json", "[]"), HasSubstr("must be an object"));
   EXPECT_THAT(error("m.geojson", "[]"), HasSubstr("must be an object"));
