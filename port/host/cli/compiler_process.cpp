@@ -14,11 +14,13 @@
 #include <filesystem>
 
 #include "host/cli/commands.hpp"
+#include "host/cli/interrupt.hpp"
 #include "host/workspace/workspace.hpp"
 
 namespace krait::host {
 namespace {
 
+constexpr const char* kStopped = "krait: stopped by you while the map was compiled: nothing is written\n";
 constexpr int kNotRun = 127;  // the exit code of a child that did not become krait-compile
 
 [[noreturn]] void refuse_to_run(const std::string& compiler) {
@@ -63,7 +65,7 @@ int wait_for(pid_t child) {
 
 void require_success(int status, const std::string& compiler, const std::string& map) {
   if (WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) {
-    std::fputs("krait: stopped by you while the map was compiled: nothing is written\n", stderr);
+    std::fputs(kStopped, stderr);
     throw Exit{kHonestNo};
   }
   if (WIFSIGNALED(status)) {
@@ -96,6 +98,7 @@ std::string run_compiler(const std::string& compiler, const std::string& map, st
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) refuse_to_run(compiler);
   std::signal(SIGCHLD, SIG_DFL);  // whoever started this program may have had it ignored
+  const LastWord word(kStopped);  // a terminal sends Ctrl-C to both programs
   const pid_t parent = ::getpid();
   const pid_t child = ::fork();
   if (child == 0) become_child(parent, ends[1], compiler, arguments);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ctrl-C as a wish: what runs ends cleanly with what there is. A second one ends the program at once.
+// Ctrl-C as a wish: what runs ends cleanly with what there is. A second one ends the program at once. Or, where nothing
+// can be had from what runs, its last word.
 #pragma once
 
 namespace krait::host {
@@ -13,6 +14,19 @@ class Interrupt {
   Interrupt& operator=(const Interrupt&) = delete;
 
   bool asked() const;
+
+ private:
+  void (*before_)(int);
+};
+
+// While it lives, SIGINT ends the program as it would without, after a line on standard error; where SIGINT was
+// ignored, it stays so. One at a time, and not with an Interrupt.
+class LastWord {
+ public:
+  explicit LastWord(const char* line);  // whose text stays
+  ~LastWord();
+  LastWord(const LastWord&) = delete;
+  LastWord& operator=(const LastWord&) = delete;
 
  private:
   void (*before_)(int);

@@ -265,7 +265,7 @@ std::string detail_of(const SearchNews& news) {
                    times(news.improvements).c_str());
   }
   if (std::isfinite(news.cost_to_go)) {
-    return printed("%llu iterations, cost still to go %.3g m", iterations, news.cost_to_go);
+    return printed("%llu iterations, cost still to go %.3g", iterations, news.cost_to_go);
   }
   return printed("%llu iterations, %llu vertices", iterations, static_cast<unsigned long long>(news.vertices));
 }

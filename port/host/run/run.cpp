@@ -210,7 +210,9 @@ SearchResult run_search(const std::string& scene_path, const SceneBytes& bytes, 
   session->copy_plan(result.plan);
   const Statistics best = session->statistics();
   result.plan.statistics = statistics_json(firmware::with_plan_of(found, best), searched);
-  result.why = why_no_plan(*session, scene, request);
+  SearchRequest limited = request;
+  if (result.stopped) limited.time_limit.reset();  // it was not what ended the search
+  result.why = why_no_plan(*session, scene, limited);
   if (request.improve > 0) {
     result.plan.statistics["improve"] = multiples;
     result.plan.statistics["improvements"] = best.improvements;

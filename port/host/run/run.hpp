@@ -102,7 +102,8 @@ struct PlanMeasure {
 struct SearchNews {
   std::uint64_t iterations = 0;
   std::uint64_t vertices = 0;
-  double cost_to_go = 0;           // metres, from the nearest region reached; infinite where the planner knows none
+  double cost_to_go = 0;           // from the nearest region reached: metres, and what failures have added to them;
+                                   // infinite where the planner knows none
   std::uint64_t improvements = 0;  // better plans than the first
   PlanMeasure best;                // zeros before the first plan
 };

@@ -2,12 +2,15 @@
 #include "host/run/why.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include "decomposition/locate.hpp"
 #include "host/run/hindrance.hpp"
 #include "host/run/query.hpp"
 #include "host/run/robot_facts.hpp"
+#include "host/run/shortest_way.hpp"
 #include "host/workspace/printed.hpp"
+#include "robot/shape.hpp"
 
 namespace krait::host {
 namespace {
@@ -95,10 +98,29 @@ bool cannot_reverse(const RobotSpec& robot) {
 
 bool pushes_trailers(const RobotSpec& robot) { return robot.links > 0 && !cannot_reverse(robot); }
 
-std::vector<std::string> what_to_try(Status status, const Statistics& statistics, const SearchRequest& request) {
+Vec2 middle_of(const krait::Scene& scene, const krait::Goal& goal) {
+  if (goal.is_disc()) return goal.center();
+  return detail::middle(scene.goal_polygon(goal.index()));
+}
+
+// Whether the way of a disc of that width is straight, the robot looks along it, and may end in any heading: then no
+// bend is at fault, nor that it cannot reverse.
+bool is_straight_on(const krait::Scene& scene, const SearchRequest& request, float width) {
+  constexpr double kLonger = 1.01, kOff = 0.5;  // times the straight line; radians
+  if (request.facing) return false;
+  const Start start = resolve_start(scene, request);
+  const Vec2 from = local_of(scene, start.position), to = middle_of(scene, resolve_goal(scene, request));
+  const auto along = static_cast<double>(std::atan2(to.y - from.y, to.x - from.x));
+  const bool ahead = std::abs(std::remainder(along - start.heading, 2 * std::numbers::pi)) <= kOff;
+  return ahead && shortest_way(scene, width, from, to) <= kLonger * static_cast<double>(length(to - from));
+}
+
+std::vector<std::string> what_to_try(Status status, const Statistics& statistics, const SearchRequest& request,
+                                     bool straight_on) {
   std::vector<std::string> lines;
+  if (status == Status::time_used && !request.time_limit) return {};
+  if (status == Status::time_used) return {"try a longer --time-limit"};
   if (status == Status::budget_used) lines.push_back("try more --iterations");
-  if (status == Status::time_used && request.time_limit) lines.push_back("try a longer --time-limit");
   if (status == Status::tree_full || statistics.recycled > 0) lines.push_back("try more --memory");
   if (statistics.plans_refused > 0) {
     lines.push_back(std::to_string(statistics.plans_refused) +
@@ -107,6 +129,7 @@ std::vector<std::string> what_to_try(Status status, const Statistics& statistics
   }
   if (request.facing) lines.push_back("try a larger --heading-tolerance, --either-way, or --any-heading instead");
   if (request.parameters.clearance > Parameters{}.clearance) lines.push_back("try a smaller --clearance");
+  if (straight_on) return lines;
   if (cannot_reverse(request.robot)) lines.push_back("try a ROBOT.json that may reverse, with a min_speed below 0");
   if (const double radius = lock_radius(request.robot); radius > 0) {
     lines.push_back("it turns with a radius of " + metres(radius) + ": has every bend so much room?");
@@ -151,13 +174,17 @@ std::vector<std::string> why_no_plan(Session& session, const krait::Scene& scene
     default:
       return {};
   }
-  std::vector<std::string> lines = where_it_is_tight(session.bottleneck(), scene);
+  const Bottleneck bottleneck = session.bottleneck();
+  std::vector<std::string> lines = where_it_is_tight(bottleneck, scene);
   if (const Effort effort = session.effort(); effort.tries > 0) {
     lines.push_back("most expansions, " + std::to_string(effort.tries) + ", grew from around " +
                     place(scene, effort.at) + ": " +
                     what_stops_it(hindrances_of(session, scene, request.parameters), scene, request));
   }
-  for (std::string& line : what_to_try(session.status(), session.statistics(), request)) lines.push_back(line);
+  const bool straight_on = is_straight_on(scene, request, bottleneck.needed);
+  for (std::string& line : what_to_try(session.status(), session.statistics(), request, straight_on)) {
+    lines.push_back(line);
+  }
   return lines;
 }
 

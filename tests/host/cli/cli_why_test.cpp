@@ -104,6 +104,19 @@ TEST_F(CliWhy, HopelessQueriesNameWhatIsInTheWayAndWhatToTry) {
   }
 }
 
+TEST_F(CliWhy, BendsAreBlamedOnlyWhereTheWayHasSome) {
+  const auto advice = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"plan", "room.krait", "--robot", "car", "--iterations", "500"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return krait(arguments).output;
+  };
+  const std::string bend = "has every bend so much room?", straight = "17,5,0.001", aside = "17,9,0.001";
+  EXPECT_THAT(advice({"--goal", straight}), testing::Not(HasSubstr(bend)));
+  EXPECT_THAT(advice({"--goal", straight, "--heading", "1"}), HasSubstr(bend));
+  EXPECT_THAT(advice({"--goal", straight, "--start", "3,5,2"}), HasSubstr(bend));
+  EXPECT_THAT(advice({"--goal", aside, "--start", "3,9,0"}), HasSubstr(bend));
+}
+
 // The second door is wide enough for a disc in the body, which is broader than long, not for the body.
 TEST_F(CliWhy, TheBodyThatStopsMostWaysIsNamed) {
   write("walled.json", walled({{8, 5, 2}, {12, 5, 0.55}}).dump());
