@@ -14,6 +14,8 @@
 namespace krait::host {
 namespace {
 
+constexpr double kLeastGoal = 0.001;  // metres, of the radius: no search ends nearer to a point
+
 // Whether it is a whole turn at most is judged later, where degrees are asked about.
 CLI::Validator heading_number() {
   const auto check = [](const std::string& text) -> std::string {
@@ -46,12 +48,13 @@ void parse_start(const std::string& text, SearchRequest& request) {
 }
 
 void parse_goal(const std::string& text, SearchRequest& request) {
-  if (const auto disc = parse_numbers(text, {kMaxCoordinate, kMaxCoordinate, kMaxCoordinate}); disc && (*disc)[2] > 0) {
+  if (const auto disc = parse_numbers(text, {kMaxCoordinate, kMaxCoordinate, kMaxCoordinate});
+      disc && (*disc)[2] >= kLeastGoal) {
     request.goal = GoalDisc{{(*disc)[0], (*disc)[1]}, (*disc)[2]};
   } else if (text.find(',') != std::string::npos) {
     throw InputError(
         "--goal " + text +
-        ": give X,Y,RADIUS (metres to 1e7, the radius above 0) or a goal's name; --heading takes a heading");
+        ": give X,Y,RADIUS (metres to 1e7, the radius 0.001 or more) or a goal's name; --heading takes a heading");
   } else {
     request.goal_name = text;
   }

@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "decomposition/regions.hpp"
+#include "host/run/query.hpp"
 #include "host/run/run.hpp"
 #include "host/run/session.hpp"
 #include "host/run/why.hpp"
@@ -114,6 +115,39 @@ void watch(Session& session, std::uint64_t iterations, Picture& picture) {
   picture.tree = recorder.thinned();
 }
 
+// By triangle, whether portals of that width lead from it to the goal.
+std::vector<bool> joined_to(const krait::Scene& scene, const krait::Goal& goal, float width) {
+  std::vector<bool> joined(scene.triangle_count(), false);
+  std::vector<Index> open;
+  const auto reach = [&](Index triangle) {
+    if (joined[triangle]) return;
+    joined[triangle] = true;
+    open.push_back(triangle);
+  };
+  for (Index t = 0; t < scene.triangle_count(); ++t) {
+    if (goal.covers(scene, t)) reach(t);
+  }
+  while (!open.empty()) {
+    const Index triangle = open.back();
+    open.pop_back();
+    for (int edge = 0; edge < 3; ++edge) {
+      const Index portal = scene.portal(triangle, edge);
+      if (portal != kNone && scene.portal_width(portal) >= width) reach(scene.neighbor(triangle, edge));
+    }
+  }
+  return joined;
+}
+
+// The search ended since every way from the start is narrower than that: so are those from other regions.
+void cut_off_narrower(float width, const krait::Scene& scene, const krait::Goal& goal, Picture& picture) {
+  const std::vector<bool> joined = joined_to(scene, goal, width);
+  for (CostFrame& frame : picture.frames) {
+    for (std::size_t t = 0; t < joined.size(); ++t) {
+      if (!joined[t]) frame.costs[t] = kInfinity;
+    }
+  }
+}
+
 }  // namespace
 
 Picture watch_search(const std::string& scene_path, const SceneBytes& bytes, const SearchRequest& request,
@@ -128,6 +162,9 @@ Picture watch_search(const std::string& scene_path, const SceneBytes& bytes, con
   watch(*session, plan.statistics.at("iterations").get<std::uint64_t>(), picture);
   session->stop_for_time();  // as its budget, its memory or its user did
   if (plan.states.empty()) picture.marks = where_no_plan(*session, scene, request);
+  if (plan.status == to_string(Status::no_route)) {
+    cut_off_narrower(session->bottleneck().needed, scene, resolve_goal(scene, request), picture);
+  }
   return picture;
 }
 

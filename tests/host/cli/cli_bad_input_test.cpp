@@ -108,7 +108,7 @@ TEST_F(CliBadInput, Starts) {
 }
 
 TEST_F(CliBadInput, Goals) {
-  for (const char* goal : {"nan,0,1", "1,2,inf", "1,2", "1,2,0", "1,2,-1", "1e300,0,1", "3,5,1e300"}) {
+  for (const char* goal : {"nan,0,1", "1,2,inf", "1,2", "1,2,0", "1,2,1e-9", "1,2,-1", "1e300,0,1", "3,5,1e300"}) {
     expect_plan_refused({"--goal", goal}, "--goal");
   }
   expect_plan_refused({"--goal", "nowhere"}, "east, south");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The picture of a search that found nothing: the robot at its start, and branches as they grew.
+#include <algorithm>
 #include <cmath>
 
 #include "host/cli/program.hpp"
@@ -53,6 +54,30 @@ TEST_F(FailedPicture, ThinnedBranchesKeepTheirBends) {
   for (const TreeVertex& vertex : large.tree) {
     const TreeVertex& parent = large.tree[vertex.parent];
     EXPECT_LE(std::hypot(static_cast<double>(vertex.x - parent.x), static_cast<double>(vertex.y - parent.y)), 0.2501);
+  }
+}
+
+// The door is 0.6 m wide, the car and its clearance 0.602 m.
+TEST_F(FailedPicture, CutsOffTheRegionsBeyondANarrowDoor) {
+  write("narrow.json", R"({"bounds": {"min": [0, 0], "max": [20, 10]},
+      "obstacles": [{"box": {"center": [10, 2.35], "size": [1, 4.7], "angle": 0}},
+                    {"box": {"center": [10, 7.65], "size": [1, 4.7], "angle": 0}}],
+      "goals": [{"name": "east", "box": {"center": [17, 5], "size": [2, 2], "angle": 0}}],
+      "starts": [{"name": "west", "position": [3, 5], "heading": 0}]})");
+  expect_done({"compile", "narrow.json", "-o", "narrow.krait"});
+  SearchRequest request;
+  request.robot = parse_robot("car");
+  const SceneBytes bytes = SceneBytes::read(path("narrow.krait"));
+  const SearchResult result = run_search("narrow.krait", bytes, request, {});
+  ASSERT_EQ(result.plan.status, "no_route");
+  const Picture picture = watch_search("narrow.krait", bytes, request, result.plan);
+  for (std::size_t t = 0; t < picture.triangles.size(); ++t) {
+    const auto& corners = picture.triangles[t].corners;
+    const bool west = std::max({corners[0].x, corners[1].x, corners[2].x}) <= 9.5 + picture.min.x;
+    const bool east = std::min({corners[0].x, corners[1].x, corners[2].x}) >= 10.5 + picture.min.x;
+    const float cost = picture.frames.front().costs[t];
+    EXPECT_TRUE(!west || std::isinf(cost));
+    EXPECT_TRUE(!east || std::isfinite(cost));
   }
 }
 
