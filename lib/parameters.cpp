@@ -30,6 +30,7 @@ constexpr Range<float> kNumbers[] = {
     {offsetof(Parameters, tuning.gamma), Argument::gamma, 0.0F, 1e6F},
     {offsetof(Parameters, tuning.cost_length), Argument::cost_length, 0.0F, 10.0F},
     {offsetof(Parameters, dt), Argument::dt, 0.001F, 1.0F},
+    {offsetof(Parameters, tuning.path_lengths), Argument::path_lengths, 0.0F, 100.0F},
     {offsetof(Parameters, tuning.near_radius), Argument::near_radius, 0.0F, 10.0F},
     {offsetof(Parameters, tuning.goal_near_radius), Argument::goal_near_radius, 0.0F, 10.0F},
     {offsetof(Parameters, tuning.stray_share), Argument::stray_share, 0.0F, 1.0F},
@@ -83,6 +84,7 @@ Parameters Parameters::paper() {
   parameters.tuning.update_regions = 0;
   parameters.tuning.open_steps = 0;
   parameters.tuning.path_regions = 8;
+  parameters.tuning.path_lengths = 0.0F;
   parameters.tuning.goal_near_radius = parameters.tuning.near_radius;
   parameters.tuning.stray_share = 0.0F;
   parameters.tuning.gentle_share = 0.0F;

@@ -37,10 +37,11 @@ CONSTANTS = {
     "search": {
         "include/krait/parameters.hpp": {
             "group_sample": (), "alpha": (), "beta": (0.824, 1.088), "epsilon": (), "gamma": (), "cost_length": (),
-            "kappa": (), "max_steps": (), "open_steps": (0.04, 0.5), "path_regions": (), "near_radius": (),
-            "stray_share": (), "gentle_share": (), "sight_tries": (), "candidates": (), "least_sketch": (),
-            "doomed_steps": (0.5, 1.5), "restart_unit": (), "slowest": (0.5, 0.75), "max_substeps": (),
-            "kTreeSlack": ()},
+            "kappa": (), "max_steps": (), "open_steps": (0.04, 0.5), "path_regions": (), "path_lengths": (),
+            "near_radius": (), "stray_share": (), "gentle_share": (), "sight_tries": (), "candidates": (),
+            "least_sketch": (), "doomed_steps": (0.5, 1.5), "restart_unit": (), "slowest": (0.5, 0.75),
+            "max_substeps": (), "kTreeSlack": ()},
+        "lib/decomposition/regions.hpp": {"kMostAhead": ()},
         "lib/search/search.hpp": {"kPatience": (), "kLeastCost": (), "kDepthKept": ()},
         "lib/search/search.cpp": {"kGentlest": ()},
         "lib/search/adaptive_search.hpp": {

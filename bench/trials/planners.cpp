@@ -61,6 +61,7 @@ const std::vector<Setting>& settings_of_searches() {
       {"cost_length", &SearchTuning::cost_length, Argument::cost_length},
       {"group_sample", &SearchTuning::group_sample, Argument::group_sample},
       {"open_steps", &SearchTuning::open_steps, Argument::open_steps},
+      {"path_lengths", &SearchTuning::path_lengths, Argument::path_lengths},
       {"stray_share", &SearchTuning::stray_share, Argument::stray_share},
       {"gentle_share", &SearchTuning::gentle_share, Argument::gentle_share},
       {"sight_tries", &SearchTuning::sight_tries, Argument::sight_tries},

@@ -68,6 +68,7 @@ enum class Argument : std::uint8_t {
   max_steps,         ///< SearchTuning::max_steps
   open_steps,        ///< SearchTuning::open_steps
   path_regions,      ///< SearchTuning::path_regions
+  path_lengths,      ///< SearchTuning::path_lengths
   near_radius,       ///< SearchTuning::near_radius
   goal_near_radius,  ///< SearchTuning::goal_near_radius
   clearance,         ///< Parameters::clearance

@@ -344,11 +344,20 @@ Index Regions::regions_ahead(Index region, Index most) const {
   return count;
 }
 
-Index Regions::random_ahead(Index region, std::uint32_t most, Random& random) const {
-  KRAIT_ASSERT(region < scene_->triangle_count() && most > 0);
-  const Index length = regions_ahead(region, most);
-  if (length == 0) return region;
-  for (std::uint32_t steps = 1 + random.below(length); steps > 0; --steps) region = next(region);
+Index Regions::regions_ahead(Index region, Index most, float distance) const {
+  const Vec2 from = region_center(region);
+  Index count = 0;
+  for (Index r = next(region); r != kNone && (count < most || count < kMostAhead); r = next(r)) {
+    if (count >= most && length(region_center(r) - from) > distance) break;
+    ++count;
+  }
+  return count;
+}
+
+Index Regions::random_ahead(Index region, Index count, Random& random) const {
+  KRAIT_ASSERT(region < scene_->triangle_count());
+  if (count == 0) return region;
+  for (std::uint32_t steps = 1 + random.below(count); steps > 0; --steps) region = next(region);
   return region;
 }
 

@@ -22,6 +22,8 @@ struct CostRaise {
 
 class Regions {
  public:
+  static constexpr Index kMostAhead = 32;  // regions that the distance adds to
+
   Regions();
 
   // Allocates its tables: 9 bytes a triangle (13 from 65,536 on) and 4 a portal. The scene must outlive this.
@@ -62,6 +64,9 @@ class Regions {
   }
   // The regions after r on its shortest path, at most `most`. O(most).
   Index regions_ahead(Index region, Index most) const;
+  // The same, but the first of kMostAhead count, too, until one's centroid lies farther from r's than `distance`,
+  // metres. O(kMostAhead + most).
+  Index regions_ahead(Index region, Index most, float distance) const;
   bool is_goal(Index region) const { return h_[region] == 0.0F; }
   // A named goal's one region; kNone for a disc.
   Index goal_region() const { return goal_region_; }
@@ -81,8 +86,9 @@ class Regions {
   // A point drawn uniformly in the goal.
   Vec2 random_goal_point(Random& random) const;
 
-  // One of the first `most` regions after r on its shortest path, each as likely; r where there is none. O(most).
-  Index random_ahead(Index region, std::uint32_t most, Random& random) const;
+  // One of the first `count` regions after r on its shortest path, which has so many, each as likely; r where count is
+  // 0. O(count).
+  Index random_ahead(Index region, Index count, Random& random) const;
 
  private:
   bool is_goal_triangle(Index triangle) const {

@@ -105,10 +105,12 @@ void AdaptiveSearch::learn_from(const Expanded& expanded) {
 }
 
 AdaptiveSearch::Way AdaptiveSearch::choose_way(Index group) {
-  const std::uint32_t count = parameters_.tuning.candidates;
-  if (count == 0) return any_way(group);
+  const SearchTuning& tuning = parameters_.tuning;
+  const Index ahead = regions_.regions_ahead(group, tuning.path_regions, tuning.path_lengths * robot_length_);
+  const std::uint32_t count = tuning.candidates;
+  if (count == 0) return any_way(group, ahead);
   for (std::uint32_t i = 0; i < count; ++i) {
-    Way way = any_way(group);
+    Way way = any_way(group, ahead);
     if (i == 0 && way.cost == kInfinity) way.cost = -1.0F;
     std::uint32_t at = i;
     for (; at > 0 && ways_[at - 1].cost > way.cost; --at) ways_[at] = ways_[at - 1];
@@ -122,25 +124,25 @@ AdaptiveSearch::Way AdaptiveSearch::choose_way(Index group) {
     longest = steps;
     best = i;
   }
-  ways_[best].promising = longest >= parameters_.tuning.least_sketch;
+  ways_[best].promising = longest >= tuning.least_sketch;
   return ways_[best];
 }
 
-AdaptiveSearch::Way AdaptiveSearch::any_way(Index group) {
+AdaptiveSearch::Way AdaptiveSearch::any_way(Index group, Index ahead) {
   Way way;
   way.vertex = groups_.random_vertex(group, random_);
   const float stray = parameters_.tuning.stray_share;
   const bool strays = stray > 0.0F && random_.unit() < stray;
   way.cost = kInfinity;
-  const Vec2 point = strays ? random_point_in_bounds() : point_ahead(group, position(way.vertex), way.cost);
+  const Vec2 point = strays ? random_point_in_bounds() : point_ahead(group, ahead, position(way.vertex), way.cost);
   way.target = any_way_to(point, groups_.selections(group));
   if (way.cost == 0.0F) slow_for(way.target, way.vertex);
   return way;
 }
 
-Vec2 AdaptiveSearch::point_ahead(Index group, Vec2 from, float& cost) {
+Vec2 AdaptiveSearch::point_ahead(Index group, Index ahead, Vec2 from, float& cost) {
   for (std::uint32_t tries = 1;; ++tries) {
-    const Index region = regions_.random_ahead(group, parameters_.tuning.path_regions, random_);
+    const Index region = regions_.random_ahead(group, ahead, random_);
     const Vec2 point = regions_.random_point(region, random_);
     cost = regions_.cost(region);
     if (tries >= parameters_.tuning.sight_tries || sight_.line_free(from, point)) return point;

@@ -61,13 +61,13 @@ class AdaptiveSearch : public GroupedSearch {
   // longest. Those whose targets are the nearest to the goal are looked at first, but the first of all if it strays.
   Way choose_way(Index group);
 
-  // Algorithm 2, lines 2 and 3: a member of the group, a region among the first of the shortest path after the group's,
-  // a point in it, one in sight if some tries find it; now and then any point of the workspace, which ends long series
-  // of failures at one place.
-  Way any_way(Index group);
+  // Algorithm 2, lines 2 and 3: a member of the group, a region among the first `ahead` of the shortest path after the
+  // group's, a point in it, one in sight if some tries find it; now and then any point of the workspace, which ends
+  // long series of failures at one place.
+  Way any_way(Index group, Index ahead);
 
   // Writes h of the point's region to `cost`.
-  Vec2 point_ahead(Index group, Vec2 from, float& cost);
+  Vec2 point_ahead(Index group, Index ahead, Vec2 from, float& cost);
 
   // Algorithm 1, lines 9 to 11.
   void raise_costs(Index last_region);

@@ -501,6 +501,7 @@ TEST(CInterface, EveryParameterIsInItsPlace) {
   EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, max_steps);
   EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, open_steps);
   EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, path_regions);
+  EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, path_lengths);
   EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, near_radius);
   EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, goal_near_radius);
   EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, stray_share);

@@ -135,6 +135,7 @@ TEST_F(PlannerRecycling, WhatIsGivenUpIsCounted) {
   TestBench bench(two_rooms(0.55), small_unicycle());
   bench.limits = {50, 1000, 300};
   bench.parameters.tuning.group_sample = kUnboundedSample;
+  bench.parameters.tuning.path_lengths = 0.0F;  // so that the search lasts
   ASSERT_TRUE(bench.init().ok());
   ASSERT_EQ(bench.planner.start({kStart}), Status::searching);
   std::uint64_t before = 0;

@@ -344,6 +344,7 @@ std::vector<ParameterRange> float_ranges() {
           {Argument::gamma, 0, 1e6F, false, false, [](auto& p, float x) { p.tuning.gamma = x; }},
           {Argument::cost_length, 0, 10, false, false, [](auto& p, float x) { p.tuning.cost_length = x; }},
           {Argument::dt, 0.001F, 1, false, false, [](auto& p, float x) { p.dt = x; }},
+          {Argument::path_lengths, 0, 100, false, false, [](auto& p, float x) { p.tuning.path_lengths = x; }},
           {Argument::near_radius, 0, 10, false, false, [](auto& p, float x) { p.tuning.near_radius = x; }},
           {Argument::goal_near_radius, 0, 10, false, false, [](auto& p, float x) { p.tuning.goal_near_radius = x; }},
           {Argument::stray_share, 0, 1, false, false, [](auto& p, float x) { p.tuning.stray_share = x; }},
@@ -368,6 +369,7 @@ TEST(PlannerParameters, DefaultsAndThePapersAreInRange) {
   EXPECT_EQ(Parameters::paper().tuning.gamma, 50.0F);
   EXPECT_EQ(Parameters::paper().tuning.kappa, 20U);
   EXPECT_EQ(Parameters::paper().tuning.path_regions, 8U);
+  EXPECT_EQ(Parameters::paper().tuning.path_lengths, 0.0F);
   EXPECT_EQ(Parameters::paper().tuning.doomed_steps, 0U);
 }
 

@@ -70,6 +70,23 @@ TEST(PlannerWays, LookThroughDoorsThatTheRobotFits) {
   EXPECT_LE(vertices[54], 5000U);
 }
 
+// In triangles of a quarter of the robot's length the next 6 are less than a length long.
+TEST(PlannerWays, LookAsFarWhereRegionsAreSmall) {
+  Room fine = two_rooms(0.6);
+  fine.spacing = 0.125;
+  std::uint64_t vertices[2] = {};
+  for (const bool far : {false, true}) {
+    Bench<Unicycle> bench(fine, small_unicycle());
+    if (!far) bench.parameters.tuning.path_lengths = 0.0F;
+    ASSERT_TRUE(bench.init().ok());
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+      EXPECT_EQ(bench.solve({kStart, Goal::named(0), seed}), Status::solved);
+      vertices[far] += bench.planner.statistics().vertices;
+    }
+  }
+  EXPECT_LT(2 * vertices[true], vertices[false]);
+}
+
 // Where no sketch is long enough nothing is driven, and the regions ahead get dearer.
 TEST(PlannerWays, ThatEndTooSoonAreGivenUpAndRaiseCosts) {
   Bench<Unicycle> bench(two_rooms(0.8), small_unicycle());

@@ -149,6 +149,8 @@ TEST(WrongUse, ParametersAtTheEndsOfTheirRangesPlanOrEnd) {
       [](Parameters& p) { p.tuning.open_steps = 1000; },
       [](Parameters& p) { p.tuning.path_regions = 1; },
       [](Parameters& p) { p.tuning.path_regions = 64; },
+      [](Parameters& p) { p.tuning.path_lengths = 0; },
+      [](Parameters& p) { p.tuning.path_lengths = 100; },
       [](Parameters& p) { p.tuning.near_radius = 0; },
       [](Parameters& p) { p.tuning.near_radius = 10; },
       [](Parameters& p) { p.tuning.goal_near_radius = 10; },

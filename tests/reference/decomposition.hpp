@@ -50,6 +50,9 @@ class Decomposition {
     return most;
   }
 
+  // Metres between the centroids of two regions.
+  double apart(Index a, Index b) const { return distance(centroid(a), centroid(b)); }
+
   // How much longer a way from `region` is that goes to `next` first; by the costs of the last update.
   double detour(Index region, Index next) const {
     const auto found = known_.find(std::minmax(region, next));

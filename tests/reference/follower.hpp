@@ -23,6 +23,7 @@ struct Rules {
   std::uint32_t max_steps = 40;             // Algorithm 2, line 4
   double near = 0;                          // metres: NEAR
   double goal_near = 0;                     // metres: NEAR of a target in the goal
+  double path_reach = 0;                    // metres: targets lie in regions of the path within it, too
   std::uint32_t doomed_steps = 0;           // states before a collision that join no group
   std::uint32_t sample = kUnboundedSample;  // of a group
   std::uint64_t restart_unit = 0;           // expansions
@@ -128,10 +129,16 @@ class Follower {
     return chosen;
   }
 
-  // The regions after `region` on its shortest path, path_regions_ of them at most; where there is none, itself.
+  // The regions after `region` on its shortest path, path_regions_ of them at most, or more, of 32, until one's
+  // centroid is too far away; where there is none, itself.
   std::vector<Index> ahead(Index region) const {
+    constexpr std::size_t kMost = 32;
     std::vector<Index> found;
-    for (Index r = next(region); r != kNone && found.size() < path_regions_; r = next(r)) found.push_back(r);
+    for (Index r = next(region); r != kNone; r = next(r)) {
+      const bool near = found.size() < kMost && regions_.apart(region, r) <= rules_.path_reach;
+      if (found.size() >= path_regions_ && !near) break;
+      found.push_back(r);
+    }
     if (found.empty()) found.push_back(region);
     return found;
   }

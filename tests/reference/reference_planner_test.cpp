@@ -57,6 +57,7 @@ Rules rules_of(const Parameters& p, double length, double inner_radius) {
   rules.max_steps = p.tuning.max_steps;
   rules.near = double{p.tuning.near_radius} * length;
   rules.goal_near = double{p.tuning.goal_near_radius} * length;
+  rules.path_reach = double{p.tuning.path_lengths} * length;
   rules.doomed_steps = p.tuning.doomed_steps;
   rules.sample = p.tuning.group_sample;
   rules.restart_unit = p.tuning.restart_unit;
@@ -82,6 +83,7 @@ Rules rules_of_prior(const Parameters& p, double length, double inner_radius) {
   rules.epsilon = double{rivals::PriorParameters().epsilon};
   rules.gamma = 0;
   rules.goal_near = rules.near;
+  rules.path_reach = 0;
   rules.doomed_steps = 0;
   rules.restart_unit = 0;
   rules.sample = kUnboundedSample;

@@ -41,7 +41,8 @@ void PriorPlanner::iterate(const Watch& watch) {
 Vec2 PriorPlanner::choose_point(Index group) {
   const float choice = random_.unit();
   if (choice < prior_.path_share) {
-    return regions_.random_point(regions_.random_ahead(group, prior_.path_regions, random_), random_);
+    const Index count = regions_.regions_ahead(group, prior_.path_regions);
+    return regions_.random_point(regions_.random_ahead(group, count, random_), random_);
   }
   if (choice < prior_.path_share + prior_.goal_share) return regions_.random_goal_point(random_);
   return random_free_point();

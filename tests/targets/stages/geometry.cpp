@@ -53,7 +53,7 @@ void add_paths(const detail::Regions& regions, detail::Random& random, Hash& has
     hash.add(regions.next(t));
   }
   const Index from = random.below(regions.scene().triangle_count());
-  hash.add(regions.random_point(regions.random_ahead(from, 8, random), random));
+  hash.add(regions.random_point(regions.random_ahead(from, regions.regions_ahead(from, 8), random), random));
 }
 
 void shortest_paths(const firmware::Board& board, const Scene& scene) {
