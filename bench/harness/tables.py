@@ -188,8 +188,8 @@ def proofs_section(results):
             rows.append([scene, str(len(solved)), *figures])
     note = (
         "\nThe worst over all plans: by how much a component of a step's end departs from where the controls lead (m, "
-        "rad, m/s or rad/s), how far that adds up (drift), and the clearance and the depth in the goal of the motion as "
-        "driven.\n"
+        "rad, m/s or rad/s), how far that adds up (drift), and the clearance and the depth in the goal of the motion "
+        "as driven.\n"
     )
     header = ["scene", "plans", "error", "drift mm", "clearance mm", "depth mm"]
     return section(f"What the verifier measured, {ROBOT}, adaptive", header, rows, note)

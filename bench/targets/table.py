@@ -104,7 +104,7 @@ def most_placements(scenes, robot):
 
 
 def bound_of_advance(build, robot, meter):
-    """Instructions: the most placements, each as expensive as the most expensive seen, and a Dijkstra."""
+    """Instructions: the most placements, each as expensive as the worst one seen, and a Dijkstra."""
     bound = most_placements(build.scenes, robot) * meter["placement_worst"] + meter["start_worst"]
     if meter["advance_worst"] > bound:
         sys.exit(f"bench/targets: {build.name} {robot}: a call took {meter['advance_worst']} instructions, above {bound}")

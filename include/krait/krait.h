@@ -420,8 +420,9 @@ typedef struct krait_search_tuning {
       open_steps,        /**< 0 to 1000, default 1000: of one in the open, while it nears its target and crosses one
                               portal */
       path_regions;      /**< 1 to 64, default 6: targets come from that many regions after the group's own */
-  float path_lengths,    /**< 0 to 100, default 8, in lengths of body 0: and from those after them whose centroids lie
-                              within this distance of the group's, of at most 32 regions in all */
+  float path_lengths,    /**< 0 to 100, default 8, in lengths of body 0: and from those after them, up to the 32nd
+                              after the group's own, as long as their centroids lie within this distance of the
+                              group's */
       near_radius,       /**< 0 to 10, default 0.7, in lengths of body 0: a target counts as reached within this
                               distance */
       goal_near_radius, /**< 0 to 10, default 0, the same of a target in the goal; 0: only the goal ends an expansion */

@@ -46,8 +46,8 @@ struct SearchTuning {
   std::uint32_t max_steps = 40;     ///< 1 … 1000: of one expansion
   std::uint32_t open_steps = 1000;  ///< 0 … 1000: of one in the open, while it nears its target and crosses one portal
   std::uint32_t path_regions = 6;   ///< 1 … 64: targets come from that many regions after the group's own
-  /// 0 … 100, in lengths of body 0: and from those after them whose centroids lie within this distance of the group's,
-  /// of at most 32 regions in all.
+  /// 0 … 100, in lengths of body 0: and from those after them, up to the 32nd after the group's own, as long as their
+  /// centroids lie within this distance of the group's.
   float path_lengths = 8.0F;
   float near_radius = 0.7F;       ///< 0 … 10, in lengths of body 0: a target counts as reached within this distance
   float goal_near_radius = 0.0F;  ///< 0 … 10, the same of a target in the goal; 0: only the goal ends an expansion

@@ -22,7 +22,7 @@ struct CostRaise {
 
 class Regions {
  public:
-  static constexpr Index kMostAhead = 32;  // regions that the distance adds to
+  static constexpr Index kMostAhead = 32;  // the last region that a distance can add
 
   Regions();
 
@@ -64,8 +64,8 @@ class Regions {
   }
   // The regions after r on its shortest path, at most `most`. O(most).
   Index regions_ahead(Index region, Index most) const;
-  // The same, but the first of kMostAhead count, too, until one's centroid lies farther from r's than `distance`,
-  // metres. O(kMostAhead + most).
+  // The regions after r on its shortest path: the first `most`, and further ones, up to the kMostAhead-th, until the
+  // first whose centroid lies more than `distance` metres from r's. O(kMostAhead + most).
   Index regions_ahead(Index region, Index most, float distance) const;
   bool is_goal(Index region) const { return h_[region] == 0.0F; }
   // A named goal's one region; kNone for a disc.

@@ -36,7 +36,8 @@ template <class P>
   return p.wheelbase / (Chain::kTurnReserve * p.hitch_length * std::sqrt(static_cast<float>(p.trailers)));
 }
 
-// The most toward the side on which the first hitch angle is `hitch`, radians, at `speed` m/s, either way: lemma 15.
+// The most toward the side on which the first hitch angle is `hitch`, radians, at `speed` m/s: lemma 15, which holds
+// forwards; in reverse the same number is the bound, and nothing is proven.
 template <class P>
 [[gnu::always_inline]] inline float recoverable_tangent(const P& p, float hitch, float speed) {
   const float bound = p.max_hitch_angle < kFoldBound ? p.max_hitch_angle : kFoldBound;

@@ -26,11 +26,16 @@ Handler listen(Handler handler) {
 }
 
 const char* volatile last_line = "";
+volatile std::sig_atomic_t over_progress = 0;  // whether a line of progress may stand where the last one goes
 
-// By what a handler of signals may call.
+void write_out(const char* text) {
+  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text, std::strlen(text));
+}
+
+// Calls only what a handler of signals may.
 void say_and_end(int signal) {
-  const char* const line = last_line;
-  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, line, std::strlen(line));
+  if (over_progress != 0) write_out("\r\033[K");
+  write_out(last_line);
   std::signal(signal, SIG_DFL);
   ::raise(signal);
 }
@@ -45,6 +50,7 @@ bool Interrupt::asked() const { return noted != 0; }
 
 LastWord::LastWord(const char* line) {
   last_line = line;
+  over_progress = ::isatty(STDERR_FILENO);
   before_ = listen(say_and_end);
 }
 

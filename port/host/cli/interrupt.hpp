@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ctrl-C as a wish: what runs ends cleanly with what there is. A second one ends the program at once. Or, where nothing
-// can be had from what runs, its last word.
+// Ctrl-C as a wish: what runs ends cleanly with what there is. A second one ends the program at once. LastWord is for
+// work that leaves nothing when it is stopped: one line, and the program ends.
 #pragma once
 
 namespace krait::host {

@@ -14,7 +14,7 @@
 namespace krait::host {
 namespace {
 
-constexpr double kLeastGoal = 0.001;  // metres, of the radius: no search ends nearer to a point
+constexpr double kLeastGoal = 0.001;  // metres, of the radius: a smaller one is most likely a slip
 
 // Whether it is a whole turn at most is judged later, where degrees are asked about.
 CLI::Validator heading_number() {

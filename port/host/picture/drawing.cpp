@@ -278,9 +278,19 @@ class Painter : private Pen {
   void color_bar() {
     if (picture_.frames.empty()) return;
     const std::vector<float>& costs = picture_.frames.front().costs;
-    const double top = top_cost(costs);
-    const double x = content_left();
+    const auto finite = [](float cost) { return std::isfinite(cost); };
     const double y = bottom() + 18;
+    double x = content_left();
+    font(11);
+    if (std::any_of(costs.begin(), costs.end(), finite)) x = cost_scale(top_cost(costs), x, y);
+    if (std::all_of(costs.begin(), costs.end(), finite)) return;
+    cairo_rectangle(cr_, x, y, 16, kBarHeight);
+    fill_and_stroke(kCutOff, kInk, 0.7);
+    write("cut off", {x + 22, y + kBarHeight - 1.5}, Align::left, kInk);
+  }
+
+  // Returns where the next key may begin.
+  double cost_scale(double top, double x, double y) {
     for (int i = 0; i < kLevels; ++i) {
       cairo_rectangle(cr_, x + i * kBarWidth / kLevels, y, kBarWidth / kLevels + (i + 1 < kLevels ? 0.5 : 0),
                       kBarHeight);
@@ -288,14 +298,9 @@ class Painter : private Pen {
     }
     cairo_rectangle(cr_, x, y, kBarWidth, kBarHeight);
     stroke(kInk, 0.7);
-    font(11);
     if (top > 0) cost_ticks(x, y + kBarHeight, top);
     write("cost to the goal (m)", {x + kBarWidth + 16, y + kBarHeight - 1.5}, Align::left, kInk);
-    if (std::none_of(costs.begin(), costs.end(), [](float cost) { return std::isinf(cost); })) return;
-    const double after = x + kBarWidth + 34 + text_width("cost to the goal (m)");
-    cairo_rectangle(cr_, after, y, 16, kBarHeight);
-    fill_and_stroke(kCutOff, kInk, 0.7);
-    write("cut off", {after + 22, y + kBarHeight - 1.5}, Align::left, kInk);
+    return x + kBarWidth + 34 + text_width("cost to the goal (m)");
   }
 
   void cost_ticks(double x, double y, double top) {

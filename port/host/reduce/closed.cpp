@@ -92,7 +92,7 @@ void warn_of_closed(const std::vector<ClosedPassage>& passages, const std::strin
   for (std::size_t i = 0; i < std::min(passages.size(), kNamed); ++i) {
     const ClosedPassage& p = passages[i];
     warnings.push_back(option +
-                       printed(" closes a passage at %.6g,%.6g, some %.3g m wide", p.place.x, p.place.y, p.width));
+                       printed(" closes a passage at %.6g,%.6g, at least %.3g m wide", p.place.x, p.place.y, p.width));
   }
   if (passages.size() > kNamed)
     warnings.push_back(option + printed(" closes %zu narrower passages, too", passages.size() - kNamed));

@@ -41,12 +41,12 @@ bool has_way(const CellMap& map, const Workspace& w) {
 }
 
 // Of a drawing in cells of that size: one in cells an eighth as large, but of a million at most; nothing where these
-// are no smaller.
+// are larger than half of that size, and would show hardly more.
 std::optional<CellMap> drawn_finer(const Workspace& drawing, double size) {
   constexpr double kShare = 8, kMost = 1e6;
   const double area = (drawing.max.x - drawing.min.x) * (drawing.max.y - drawing.min.y);
   const double finer = std::max(size / kShare, std::sqrt(area / kMost));
-  return finer < size ? std::optional(drawn_in_cells(drawing, finer)) : std::nullopt;
+  return finer <= size / 2 ? std::optional(drawn_in_cells(drawing, finer)) : std::nullopt;
 }
 
 // Warns of the passages that larger cells close, and refuses those that leave no way.
@@ -55,7 +55,7 @@ void judge_closed(Workspace& w, const CellMap& before, const CellMap& after, dou
   const std::vector<ClosedPassage> closed = closed_passages(before, after);
   if (!closed.empty() && has_way(before, w) && !has_way(after, w)) {
     throw InputError(option + printed(" closes every way from the start to the goal, the widest passage that it closes "
-                                      "at %.6g,%.6g, some %.3g m wide: take smaller cells",
+                                      "at %.6g,%.6g, at least %.3g m wide: take smaller cells",
                                       closed[0].place.x, closed[0].place.y, closed[0].width));
   }
   warn_of_closed(closed, option, w.warnings);
@@ -64,7 +64,11 @@ void judge_closed(Workspace& w, const CellMap& before, const CellMap& after, dou
 void resample(Workspace& w, double size) {
   CellMap larger = w.cells ? resampled(*w.cells, size) : drawn_in_cells(w, size);
   const std::optional<CellMap> before = w.cells ? std::move(w.cells) : drawn_finer(w, size);
-  if (before) judge_closed(w, *before, larger, size);
+  if (before) {
+    judge_closed(w, *before, larger, size);
+  } else {
+    w.warnings.push_back(printed("--cell %.10g: the drawing is too large to look for passages that this closes", size));
+  }
   w.cells = std::move(larger);
   w.obstacles.clear();
 }
@@ -86,7 +90,8 @@ void judge_goals(Workspace& w, const std::vector<bool>& were_open, const Girth& 
   for (std::size_t i = 0; i < open.size(); ++i) {
     if (open[i] || !were_open[i]) continue;
     const std::string line =
-        "goal '" + w.goals[i].name + "' is closed: no way from the starts to it is wide enough for " +
+        "goal '" + w.goals[i].name + "' is closed: " +
+        (w.starts.empty() ? "it has no room for " : "no way from the starts to it is wide enough for ") +
         printed("a disc of radius %.4g m, the robot's or that of --fill: give a narrower one, or another goal",
                 girth.inner);
     if (none_left) throw InputError(line);

@@ -46,7 +46,7 @@ struct SearchRequest {
   std::uint64_t iterations = Limits().iterations;
   std::optional<double> time_limit;  // seconds
   double improve = 0;        // multiples of the first plan's collision checks that a better one is looked for by
-  double improve_least = 0;  // collision checks: more of these multiples where they make fewer
+  double improve_least = 0;  // collision checks: where `improve` times the first plan's are fewer, more multiples
   double stop_within = 0;    // ends that where the plan is longer than the shortest way by this share at most; 0: never
   Parameters parameters;
 

@@ -138,9 +138,11 @@ std::vector<bool> joined_to(const krait::Scene& scene, const krait::Goal& goal, 
   return joined;
 }
 
-// The search ended since every way from the start is narrower than that: so are those from other regions.
-void cut_off_narrower(float width, const krait::Scene& scene, const krait::Goal& goal, Picture& picture) {
-  const std::vector<bool> joined = joined_to(scene, goal, width);
+// The search ended since every way from the start is narrower than the robot, as are those from other regions, or since
+// the robot has no room in the goal.
+void cut_off(const Bottleneck& bottleneck, const krait::Scene& scene, const krait::Goal& goal, Picture& picture) {
+  std::vector<bool> joined(scene.triangle_count(), false);
+  if (!bottleneck.at_goal) joined = joined_to(scene, goal, bottleneck.needed);
   for (CostFrame& frame : picture.frames) {
     for (std::size_t t = 0; t < joined.size(); ++t) {
       if (!joined[t]) frame.costs[t] = kInfinity;
@@ -163,7 +165,7 @@ Picture watch_search(const std::string& scene_path, const SceneBytes& bytes, con
   session->stop_for_time();  // as its budget, its memory or its user did
   if (plan.states.empty()) picture.marks = where_no_plan(*session, scene, request);
   if (plan.status == to_string(Status::no_route)) {
-    cut_off_narrower(session->bottleneck().needed, scene, resolve_goal(scene, request), picture);
+    cut_off(session->bottleneck(), scene, resolve_goal(scene, request), picture);
   }
   return picture;
 }

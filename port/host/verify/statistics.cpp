@@ -4,7 +4,11 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <limits>
+#include <string>
+
+#include "host/input/json.hpp"
 
 namespace krait::host {
 namespace {
@@ -60,24 +64,31 @@ std::string hash_of(const PlanFile& plan) {
 }  // namespace
 
 void check_statistics(const PlanFile& plan, const Dynamics& dynamics, Complaints& complaints) {
-  const auto steps = static_cast<double>(plan.controls.size());
-  // The planner adds the lengths of the steps up in floats, each sum of which may be rounded once.
-  const double rounding = (steps + 4) * static_cast<double>(std::numeric_limits<float>::epsilon());
-  const auto check = [&](const char* key, const char* unit, double is) {
+  const auto differs = [&](const std::string& key, const nlohmann::json& said, const std::string& is) {
+    complaints.add("statistics: " + key + " is " + cleaned_name(said.dump()) + is);
+  };
+  const auto check = [&](const char* key, double is, double tolerance, const std::string& shown) {
     const auto said = plan.statistics.find(key);
     if (said == plan.statistics.end()) return;
-    const bool same = said->is_number() && std::abs(said->get<double>() - is) <= rounding * (1 + is);
-    if (!same)
-      complaints.add("statistics: " + std::string(key) + " is " + said->dump() + ", the plan's is " + text(is) + unit);
+    if (!said->is_number() || std::abs(said->get<double>() - is) > tolerance)
+      differs(key, *said, ", the plan's is " + shown);
   };
-  check("plan_steps", "", steps);
-  check("plan_length_m", " m", length_of(plan));
-  check("plan_duration_s", " s", plan.dt * steps);
-  check("plan_end_speed_m_s", " m/s", end_speed_of(plan, dynamics));
+  const std::size_t steps = plan.controls.size();
+  const double duration = plan.dt * static_cast<double>(steps), length = length_of(plan);
+  const double speed = end_speed_of(plan, dynamics);
+  constexpr double kRounding = 4 * static_cast<double>(std::numeric_limits<float>::epsilon());
+  // The planner adds the lengths of the steps up in floats, each sum of which may be rounded once.
+  const double rounded_sum =
+      (static_cast<double>(steps) + 4) * static_cast<double>(std::numeric_limits<float>::epsilon());
+  check("plan_steps", static_cast<double>(steps), 0, std::to_string(steps));
+  check("plan_length_m", length, rounded_sum * (1 + length), text(length) + " m");
+  check("plan_duration_s", duration, kRounding * (1 + duration), text(duration) + " s");
+  check("plan_end_speed_m_s", speed, kRounding * (1 + std::abs(speed)), text(speed) + " m/s");
   const auto said = plan.statistics.find("hash");
   const std::string hash = hash_of(plan);
-  if (said != plan.statistics.end() && *said != hash)
-    complaints.add("statistics: hash is " + said->dump() + ", that of states and controls is \"" + hash + "\"");
+  if (said != plan.statistics.end() && *said != hash) {
+    differs("hash", *said, ", that of states and controls is \"" + hash + "\"");
+  }
 }
 
 }  // namespace krait::host

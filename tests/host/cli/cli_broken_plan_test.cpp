@@ -76,6 +76,8 @@ std::vector<Broken> all_broken() {
            "statistics: plan_end_speed_m_s is 0.25, the plan's is "},
           {"length_in_words", [](auto& p) { p["statistics"]["plan_length_m"] = "short"; },
            "statistics: plan_length_m is \"short\", the plan's is "},
+          {"length_in_words_that_turn_around", [](auto& p) { p["statistics"]["plan_length_m"] = "5\u202e4"; },
+           "statistics: plan_length_m is \"5\\u202E4\", the plan's is "},
           {"hash_of_another", [](auto& p) { p["statistics"]["hash"] = "0123456789abcdef"; },
            "statistics: hash is \"0123456789abcdef\", that of states and controls is \""},
           {"state_within_rounding", [](auto& p) { add(p["states"][5][0], 1e-5); }, "statistics: hash is "},
@@ -104,6 +106,21 @@ TEST_F(CliBrokenPlan, IsCaughtWhateverIsBroken) {
     EXPECT_THAT(outcome.output, HasSubstr(broken.mention));
     EXPECT_THAT(outcome.output, HasSubstr("the plan does not hold"));
   }
+}
+
+// However many steps there are, one more is wrong; a length of so many may be rounded in its last digits.
+TEST_F(CliBrokenPlan, AStepTooManyIsCaughtInALongPlan) {
+  expect_done({"plan", "room.krait", "--robot", "car", "--dt", "0.001", "--improve", "0", "-o", "plan.json"});
+  ordered_json plan = json("plan.json");
+  const auto steps = plan.at("statistics").at("plan_steps").get<std::size_t>();
+  ASSERT_GT(steps, 4000U);
+  expect_done({"verify", "room.json", "plan.json", "--robot", "car", "--dt", "0.001"});
+  plan["statistics"]["plan_steps"] = steps + 1;
+  write("broken.json", plan.dump());
+  const Outcome outcome = krait({"verify", "room.json", "broken.json", "--robot", "car", "--dt", "0.001"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.output,
+              HasSubstr("plan_steps is " + std::to_string(steps + 1) + ", the plan's is " + std::to_string(steps)));
 }
 
 TEST_F(CliBrokenPlan, IsCaughtWhenAnotherTimeStepWasAsked) {

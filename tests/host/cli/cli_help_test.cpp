@@ -66,7 +66,8 @@ TEST_F(CliHelp, TeachesPlan) {
 }
 
 TEST_F(CliHelp, SaysWhatIsImprovedUnasked) {
-  EXPECT_THAT(help({"plan"}), HasSubstr("(default: 10, or as many as make 300000 checks; 0, the first plan, with "));
+  EXPECT_THAT(help({"plan"}),
+              HasSubstr("(default: 10, or more where those make fewer than 300000 checks; 0, the first plan, with "));
 }
 
 TEST_F(CliHelp, ListsTheDefaultsOfEveryRobot) {

@@ -89,11 +89,15 @@ TEST_F(CliProgress, CtrlCInTheCompilerIsNoFault) {
 // A terminal sends it to both programs.
 TEST_F(CliProgress, CtrlCWhileTheMapIsCompiledHasALine) {
   std::filesystem::copy_file(kKrait, path("krait"));
-  write("krait-compile", "#!/bin/sh\nkill -INT $PPID\nkill -INT $$\n");
+  write("krait-compile", "#!/bin/sh\nprintf '\\rreading the map: 1 s' >&2\nkill -INT $PPID\nkill -INT $$\n");
   std::filesystem::permissions(path("krait-compile"), std::filesystem::perms::owner_all);
+  const std::string line = "krait: stopped by you while the map was compiled: nothing is written";
   const Outcome outcome = run_program(path("krait"), {"plan", "room.json", "--robot", "car"}, directory());
   EXPECT_EQ(outcome.code, -SIGINT);
-  EXPECT_EQ(outcome.errors, "krait: stopped by you while the map was compiled: nothing is written\n");
+  EXPECT_EQ(outcome.errors, "\rreading the map: 1 s" + line + "\n");
+  const Outcome shown = run_on_terminal(path("krait"), {"plan", "room.json", "--robot", "car"}, directory());
+  EXPECT_EQ(shown.code, -SIGINT);
+  EXPECT_THAT(shown.errors, HasSubstr("\r\033[K" + line));
 }
 
 TEST_F(CliProgress, ATimeLimitAsksForALongerOneAndForNoMore) {

@@ -309,7 +309,7 @@ TEST(Resample, NamesThePassagesThatClose) {
   for (std::size_t i = 3; i < 9; ++i) rows[i][20] = '.';  // and one of 6
   Workspace w = room(cells(rows, 0.1));
   const Workspace closed = reduced(w, {{}, 0.3, {}, {}, {}});
-  EXPECT_THAT(closed.warnings, testing::ElementsAre("--cell 0.3 closes a passage at 1.05,1.45, some 0.3 m wide"));
+  EXPECT_THAT(closed.warnings, testing::ElementsAre("--cell 0.3 closes a passage at 1.05,1.45, at least 0.3 m wide"));
   w.starts = {{"a", {0.5, 0.5}, 0, {}}};
   w.goals = {{"b", {{2.5, 2.5}, {2.7, 2.5}, {2.7, 2.7}}}};
   EXPECT_THAT(complaint(w, {{}, 0.3, {}, {}, {}}), testing::HasSubstr("closes every way from the start to the goal"));
@@ -322,11 +322,21 @@ TEST(Resample, NamesThePassagesOfADrawingThatClose) {
   w.obstacles = {{"low", {{9.9, 0}, {10.1, 0}, {10.1, 4.6}, {9.9, 4.6}}, {}},
                  {"high", {{9.9, 5.5}, {10.1, 5.5}, {10.1, 10}, {9.9, 10}}, {}}};
   EXPECT_THAT(reduced(w, {{}, 1.0, {}, {}, {}}).warnings,
-              testing::ElementsAre("--cell 1 closes a passage at 10.0625,4.9375, some 0.625 m wide"));
+              testing::ElementsAre("--cell 1 closes a passage at 10.0625,4.9375, at least 0.625 m wide"));
   EXPECT_TRUE(reduced(w, {{}, 0.2, {}, {}, {}}).warnings.empty());
   w.starts = {{"a", {2, 5}, 0, {}}};
   w.goals = {{"b", {{17, 4}, {18, 4}, {18, 6}, {17, 6}}}};
   EXPECT_THAT(complaint(w, {{}, 1.0, {}, {}, {}}), testing::HasSubstr("closes every way from the start to the goal"));
+}
+
+// Of 100 m by 100 m a million cells are as large as these.
+TEST(Resample, SaysWhereADrawingIsTooLargeToLookForPassages) {
+  Workspace w;
+  w.max = {100, 100};
+  w.obstacles = {{"box", {{50, 50}, {51, 50}, {51, 51}, {50, 51}}, {}}};
+  EXPECT_THAT(reduced(w, {{}, 0.1, {}, {}, {}}).warnings,
+              testing::ElementsAre("--cell 0.1: the drawing is too large to look for passages that this closes"));
+  EXPECT_TRUE(reduced(w, {{}, 0.25, {}, {}, {}}).warnings.empty());
 }
 
 TEST(Resample, RefusesFinerCellsAndOnesLargerThanTheMap) {
