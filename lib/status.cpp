@@ -8,18 +8,18 @@ namespace {
 
 // The enumerators, whose names are their texts, in their order.
 // clang-format off
-#define KRAIT_STATUSES(NAME)                                                                                      \
-  NAME(ok) NAME(ready) NAME(searching) NAME(solved) NAME(no_route) NAME(budget_used) NAME(tree_full)              \
-  NAME(time_used) NAME(bad_scene) NAME(bad_robot) NAME(bad_argument) NAME(start_outside) NAME(start_in_collision) \
+#define KRAIT_STATUSES(NAME)                                                                                       \
+  NAME(ok) NAME(ready) NAME(searching) NAME(solved) NAME(no_route) NAME(budget_used) NAME(tree_full)               \
+  NAME(time_used) NAME(bad_scene) NAME(bad_robot) NAME(bad_argument) NAME(start_outside) NAME(start_in_collision)  \
   NAME(goal_in_obstacle) NAME(arena_too_small) NAME(bad_arithmetic) NAME(internal)
-#define KRAIT_ARGUMENTS(NAME)                                                                                     \
-  NAME(none) NAME(block) NAME(scene) NAME(start) NAME(goal) NAME(iterations) NAME(vertices) NAME(expansions)      \
-  NAME(when_full) NAME(way_legs) NAME(alpha) NAME(beta) NAME(gamma) NAME(kappa) NAME(update_regions)              \
+#define KRAIT_ARGUMENTS(NAME)                                                                                      \
+  NAME(none) NAME(block) NAME(scene) NAME(start) NAME(goal) NAME(iterations) NAME(vertices) NAME(expansions)       \
+  NAME(when_full) NAME(way_legs) NAME(alpha) NAME(beta) NAME(gamma) NAME(kappa) NAME(update_regions)               \
   NAME(group_sample) NAME(epsilon) NAME(dt) NAME(max_steps) NAME(open_steps) NAME(path_regions) NAME(path_lengths) \
   NAME(near_radius) NAME(goal_near_radius) NAME(clearance) NAME(stray_share) NAME(gentle_share)                    \
   NAME(sight_tries) NAME(candidates) NAME(least_sketch) NAME(doomed_steps) NAME(restart_unit) NAME(slowest)        \
-  NAME(reverse_share) NAME(cost_length)                                                                            \
-  NAME(goal_margin) NAME(end_speed) NAME(max_substeps) NAME(robot_dimensions) NAME(robot_polygon) NAME(robot_sizes)
+  NAME(reverse_share) NAME(cost_length) NAME(goal_margin) NAME(end_speed) NAME(max_substeps)                       \
+  NAME(robot_dimensions) NAME(robot_polygon) NAME(robot_sizes)
 // clang-format on
 
 #define KRAIT_TEXT(name) #name,

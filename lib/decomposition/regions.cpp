@@ -338,17 +338,11 @@ Vec2 Regions::random_point(Index region, Random& random) const {
   return is_goal(region) ? random_goal_point(random) : random_point_in_triangle(*scene_, region, random);
 }
 
-Index Regions::regions_ahead(Index region, Index most) const {
-  Index count = 0;
-  for (Index r = next(region); r != kNone && count < most; r = next(r)) ++count;
-  return count;
-}
-
 Index Regions::regions_ahead(Index region, Index most, float distance) const {
   const Vec2 from = region_center(region);
   Index count = 0;
   for (Index r = next(region); r != kNone && (count < most || count < kMostAhead); r = next(r)) {
-    if (count >= most && length(region_center(r) - from) > distance) break;
+    if (count >= most && length(region_center(r) - from) >= distance) break;
     ++count;
   }
   return count;

@@ -62,11 +62,9 @@ class Regions {
     const std::uint8_t edge = next_[region] & kEdgeMask;
     return edge == kNoEdge ? kNone : this->region(scene_->neighbor(region, edge));
   }
-  // The regions after r on its shortest path, at most `most`. O(most).
-  Index regions_ahead(Index region, Index most) const;
-  // The regions after r on its shortest path: the first `most`, and further ones, up to the kMostAhead-th, until the
-  // first whose centroid lies more than `distance` metres from r's. O(kMostAhead + most).
-  Index regions_ahead(Index region, Index most, float distance) const;
+  // The regions after r on its shortest path: the first `most`, and further ones, up to the kMostAhead-th, as long as
+  // their centroids lie nearer to r's than `distance` metres. O(kMostAhead + most).
+  Index regions_ahead(Index region, Index most, float distance = 0.0F) const;
   bool is_goal(Index region) const { return h_[region] == 0.0F; }
   // A named goal's one region; kNone for a disc.
   Index goal_region() const { return goal_region_; }

@@ -37,10 +37,10 @@ Status AdaptiveSearch::advance(std::uint64_t iterations, const Watch& watch) {
 }
 
 Status AdaptiveSearch::improve(std::uint64_t iterations) {
-  return improve_by(iterations, true, [&] { search_anew(); });
+  return improve_by(iterations, true, [&] { iterate_restarted(); });
 }
 
-void AdaptiveSearch::search_anew() {
+void AdaptiveSearch::iterate_restarted() {
   if (resume_restarted()) {
     (void)advance(1);
   } else {

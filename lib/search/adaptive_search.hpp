@@ -33,8 +33,8 @@ class AdaptiveSearch : public GroupedSearch {
   // The length of a sketched step, seconds.
   float sketched_step() const;
 
-  // An iteration of a search for a better plan.
-  void search_anew();
+  // An iteration of a restarted search, for a better plan.
+  void iterate_restarted();
 
   // Algorithm 1, lines 4 to 13.
   void iterate(const Watch& watch);

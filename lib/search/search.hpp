@@ -117,8 +117,8 @@ class Search {
     return status();
   }
 
-  // Improves the plan by `iterations` iterations: calls search() for one of a restarted search; there are such
-  // only if `restarts`.
+  // Improves the plan by `iterations` iterations: calls search() for one of a restarted search; there are such only if
+  // `restarts`.
   template <class RestartedSearch>
   Status improve_by(std::uint64_t iterations, bool restarts, RestartedSearch search) {
     if (status() != Status::solved || path_ == kNone) return status();
@@ -134,8 +134,8 @@ class Search {
     return status();
   }
 
-  // Lets the restarted search go on; false when it has yet to begin: then begin_restarted, which is an
-  // iteration of its own.
+  // Lets the restarted search go on; false when it has yet to begin: then begin_restarted, which is an iteration of its
+  // own.
   bool resume_restarted();
   void begin_restarted();
   // Lets it rest: the status is solved, as it is for the caller of improve.

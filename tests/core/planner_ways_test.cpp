@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Ways are looked at before one is driven: targets in sight, sketches, and giving up.
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 #include "planner_fixture.hpp"
@@ -33,20 +34,33 @@ TEST(PlannerWays, AreNotThePapers) {
   EXPECT_NE(hash_with({}), hash_with(without_looks()));
 }
 
+// Of searches with seeds 1, 2, …, each of which is solved where `solved` says so.
+template <class R>
+std::vector<std::uint64_t> vertices_of(Bench<R>& bench, const float* start, std::uint64_t searches, bool solved) {
+  EXPECT_TRUE(bench.init().ok());
+  std::vector<std::uint64_t> vertices;
+  for (std::uint64_t seed = 1; seed <= searches; ++seed) {
+    const Status status = bench.solve({start, Goal::named(0), seed});
+    if (solved) {
+      EXPECT_EQ(status, Status::solved);
+    }
+    vertices.push_back(bench.planner.statistics().vertices);
+  }
+  return vertices;
+}
+
+std::uint64_t sum(const std::vector<std::uint64_t>& numbers) {
+  return std::accumulate(numbers.begin(), numbers.end(), std::uint64_t{0});
+}
+
 // Over some searches of a train through a door.
 std::uint64_t vertices_with(const Parameters& parameters) {
   ChainParameters chain;
   chain.trailers = 4;
   Bench<Snake> bench(two_rooms(1.4), Snake(chain));
   bench.parameters = parameters;
-  EXPECT_TRUE(bench.init().ok());
   const float start[] = {4, 6, 0, 0, 0, 0, 0, 0, 0};
-  std::uint64_t vertices = 0;
-  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
-    EXPECT_EQ(bench.solve({start, Goal::named(0), seed}), Status::solved);
-    vertices += bench.planner.statistics().vertices;
-  }
-  return vertices;
+  return sum(vertices_of(bench, start, 200, true));
 }
 
 TEST(PlannerWays, TakeFewerVerticesThanAnyWay) {
@@ -60,12 +74,7 @@ TEST(PlannerWays, TakeFewerVerticesThanAnyWay) {
 // A door 1.5 times as wide as the robot. With lines of sight of 1.6 times its width the 90th percentile is 39,210.
 TEST(PlannerWays, LookThroughDoorsThatTheRobotFits) {
   Bench<Unicycle> bench(two_rooms(0.6), small_unicycle());
-  ASSERT_TRUE(bench.init().ok());
-  std::vector<std::uint64_t> vertices;
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-    (void)bench.solve({kStart, Goal::named(0), seed});
-    vertices.push_back(bench.planner.statistics().vertices);
-  }
+  std::vector<std::uint64_t> vertices = vertices_of(bench, kStart, 60, false);
   std::sort(vertices.begin(), vertices.end());
   EXPECT_LE(vertices[54], 5000U);
 }
@@ -78,11 +87,7 @@ TEST(PlannerWays, LookAsFarWhereRegionsAreSmall) {
   for (const bool far : {false, true}) {
     Bench<Unicycle> bench(fine, small_unicycle());
     if (!far) bench.parameters.tuning.path_lengths = 0.0F;
-    ASSERT_TRUE(bench.init().ok());
-    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-      EXPECT_EQ(bench.solve({kStart, Goal::named(0), seed}), Status::solved);
-      vertices[far] += bench.planner.statistics().vertices;
-    }
+    vertices[far] = sum(vertices_of(bench, kStart, 40, true));
   }
   EXPECT_LT(2 * vertices[true], vertices[false]);
 }

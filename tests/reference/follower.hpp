@@ -135,7 +135,7 @@ class Follower {
     constexpr std::size_t kMost = 32;
     std::vector<Index> found;
     for (Index r = next(region); r != kNone; r = next(r)) {
-      const bool near = found.size() < kMost && regions_.apart(region, r) <= rules_.path_reach;
+      const bool near = found.size() < kMost && regions_.apart(region, r) < rules_.path_reach;
       if (found.size() >= path_regions_ && !near) break;
       found.push_back(r);
     }

@@ -14,8 +14,6 @@
 namespace krait::host {
 namespace {
 
-constexpr double kLeastGoal = 0.001;  // metres, of the radius: a smaller one is most likely a slip
-
 // Whether it is a whole turn at most is judged later, where degrees are asked about.
 CLI::Validator heading_number() {
   const auto check = [](const std::string& text) -> std::string {
@@ -49,7 +47,7 @@ void parse_start(const std::string& text, SearchRequest& request) {
 
 void parse_goal(const std::string& text, SearchRequest& request) {
   if (const auto disc = parse_numbers(text, {kMaxCoordinate, kMaxCoordinate, kMaxCoordinate});
-      disc && (*disc)[2] >= kLeastGoal) {
+      disc && (*disc)[2] >= kLeastGoalRadius) {
     request.goal = GoalDisc{{(*disc)[0], (*disc)[1]}, (*disc)[2]};
   } else if (text.find(',') != std::string::npos) {
     throw InputError(

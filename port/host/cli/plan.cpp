@@ -457,13 +457,14 @@ void add_plan(CLI::App& app, const char* program) {
                    "(default: none; a limit makes the result depend on the machine)")
       ->check(number_in(1e-9, 1e9, "seconds"));
   command
-      ->add_option("--improve", o->improve,
-                   "search for a better plan with this many times the collision checks that the first one took,\n"
-                   "0 to 1e6; the best is the result, proven and verified as the first would be\n" +
-                       printed("(default: %.7g, or more where those make fewer than %.7g checks; 0, the first plan, "
-                               "with --paper, --planner prior\n"
-                               "or rrt, or a --memory under %s)",
-                               kImprove, kLeastChecks, kRoomToImprove))
+      ->add_option(
+          "--improve", o->improve,
+          "search for a better plan with this many times the collision checks that the first one took,\n"
+          "0 to 1e6; the best is the result, proven and verified as the first would be\n" +
+              printed(
+                  "(default: %.7g, or more where those make fewer than %.7g checks; 0, the first plan, with --paper,\n"
+                  "--planner prior or rrt, or a --memory under %s)",
+                  kImprove, kLeastChecks, kRoomToImprove))
       ->check(number_in(0, 1e6, "times the first plan's checks"));
   command
       ->add_option("--stop-within", o->stop_within,

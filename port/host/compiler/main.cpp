@@ -36,8 +36,8 @@ void add_goal(Workspace& workspace, const std::string& text) {
   const auto v =
       numbers("--goal", text, {kMaxCoordinate, kMaxCoordinate, kMaxCoordinate}, "X,Y,RADIUS (metres to 1e7)");
   constexpr int kCorners = 32;
-  constexpr double kPi = 3.14159265358979323846, kRounding = 0.0002, kLeast = 0.001;
-  if (!(v[2] >= kLeast)) throw InputError("--goal '" + text + "': the radius must be 1 mm or more");
+  constexpr double kPi = 3.14159265358979323846, kRounding = 0.0002;
+  if (!(v[2] >= kLeastGoalRadius)) throw InputError("--goal '" + text + "': the radius must be 1 mm or more");
   Goal goal{"goal", {}};
   for (int i = 0; i < kCorners; ++i) {
     const double angle = 2 * kPi * i / kCorners, radius = v[2] - kRounding;

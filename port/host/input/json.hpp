@@ -17,6 +17,7 @@ using Json = nlohmann::ordered_json;
 
 inline constexpr int kMaxDepth = 64;               // of nested lists and objects
 inline constexpr double kMaxCoordinate = 1e7;      // metres, world coordinates
+inline constexpr double kLeastGoalRadius = 0.001;  // metres, of options: a smaller one is most likely a slip
 inline constexpr double kMaxFarCoordinate = 1e10;  // metres, in the file of a map, which is then brought near
 inline constexpr double kMaxAngle = 1000;          // radians
 inline constexpr std::size_t kMaxNameBytes = 200;

@@ -19,6 +19,13 @@ constexpr double kBarWidth = 250;  // points: the colour bar
 constexpr double kBarHeight = 11;
 constexpr double kLongestScaleBar = 150;
 
+// Of a point in the frame of a body.
+Point placed(const Pose& body, const Point& p) {
+  const double c = std::cos(body.heading);
+  const double s = std::sin(body.heading);
+  return {body.x + c * p.x - s * p.y, body.y + s * p.x + c * p.y};
+}
+
 // A pen on one sheet.
 class Painter : private Pen {
  public:
@@ -157,13 +164,9 @@ class Painter : private Pen {
     const std::vector<Pose> poses = body_poses(picture_.plan.robot, state);
     cairo_set_line_join(cr_, CAIRO_LINE_JOIN_ROUND);
     for (std::size_t k = poses.size(); k-- > 0;) {
-      const double c = std::cos(poses[k].heading);
-      const double s = std::sin(poses[k].heading);
-      Ring placed;
-      for (const Point& corner : picture_.plan.robot.bodies[k]) {
-        placed.push_back({poses[k].x + c * corner.x - s * corner.y, poses[k].y + s * corner.x + c * corner.y});
-      }
-      ring(placed);
+      Ring body;
+      for (const Point& corner : picture_.plan.robot.bodies[k]) body.push_back(placed(poses[k], corner));
+      ring(body);
       fill_and_stroke(inside, line, width);
     }
     front_mark(poses.front(), line, width);
@@ -178,9 +181,7 @@ class Painter : private Pen {
         std::minmax_element(body.begin(), body.end(), [](const Point& a, const Point& b) { return a.y < b.y; });
     const double size = std::min(front->x - back->x, left->y - right->y) / 2;
     const double middle = (left->y + right->y) / 2;
-    const double c = std::cos(pose.heading);
-    const double s = std::sin(pose.heading);
-    const auto to = [&](double x, double y) { line_to(figure_.at({pose.x + c * x - s * y, pose.y + s * x + c * y})); };
+    const auto to = [&](double x, double y) { line_to(figure_.at(placed(pose, {x, y}))); };
     cairo_new_sub_path(cr_);
     to(front->x - 0.9 * size, middle + 0.6 * size);
     to(front->x - 0.3 * size, middle);

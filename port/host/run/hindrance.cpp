@@ -5,8 +5,8 @@
 #include <map>
 #include <vector>
 
-#include "collision/motion_check.hpp"
 #include "decomposition/locate.hpp"
+#include "host/run/own_check.hpp"
 #include "plan/proven_step.hpp"
 
 namespace krait::host {
@@ -19,13 +19,7 @@ constexpr int kSteps = 50;           // of a way, at most
 class Driver {
  public:
   Driver(const Robot& robot, const krait::Scene& scene, const Parameters& parameters)
-      : robot_(robot), proof_(robot, scene, parameters, check_) {
-    detail::Arena counting;
-    check_.allocate(counting, robot);
-    block_.resize((counting.needed() + 7) / 8);
-    detail::Arena arena(block_.data(), counting.needed());
-    check_.allocate(arena, robot);
-    check_.assign(robot, scene, parameters.clearance, static_cast<int>(parameters.tuning.max_substeps), true);
+      : robot_(robot), check_(robot, scene, parameters), proof_(robot, scene, parameters, check_) {
     drive_.assign(robot, parameters.dt);
   }
   Driver(const Driver&) = delete;
@@ -72,8 +66,7 @@ class Driver {
   }
 
   Robot robot_;
-  std::vector<std::uint64_t> block_;
-  detail::MotionCheck check_;
+  OwnCheck check_;
   detail::ProvenStep proof_;
   detail::Drive drive_;
   std::map<Index, Ended> ended_by_;  // by body

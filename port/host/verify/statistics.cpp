@@ -76,10 +76,9 @@ void check_statistics(const PlanFile& plan, const Dynamics& dynamics, Complaints
   const std::size_t steps = plan.controls.size();
   const double duration = plan.dt * static_cast<double>(steps), length = length_of(plan);
   const double speed = end_speed_of(plan, dynamics);
-  constexpr double kRounding = 4 * static_cast<double>(std::numeric_limits<float>::epsilon());
+  constexpr double kRounded = static_cast<double>(std::numeric_limits<float>::epsilon()), kRounding = 4 * kRounded;
   // The planner adds the lengths of the steps up in floats, each sum of which may be rounded once.
-  const double rounded_sum =
-      (static_cast<double>(steps) + 4) * static_cast<double>(std::numeric_limits<float>::epsilon());
+  const double rounded_sum = kRounding + static_cast<double>(steps) * kRounded;
   check("plan_steps", static_cast<double>(steps), 0, std::to_string(steps));
   check("plan_length_m", length, rounded_sum * (1 + length), text(length) + " m");
   check("plan_duration_s", duration, kRounding * (1 + duration), text(duration) + " s");
