@@ -25,7 +25,8 @@ bool check_headings(const Case& c, const std::vector<Pose>& poses) {
     const auto sin = static_cast<double>(poses[k].heading.sin);
     const auto cos = static_cast<double>(poses[k].heading.cos);
     const bool has_pose = finite(poses[k].position) && finite(poses[k].heading.sin) && finite(poses[k].heading.cos);
-    const double off = std::abs(std::hypot(sin, cos) - 1);
+    const double length = std::hypot(sin, cos);
+    const double off = std::abs(length - 1);
     if (!has_pose) {
       c.fault("place", "finite", kInfinite,
               "the frame of " + body_number(k) + " has the heading (sin " + number(sin) + ", cos " + number(cos) +
@@ -35,7 +36,7 @@ bool check_headings(const Case& c, const std::vector<Pose>& poses) {
       return false;
     }
     if (off > kUnit) {
-      c.fault("place", "unit", off, "the heading of " + body_number(k) + " has the length " + number(1 + off, 7),
+      c.fault("place", "unit", off, "the heading of " + body_number(k) + " has the length " + number(length, 7),
               "Sine and cosine must be those of one angle, or the body is placed larger or smaller than it is.");
     }
   }

@@ -25,6 +25,7 @@ enum class Wrong {
   body_clockwise,
   place_nan_heading_of_the_second_body,
   place_long_heading,
+  place_short_heading,
   place_off_the_position,
   place_leaps,
   place_leaves_a_frame_unwritten,
@@ -114,6 +115,7 @@ class Cart {
     if (!is(Wrong::place_leaves_a_frame_unwritten)) poses[1] = {behind, heading};
     if (is(Wrong::place_nan_heading_of_the_second_body) && s[3] > 1.0F) poses[1].heading.cos = std::nanf("");
     if (is(Wrong::place_long_heading)) poses[1].heading.sin *= 1.01F;
+    if (is(Wrong::place_short_heading)) poses[1].heading = {0.5F * heading.sin, 0.5F * heading.cos};
     if (is(Wrong::place_off_the_position)) poses[0].position.x += 0.25F;
     if (is(Wrong::place_leaps) && s[3] > 1.0F) poses[1].position.y += 0.5F;
   }
@@ -175,7 +177,17 @@ inline RobotRanges cart_ranges() {
   return ranges;
 }
 
-enum class WrongFront { nothing, size, derivative, place, lead_step, rest_step, lead_alone, rest_unwritten };
+enum class WrongFront {
+  nothing,
+  size,
+  derivative,
+  place,
+  place_alone,
+  lead_step,
+  rest_step,
+  lead_alone,
+  rest_unwritten
+};
 
 // A truck whose leading components or own integration may be wrong.
 class FrontTruck : public Truck {
@@ -190,6 +202,7 @@ class FrontTruck : public Truck {
   void place(StateView s, Pose* poses) const {
     Truck::place(s, poses);
     if (is(WrongFront::place)) poses[1] = poses[0];
+    if (is(WrongFront::place_alone) && s.size() == kCarState) poses[0].position.x += 0.001F;
   }
   void integrate_lead(StateView s, const Pose* poses, ControlView u, float dt, Lead& lead, float* d) const {
     Truck::integrate_lead(s, poses, u, dt, lead, d);

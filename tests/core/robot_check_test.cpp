@@ -11,10 +11,16 @@
 namespace krait {
 namespace test {
 
-// Trusted, and takes NaN for a speed.
+// Trusted, and takes one number that is not finite for a speed.
 class TrustedCart : public Cart {
  public:
-  bool within_limits(StateView s) const { return !(math::absolute(s[3]) > kSpeed); }
+  explicit TrustedCart(float taken) : taken_(taken) {}
+  bool within_limits(StateView s) const { return Cart::within_limits(s) || is_taken(s[3]); }
+
+ private:
+  bool is_taken(float speed) const { return std::isnan(taken_) ? std::isnan(speed) : speed == taken_; }
+
+  float taken_;
 };
 
 }  // namespace test
@@ -134,6 +140,7 @@ INSTANTIATE_TEST_SUITE_P(
         Expected{Wrong::body_grows, "body", "pure", "another shape"},
         Expected{Wrong::place_nan_heading_of_the_second_body, "place", "finite", "the frame of body 1 has the heading"},
         Expected{Wrong::place_long_heading, "place", "unit", "the heading of body 1 has the length 1.0"},
+        Expected{Wrong::place_short_heading, "place", "unit", "the heading of body 1 has the length 0.5,"},
         Expected{Wrong::place_off_the_position, "place", "origin", "is 0.25 m away"},
         Expected{Wrong::place_leaps, "place", "continuous", "the frame of body 1 leaps by 0.50"},
         Expected{Wrong::place_leaves_a_frame_unwritten, "place", "complete", "leaves number 4"},
@@ -179,6 +186,7 @@ TEST(RobotCheckFront, NamesWhatIsWrongWithLeadingComponents) {
        {ExpectedOfFront{WrongFront::size, "leading_size", "range", "leading_size is 99"},
         ExpectedOfFront{WrongFront::derivative, "leading_size", "derivative", "of the whole state ["},
         ExpectedOfFront{WrongFront::place, "leading_size", "place", "writes other bodies than body 0"},
+        ExpectedOfFront{WrongFront::place_alone, "leading_size", "place", "puts body 0 elsewhere"},
         ExpectedOfFront{WrongFront::lead_step, "integrate_lead", "step", "to component 0, where"},
         ExpectedOfFront{WrongFront::rest_step, "integrate_rest", "step", "to component 5, where"},
         ExpectedOfFront{WrongFront::lead_alone, "integrate_lead", "leading", "of the leading components alone"},
@@ -221,8 +229,13 @@ TEST(RobotCheckRate, IsNotCheckedWhereThereIsNone) {
   EXPECT_EQ(report_of(QuietCart(), ranges, 50).text(), "");
 }
 
-TEST(RobotCheckTrust, ARobotThatTakesNanForAStateMustNotBeTrusted) {
-  expect_named(report_of(TrustedCart(), cart_ranges(), 50), "within_limits", "finite", "component 0 may be nan");
+TEST(RobotCheckTrust, ARobotThatTakesWhatIsNotFiniteForAStateMustNotBeTrusted) {
+  const auto expect_found = [](float taken, const char* says) {
+    expect_named(report_of(TrustedCart(taken), cart_ranges(), 50), "within_limits", "finite", says);
+  };
+  expect_found(std::nanf(""), "component 3 may be nan");
+  expect_found(kInfinity, "component 3 may be inf");
+  expect_found(-kInfinity, "component 3 may be -inf");
 }
 
 TEST(RobotCheckLeaving, MoreStepsThanAllowedAreNamed) {
