@@ -249,7 +249,15 @@ TEST(OwnRobotInC, EveryFunctionThatItMayHaveIsUsed) {
   f = whole(2);
   f.fastest_rate = nullptr;
   EXPECT_NE(hash(f), all) << "fastest_rate";
-  f = whole(2);
+}
+
+// Nothing that is driven keeps it, so that no path becomes a plan.
+TEST(OwnRobotInC, HasNoPlanWithoutItsReserve) {
+  const krait_goal goal = krait_disc_goal(10.5F, 6.5F, 0.4F);
+  krait_functions f = whole(2);
+  EXPECT_EQ(InC(f, 2).search(goal, 1), KRAIT_SOLVED);
+  f.keeps_reserve = [](const void*, const float*) { return false; };
+  EXPECT_EQ(InC(f, 2).search(goal, 1), KRAIT_SEARCHING);
 }
 
 // Before the wall, heading away from it: where trailers can only be pushed to.
