@@ -52,11 +52,10 @@ class Envelope {
   std::int64_t at(std::int64_t u, std::int64_t apex) const {
     return (u - apex) * (u - apex) + height(apex) * height(apex);
   }
-  // The last place where the parabola of `left` is not above that of `right`.
+  // The last place where the parabola of `left` is not above that of `right`, as it is at some place from 0 on.
   std::int64_t last_of(std::int64_t left, std::int64_t right) const {
     const std::int64_t up = right * right - left * left + height(right) * height(right) - height(left) * height(left);
-    const std::int64_t down = 2 * (right - left);
-    return up >= 0 ? up / down : -((-up + down - 1) / down);
+    return up / (2 * (right - left));
   }
 
   void add(std::int64_t u) {

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <set>
 
 #include "../cell_map.hpp"
 #include "../ring_oracle.hpp"
@@ -19,6 +20,7 @@
 #include "host/reduce/closed.hpp"
 #include "host/reduce/disc.hpp"
 #include "host/reduce/fill.hpp"
+#include "host/reduce/goal_cells.hpp"
 #include "host/reduce/resample.hpp"
 
 namespace krait::host::test {
@@ -110,6 +112,38 @@ TEST(CellDistances, AreThoseOfBruteForce) {
         ASSERT_EQ(found[cell_number(map, x, y)], nearest) << round;
       }
     }
+  }
+}
+
+// A place in cells, in world coordinates.
+Point in_world(const CellMap& map, Point cells) {
+  const double x = cells.x * map.resolution, y = cells.y * map.resolution;
+  return {map.origin.x + std::cos(map.yaw) * x - std::sin(map.yaw) * y,
+          map.origin.y + std::sin(map.yaw) * x + std::cos(map.yaw) * y};
+}
+
+// Triangles, some of them smaller than a cell and some of them partly off the map.
+TEST(GoalCells, AreThoseWithTheirMiddlesInItAndThoseOfItsCorners) {
+  Random random(7);
+  for (int round = 0; round < 60; ++round) {
+    const CellMap map = random_map(random);
+    const Point at = random_place(map, random);
+    const double size = round % 3 == 0 ? 0.4 : uniform(random, 1, 40);
+    Ring triangle;
+    for (int i = 0; i < 3; ++i) triangle.push_back({at.x + uniform(random, 0, size), at.y + uniform(random, 0, size)});
+    std::set<std::size_t> expected;
+    for (int row = 0; row < map.rows; ++row) {
+      for (int column = 0; column < map.columns; ++column) {
+        const bool middle = winding({column + 0.5, row + 0.5}, triangle) != 0;
+        const bool corner = std::any_of(triangle.begin(), triangle.end(),
+                                        [&](Point p) { return std::floor(p.x) == column && std::floor(p.y) == row; });
+        if (middle || corner) expected.insert(cell_number(map, column, row));
+      }
+    }
+    Goal goal{"goal", {}};
+    for (const Point p : triangle) goal.polygon.push_back(in_world(map, p));
+    const std::vector<std::size_t> found = cells_of(map, goal);
+    EXPECT_EQ(std::set<std::size_t>(found.begin(), found.end()), expected) << round;
   }
 }
 
