@@ -101,7 +101,7 @@ TEST_F(CliBadInput, Starts) {
     expect_plan_refused({"--start", start}, "--start");
   }
   expect_plan_refused({"--start", "nowhere"}, "west, north");
-  expect_plan_refused({"--start", "-50,5,0"}, "start_outside");
+  expect_plan_refused({"--start", "-50,5,0"}, "start_outside: the start lies outside the bounds, -12,0 to 20,10 m\n");
   expect_plan_refused({"--start", "10,2,0"}, "start_in_collision");
   expect_plan_refused({"--start", "-11.9,5,0"}, "start_in_collision");
   expect_plan_refused({"--robot", "snake:3", "--start", "north"}, "trailer");
@@ -113,7 +113,9 @@ TEST_F(CliBadInput, Goals) {
   }
   expect_plan_refused({"--goal", "nowhere"}, "east, south");
   expect_plan_refused({"--goal", "30,5,1"}, "outside");
-  expect_plan_refused({"--goal", "10,2,0.2"}, "goal_in_obstacle");
+  expect_plan_refused({"--goal", "10,2,0.2"},
+                      "goal_in_obstacle: no free part of the goal is left: it lies in obstacles "
+                      "or outside (the robot is snake:15: --robot asks for another)\n");
 }
 
 TEST_F(CliBadInput, Numbers) {
@@ -139,6 +141,15 @@ TEST_F(CliBadInput, Numbers) {
   expect_plan_refused({"--seed", "1.5"}, "seed");
   expect_plan_refused({"--seed", "18446744073709551616"}, "seed");
   expect_plan_refused({"--seed", ""}, "seed");
+}
+
+TEST_F(CliBadInput, ATimeStepThatIsTooLongIsToldTheLongest) {
+  write("fast.json", R"({"model": "car", "parameters": {"max_speed": 93}})");
+  const auto plan = [&](const char* dt) { return krait({"plan", "room.krait", "--robot", "fast.json", "--dt", dt}); };
+  const Outcome refused = plan("0.045");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.errors, HasSubstr("dt: at most 0.044 s for a robot so fast and so short: try --dt 0.044\n"));
+  EXPECT_LE(plan("0.044").code, 1);
 }
 
 TEST_F(CliBadInput, Memory) {

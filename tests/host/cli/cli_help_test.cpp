@@ -130,6 +130,8 @@ TEST_F(CliHelp, InfoReportsTheLeastBlockAndItsPools) {
     return krait({"plan", "room.krait", "--robot", "car", "--start", "west", "--goal", "east", "--memory",
                   std::to_string(memory), "-o", "plan.json"});
   };
+  EXPECT_THAT(krait({"info", "room.krait", "--robot", "car", "--memory", std::to_string(bytes)}).output,
+              HasSubstr("; " + std::to_string(bytes) + " holds 2 vertices"));
   EXPECT_LE(plan(bytes).code, 1);
   EXPECT_THAT(plan(bytes - 1).errors, testing::HasSubstr("need at least " + std::to_string(bytes) + " bytes"));
 

@@ -444,10 +444,32 @@ TEST_F(CliPlan, WritesATableOfTheSameNumbers) {
   EXPECT_FALSE(std::getline(table, line));
 }
 
+// 10 m by 10 m.
+constexpr const char* kFar = R"({"bounds": {"min": [690000, 5333000], "max": [690010, 5333010]},
+  "starts": [{"name": "s", "position": [690002, 5333003], "heading": 0}],
+  "goals": [{"name": "g", "circle": {"center": [690008, 5333007], "radius": 1}}]})";
+
+TEST_F(CliPlan, HoldsInACompiledSceneFarFrom0) {
+  write("far.json", kFar);
+  expect_done({"compile", "far.json", "-o", "far.krait"});
+  expect_done({"plan", "far.krait", "--robot", "car", "-o", "plan.json"});
+  expect_done({"verify", "far.json", "plan.json", "--robot", "car"});
+}
+
+// A start's angles are those of trailers: a robot that has none begins there all the same.
+TEST_F(CliPlan, ARobotWithoutTrailersHasNoUseForAStartsAngles) {
+  write("bent.json", R"({"bounds": {"min": [0, 0], "max": [20, 10]},
+      "starts": [{"name": "s", "position": [3, 5], "heading": 0, "angles": [0.2, 0.4]}],
+      "goals": [{"name": "g", "circle": {"center": [15, 5], "radius": 1}}]})");
+  expect_done({"compile", "bent.json", "-o", "bent.krait"});
+  for (const char* scene : {"bent.krait", "bent.json"}) {
+    expect_done({"plan", scene, "--robot", "car", "-o", "plan.json"});
+    expect_done({"verify", "bent.json", "plan.json", "--robot", "car"});
+  }
+}
+
 TEST_F(CliPlan, WritesATableInTheMapsCoordinatesFarFrom0) {
-  write("far.json", R"({"bounds": {"min": [690000, 5333000], "max": [690010, 5333010]},
-                        "starts": [{"name": "s", "position": [690002, 5333003], "heading": 0}],
-                        "goals": [{"name": "g", "circle": {"center": [690008, 5333007], "radius": 1}}]})");
+  write("far.json", kFar);
   expect_done({"plan", "far.json", "--robot", "car", "-o", "plan.json", "--csv", "plan.csv"});
   const ordered_json plan = json("plan.json");
   std::ifstream table(path("plan.csv"));
