@@ -3,19 +3,21 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <png.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <ostream>
 #include <pugixml.hpp>
 
 #include "host/picture/colors.hpp"
 #include "host/picture/figure.hpp"
 #include "host/picture/poses.hpp"
+#include "pixels.hpp"
 #include "synthetic.hpp"
 
 namespace krait::host {
@@ -31,29 +33,6 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 // ---- reading back what was drawn, with other libraries
 
-struct Pixels {
-  unsigned width = 0;
-  unsigned height = 0;
-  std::vector<std::uint8_t> rgb;
-
-  Color at(Point sheet) const {
-    const auto column = static_cast<std::size_t>(sheet.x * kPixelsPerPoint);
-    const auto row = static_cast<std::size_t>(sheet.y * kPixelsPerPoint);
-    const std::size_t i = 3 * (row * width + column);
-    return {rgb.at(i), rgb.at(i + 1), rgb.at(i + 2)};
-  }
-};
-
-Pixels decode(const std::string& png) {
-  png_image image{};
-  image.version = PNG_IMAGE_VERSION;
-  EXPECT_TRUE(png_image_begin_read_from_memory(&image, png.data(), png.size())) << image.message;
-  image.format = PNG_FORMAT_RGB;
-  Pixels pixels{image.width, image.height, std::vector<std::uint8_t>(PNG_IMAGE_SIZE(image))};
-  EXPECT_TRUE(png_image_finish_read(&image, nullptr, pixels.rgb.data(), 0, nullptr)) << image.message;
-  return pixels;
-}
-
 Color color_at(const Picture& picture, Point local) { return decode(draw_png(picture)).at(layout(picture).at(local)); }
 
 MATCHER_P(IsColor, wanted, "") {
@@ -68,11 +47,13 @@ bool is_svg(const std::string& svg) {
   return parsed && document.child("svg") && document.child("svg").attribute("width").as_double() > 0;
 }
 
-nlohmann::json data_of(const std::string& html) {
+std::string data_text(const std::string& html) {
   const std::string opening = R"(<script type="application/json" id="data">)";
   const std::size_t begin = html.find(opening) + opening.size();
-  return nlohmann::json::parse(html.substr(begin, html.find("</script>", begin) - begin));
+  return html.substr(begin, html.find("</script>", begin) - begin);
 }
+
+nlohmann::json data_of(const std::string& html) { return nlohmann::json::parse(data_text(html)); }
 
 std::vector<std::uint8_t> bytes_of(const nlohmann::json& base64) {
   const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -409,10 +390,12 @@ TEST(Page, HostileNamesStayText) {
   Picture picture = synthetic_picture();
   picture.title = "</script><script>alert(1)</script>{{data}}";
   picture.plan.state_names[0] = "</script><script>alert(1)</script>";
+  picture.plan.state_names[1] = "&lt;/script &";
   const std::string html = draw_html(picture);
   EXPECT_THAT(html, Not(HasSubstr("<script>alert")));
   EXPECT_THAT(html, HasSubstr("<h1>&lt;/script&gt;&lt;script&gt;alert(1)&lt;/script&gt;{{data}}</h1>"));
   EXPECT_EQ(data_of(html)["names"][0], "</script><script>alert(1)</script>");
+  for (const char* sign : {"<", ">", "&"}) EXPECT_THAT(data_text(html), Not(HasSubstr(sign)));
 }
 
 TEST(Page, PosesReadBackToTheMillimetre) {
@@ -426,6 +409,17 @@ TEST(Page, PosesReadBackToTheMillimetre) {
       EXPECT_NEAR(millimetres(points, 2 * (state * bodies + k)), poses[k].x * 1000, 0.501);
       EXPECT_NEAR(millimetres(points, 2 * (state * bodies + k) + 1), poses[k].y * 1000, 0.501);
     }
+  }
+}
+
+TEST(Page, HeadingsReadBack) {
+  const Picture picture = synthetic_picture();
+  const std::vector<std::uint8_t> headings = bytes_of(data_of(draw_html(picture))["motion"]["headings"]);
+  const std::vector<Pose> poses = body_poses(picture.plan.robot, picture.plan.states[100]);
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    const std::size_t at = 2 * (100 * poses.size() + k);
+    const auto turns = static_cast<std::int16_t>(headings.at(at) | headings.at(at + 1) << 8);
+    EXPECT_NEAR(std::remainder(turns * std::numbers::pi / 32768 - poses[k].heading, 2 * std::numbers::pi), 0, 1e-4);
   }
 }
 
@@ -501,9 +495,71 @@ TEST(Colors, LargestCostSetsTheScaleOtherwise) {
   EXPECT_EQ(top_cost({kInfinity}), 0);
 }
 
+TEST(Colors, RunWithoutLeaps) {
+  const auto apart = [](std::uint8_t a, std::uint8_t b) { return std::abs(int{a} - int{b}); };
+  for (int level = 1; level < kLevels; ++level) {
+    const Color a = level_color(static_cast<std::uint8_t>(level - 1)),
+                b = level_color(static_cast<std::uint8_t>(level));
+    EXPECT_LE(std::max({apart(a.red, b.red), apart(a.green, b.green), apart(a.blue, b.blue)}), 4) << level;
+  }
+}
+
+TEST(Colors, CostsThatRiseSteadilyAllHaveTheirColour) {
+  std::vector<float> costs;
+  for (int cost = 1; cost <= 100; ++cost) costs.push_back(static_cast<float>(cost));
+  EXPECT_EQ(top_cost(costs), 100);
+}
+
+// ---- where things lie
+
+TEST(Layout, HoldsMapsOfAnyShape) {
+  for (const Point size : {Point{400, 10}, Point{10, 400}, Point{100, 100}, Point{0.01, 0.02}}) {
+    const Figure figure = layout(bare_picture(size.x, size.y));
+    const Point low = figure.at({0, 0}), high = figure.at(size);
+    EXPECT_GE(low.x, 0);
+    EXPECT_LE(high.x, figure.width);
+    EXPECT_GE(high.y, 0);
+    EXPECT_LE(low.y, figure.height);
+    EXPECT_NEAR((high.x - low.x) * size.y, (low.y - high.y) * size.x, 1e-6) << "a metre is as long in either direction";
+    EXPECT_LE(figure.width, 1200);
+    EXPECT_LE(figure.height, 1100);
+  }
+}
+
+TEST(GoalArrows, PointWhereTheRobotMayLook) {
+  PlanFile plan = synthetic_picture().plan;
+  plan.goal_polygon = {{2, 2}, {4, 2}, {4, 4}, {2, 4}};
+  EXPECT_TRUE(goal_arrows(plan).empty());
+  plan.goal_facing.emplace().heading = 1.5;
+  ASSERT_EQ(goal_arrows(plan).size(), 1U);
+  const Point middle = goal_arrows(plan)[0][0], tip = goal_arrows(plan)[0][1];
+  EXPECT_NEAR(middle.x, 3, 1e-12);
+  EXPECT_NEAR(middle.y, 3, 1e-12);
+  EXPECT_NEAR(std::atan2(tip.y - 3, tip.x - 3), 1.5, 1e-9);
+  plan.goal_facing->either_way = true;
+  ASSERT_EQ(goal_arrows(plan).size(), 2U);
+  const Point back = goal_arrows(plan)[1][1];
+  EXPECT_NEAR(tip.x + back.x, 6, 1e-9);
+  EXPECT_NEAR(tip.y + back.y, 6, 1e-9);
+}
+
 TEST(Captions, SayWhatWasPlanned) {
   EXPECT_THAT(facts(synthetic_picture()), testing::ElementsAre("snake with 15 trailers", "adaptive", "seed 1", "solved",
                                                                HasSubstr(" s"), HasSubstr(" m")));
+}
+
+TEST(Captions, TheDurationIsOfTheStepsAndTheLengthOfTheWholeWay) {
+  Picture picture = bare_picture(20, 20);
+  picture.plan.dt = 0.75;
+  picture.plan.states = {{1, 1, 0}, {4, 5, 0}, {4, 9, 0}};
+  EXPECT_THAT(facts(picture), testing::IsSupersetOf({"1.5 s", "9.0 m"}));
+}
+
+TEST(Captions, LongTextsEndWithAWholeCharacter) {
+  std::string text, whole;
+  for (int i = 0; i < 300; ++i) text += "\xC3\xA9";
+  for (int i = 0; i < 200; ++i) whole += "\xC3\xA9";
+  EXPECT_EQ(printable(text), whole);
 }
 
 TEST(Captions, SayWhyThereIsNoPlan) { EXPECT_THAT(facts(without_plan()).back(), "no plan: no_route"); }
