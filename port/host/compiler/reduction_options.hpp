@@ -28,7 +28,7 @@ struct ReductionOptions {
   std::optional<RobotSpec> spec() const;
   // The workspace cropped, in its cells, filled and within its corridor, for that robot. Throws InputError.
   Workspace apply(Workspace workspace, const std::optional<RobotSpec>& spec) const;
-  // The scene of what apply() returned; what fit() reports is appended to `report`. Throws InputError.
+  // The scene of what apply() returned; what fit() reports is put into `report`. Throws InputError.
   CompiledScene compiled(const Workspace& workspace, const std::optional<RobotSpec>& spec,
                          const CompileOptions& options, std::vector<std::string>& report) const;
 };

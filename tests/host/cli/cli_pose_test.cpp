@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Goals of maps that have headings: what krait plan asks for, what krait verify holds it to, what a scene file loses.
 #include "host/cli/program.hpp"
+#include "host/workspace/printed.hpp"
 
 namespace krait::host {
 namespace {
@@ -135,6 +136,22 @@ TEST_F(CliPose, CompilingSaysHowToAskForTheHeadings) {
   EXPECT_EQ(run("plan", "yard.krait", {}).code, 0);
   EXPECT_FALSE(goal().contains("heading"));
   expect_refused({"plan", "yard.krait", "--heading", "1"}, "--heading: give the goal as --goal X,Y,RADIUS with it");
+}
+
+TEST_F(CliPose, CompilingNamesThreeHeadingsAndCountsTheOthers) {
+  std::string goals;
+  for (int i = 1; i <= 5; ++i) {
+    goals += (i > 1 ? ", " : "") +
+             printed(R"({"name": "g%d", "position": [%d, 5], "radius": 0.2, "heading": %d})", i, 3 * i, i);
+  }
+  write("docks.json", R"({"bounds": {"min": [0, 0], "max": [20, 10]}, "goals": [)" + goals + "]}");
+  const Outcome outcome = krait({"compile", "docks.json", "-o", "docks.krait"});
+  EXPECT_THAT(outcome.errors, HasSubstr("--goal 9,5,0.2 --heading 3 for goal 'g3'; so for 2 more (--any-heading"));
+  EXPECT_THAT(outcome.errors, Not(HasSubstr("'g4'")));
+
+  write("turned.json", R"({"bounds": {"min": [0, 0], "max": [20, 10]},
+      "goals": [{"name": "dock", "position": [3, 5], "radius": 0.2, "heading": 4}]})");
+  EXPECT_THAT(krait({"compile", "turned.json", "-o", "turned.krait"}).errors, HasSubstr(" --heading -2.2831853 for"));
 }
 
 TEST_F(CliPose, ADrawingSaysWhatItsLineStandsFor) {

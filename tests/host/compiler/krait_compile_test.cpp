@@ -45,6 +45,15 @@ class KraitCompile : public testing::Test {
   }
   std::string path(const char* name) const { return (folder_ / name).string(); }
 
+  // Of arguments that are taken without a word.
+  SceneView compiled(const std::string& arguments) const {
+    const Outcome outcome = run(arguments + " -o " + path("out.krait"));
+    EXPECT_EQ(outcome.code, 0) << arguments;
+    EXPECT_EQ(outcome.errors, "") << arguments;
+    std::ifstream in(path("out.krait"), std::ios::binary);
+    return Reader(std::vector<std::uint8_t>{std::istreambuf_iterator<char>(in), {}}).read();
+  }
+
   void expect_refused(const std::string& arguments, const std::string& mention) const {
     const Outcome outcome = run(arguments + " -o " + path("out.krait"));
     EXPECT_EQ(outcome.code, 2) << arguments;
@@ -69,14 +78,52 @@ TEST_F(KraitCompile, AStartWhereTheRobotHasNoRoomIsNamed) {
 }
 
 TEST_F(KraitCompile, StartReplacesAndGoalJoinsTheFiles) {
-  const Outcome outcome = run(path("room.json") + " -o " + path("out.krait") + " --start 4,4,0.5 --goal 15,15,1");
-  EXPECT_EQ(outcome.code, 0) << outcome.errors;
-  EXPECT_EQ(outcome.errors, "");
-  std::ifstream in(path("out.krait"), std::ios::binary);
-  const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(in), {}};
-  const SceneView v = Reader(bytes).read();
+  const SceneView v = compiled(path("room.json") + " --start 4,4,0.5 --goal 15,15,1");
   EXPECT_THAT(v.names, testing::ElementsAre("room", "dock", "goal", "start"));
   for (const Point p : v.goals.at(1)) EXPECT_LE(std::hypot(p.x - 15, p.y - 15), 1);
+}
+
+TEST_F(KraitCompile, AGoalReplacesTheFilesOfItsName) {
+  std::ofstream(path("goal.json")) << R"({"bounds": {"min": [0, 0], "max": [20, 20]},
+      "goals": [{"name": "goal", "polygon": [[1, 1], [3, 1], [3, 3], [1, 3]]}]})";
+  const SceneView v = compiled(path("goal.json") + " --goal 15,15,1");
+  ASSERT_EQ(v.goals.size(), 1U);
+  for (const Point p : v.goals[0]) EXPECT_LE(std::hypot(p.x - 15, p.y - 15), 1);
+}
+
+TEST_F(KraitCompile, QuietIsWithoutWarnings) {
+  std::ofstream(path("far.json")) << R"({"bounds": {"min": [0, 0], "max": [20, 20]},
+      "starts": [{"name": "home", "position": [30, 5], "heading": 0}]})";
+  EXPECT_THAT(run(path("far.json") + " -o " + path("out.krait")).errors,
+              testing::HasSubstr("warning: start 'home' lies outside"));
+  compiled(path("far.json") + " --quiet");
+}
+
+// Behind a door of 30 cm.
+TEST_F(KraitCompile, ARoomThatTheRobotCannotEnterIsClosedWhereThereAreCells) {
+  std::ofstream(path("door.json")) << R"({"bounds": {"min": [0, 0], "max": [20, 20]},
+      "obstacles": [{"box": {"center": [10, 7], "size": [6.4, 0.4], "angle": 0}},
+                    {"box": {"center": [10, 13], "size": [6.4, 0.4], "angle": 0}},
+                    {"box": {"center": [7, 10], "size": [0.4, 6.4], "angle": 0}},
+                    {"box": {"center": [13, 8.4], "size": [0.4, 2.9], "angle": 0}},
+                    {"box": {"center": [13, 11.6], "size": [0.4, 2.9], "angle": 0}}],
+      "starts": [{"name": "home", "position": [3, 3], "heading": 0}]})";
+  const auto is_open = [&](const std::string& options) {
+    const SceneView v = compiled(path("door.json") + options);
+    const auto holds_the_middle = [](const Ring& triangle) { return convex_contains(triangle, {10, 10}); };
+    return std::any_of(v.triangles.begin(), v.triangles.end(), holds_the_middle);
+  };
+  EXPECT_TRUE(is_open(" --cell 0.05"));
+  EXPECT_FALSE(is_open(" --cell 0.05 --for husky"));
+  EXPECT_TRUE(is_open(" --for husky")) << "a drawing";
+}
+
+TEST_F(KraitCompile, ABudgetIsThatOfItsOption) {
+  const std::string robot = path("room.json") + " --for husky";
+  expect_refused(robot + " --flash 1K", " of 1024 bytes of flash");
+  expect_refused(robot + " --ram 2K", " of 2048 of RAM");
+  expect_refused(robot + " --flash 1K --ram 2K", " of 1024 bytes of flash");
+  expect_refused(robot + " --flash 1M --ram 2K", " of 2048 of RAM");
 }
 
 TEST_F(KraitCompile, BadInputIsOneLineAndNoFile) {
@@ -88,6 +135,8 @@ TEST_F(KraitCompile, BadInputIsOneLineAndNoFile) {
   expect_refused(path("room.json") + " --goal 2,2,1", "overlap");
   expect_refused(path("room.json") + " --tolerance -1", "tolerance");
   expect_refused(path("room.json") + " --unknown perhaps", "unknown");
+  expect_refused(path("room.json") + " --crop 9,1,1,9", "--crop '9,1,1,9': give X0 below X1 and Y0 below Y1");
+  expect_refused(path("room.json") + " --crop 1,9,9,1", "--crop '1,9,9,1': give X0 below X1 and Y0 below Y1");
 }
 
 TEST_F(KraitCompile, UnwritableOutputIsRefused) {
