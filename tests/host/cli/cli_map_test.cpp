@@ -185,7 +185,11 @@ TEST_F(CliMap, AStartInANotchThatTheDefaultToleranceFillsIsPlannedFromWithoutIt)
 }
 
 TEST_F(CliMap, OptionsForMapsAreRefusedWithACompiledScene) {
-  for (const Arguments& option : {Arguments{"--unknown", "free"}, {"--unknown", "map"}, {"--tolerance", "0.1"}}) {
+  for (const Arguments& option : {Arguments{"--unknown", "free"},
+                                  {"--unknown", "map"},
+                                  {"--unit", "0.1"},
+                                  {"--datum", "11,48"},
+                                  {"--tolerance", "0.1"}}) {
     Arguments arguments = {"plan", "room.krait", "-o", "plan.json"};
     arguments.insert(arguments.end(), option.begin(), option.end());
     expect_refused(arguments, "krait: " + option[0] +
@@ -269,6 +273,13 @@ TEST_F(CliCompilerEnds, WithEveryExitCodeAndSignal) {
   EXPECT_THAT(half.errors, testing::StartsWith("krait: room.json: bad_scene: "));
 }
 
+// As Ctrl-C on a terminal ends both.
+TEST_F(CliCompilerEnds, ByYouWithoutABlame) {
+  const Outcome stopped = krait_with_compiler("kill -INT $$");
+  EXPECT_EQ(stopped.code, 1);
+  EXPECT_EQ(stopped.errors, "krait: stopped by you while the map was compiled: nothing is written\n");
+}
+
 // A compiler that leaves a wall out, in place of one: the pieces would not tell.
 TEST_F(CliCompilerEnds, WithASceneThatIsNotTheMapAndTheMapTells) {
   ordered_json open = json("room.json");
@@ -326,11 +337,34 @@ TEST_F(CliCompilerEnds, WithKraitWhateverSignalEndsThat) {
   EXPECT_EQ(files(), before);
 }
 
-// As a shell that ignores its children's ends leaves it.
+// As a program that ignores its children's ends starts it.
 TEST_F(CliMap, IsNotConfusedByIgnoredSignals) {
-  const Outcome outcome = run_program(
-      "/bin/bash", {"-c", "trap '' CHLD PIPE; " KRAIT_BIN_DIR "/krait plan room.json --robot car"}, directory());
-  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  const auto plan = [&](const char* map) {
+    return run_program("/usr/bin/env",
+                       {"--ignore-signal=CHLD,PIPE", KRAIT_BIN_DIR "/krait", "plan", map, "--robot", "car"},
+                       directory());
+  };
+  const Outcome solved = plan("room.json");
+  EXPECT_EQ(solved.code, 0) << solved.errors;
+  write("bad.json", R"({"bounds": {"min": [0, 0], "max": [9, 9]},
+      "starts": [{"name": "s", "position": [1, 1], "heading": 0}],
+      "goals": [{"name": "a", "polygon": [[4, 4], [6, 4], [6, 6]]},
+                {"name": "b", "polygon": [[4, 4], [6, 4], [6, 7]]}]})");
+  const Outcome refused = plan("bad.json");  // by the compiler
+  EXPECT_THAT(refused.errors, HasSubstr("overlap"));
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_EQ(std::count(refused.errors.begin(), refused.errors.end(), '\n'), 1) << refused.errors;
+}
+
+TEST_F(CliMap, MayHaveANameThatBeginsWithAMinus) {
+  std::filesystem::copy_file(path("room.json"), path("-room.json"));
+  expect_done({"plan", "--robot", "car", "--", "-room.json"});
+}
+
+// A page of 400 units, 20 m by a unit of 5 cm.
+TEST_F(CliMap, AUnitIsHandedOn) {
+  write("m.svg", R"(<svg viewBox="0 0 400 400"><rect x="100" y="100" width="20" height="20"/></svg>)");
+  expect_verified("m.svg", {"--robot", "car", "--start", "2,-2,0", "--goal", "18,-18,0.5", "--unit", "0.05"});
 }
 
 }  // namespace

@@ -59,6 +59,7 @@ TEST_F(CliOutputs, TheImageOfAMapIsNotOverwritten) {
   expect_kept("map.pgm",
               {"plan", "map.yaml", "--robot", "car", "--start", "3,3,0", "--goal", "7,7,1", "--png", "map.pgm"},
               "krait: --png map.pgm" + line);
+  expect_kept("map.pgm", {"export", "map.yaml", "--json", "map.pgm"}, "krait: --json map.pgm" + line);
 }
 
 TEST_F(CliOutputs, TwoOutputsAreNotOneFile) {

@@ -2,6 +2,8 @@
 // krait robot and krait robots: what they print, draw, warn of and refuse.
 #include "host/cli/program.hpp"
 #include "host/robot_file/shipped.hpp"
+#include "host/run/robot_facts.hpp"
+#include "host/workspace/printed.hpp"
 
 namespace krait::host {
 namespace {
@@ -37,7 +39,28 @@ TEST_F(CliRobot, OneIsReportedWithUnitsAndSources) {
   EXPECT_THAT(text, HasSubstr("turning   turns on the spot, within 0.1851 m"));
   EXPECT_THAT(text, HasSubstr("stops     from 0.31 m/s within 0.05339 m and 0.3444 s"));
   EXPECT_THAT(text, HasSubstr("time step 0.1 s; Runge-Kutta steps in it: 1 in the tree, 4 in a plan"));
-  EXPECT_THAT(text, testing::ContainsRegex("\naccuracy  [0-9.e-]+ mm off after a second at top speed and full lock\n"));
+  const double error = facts_of("turtlebot4", parse_robot("turtlebot4"), Parameters()).step_error;  // metres
+  EXPECT_THAT(text,
+              HasSubstr(printed("\naccuracy  %.2g mm off after a second at top speed and full lock\n", 1000 * error)));
+}
+
+TEST_F(CliRobot, BodiesThatAreAlikeShareALine) {
+  EXPECT_THAT(report("truck:2"),
+              HasSubstr("\n  bodies 0 to 2          x -0.35 to 0.35 m, y -0.25 to 0.25 m, 4 corners\n"));
+  EXPECT_THAT(report("car"), HasSubstr("\n  body 0                 x "));
+  const char* box = R"({"polygon": [[-0.2, -0.1], [0.3, -0.1], [0.3, 0.1], [-0.2, 0.1]]})";
+  const char* other = R"({"polygon": [[-0.4, -0.1], [0.3, -0.1], [0.3, 0.1]]})";
+  write("mixed.json", printed(R"({"model": "truck", "links": 3, "bodies": [%s, %s, %s, %s]})", other, box, box, other));
+  const std::string mixed = report("mixed.json");
+  EXPECT_THAT(mixed, HasSubstr("\n  body 0                 x -0.4 to 0.3 m, y -0.1 to 0.1 m, 3 corners\n"
+                               "  bodies 1 to 2          x -0.2 to 0.3 m, y -0.1 to 0.1 m, 4 corners\n"
+                               "  body 3                 x -0.4 to 0.3 m"));
+}
+
+// Of trailers on a circle the last bends most: each rolls on a smaller one than the body before it.
+TEST_F(CliRobot, TheLargestHitchAngleIsTold) {
+  EXPECT_THAT(report("truck:2"), HasSubstr(", of radius 1.245 m (from 0.2685 to 1.535 m around its centre); hitch "
+                                           "angles up to 57 degrees\n"));
 }
 
 TEST_F(CliRobot, OnlyItsOwnParametersAreReported) {
@@ -64,6 +87,7 @@ TEST_F(CliRobot, ASteeredAxleAheadOfItsBodyIsWarnedOf) {
   EXPECT_THAT(report("car"), Not(HasSubstr("warning")));
   write("reverse.json", R"({"model": "truck", "links": 1, "parameters": {"min_speed": -1}})");
   EXPECT_THAT(report("reverse.json"), HasSubstr("warning   in reverse no turn is steady"));
+  EXPECT_THAT(report("truck:1"), Not(HasSubstr("reverse")));
 }
 
 TEST_F(CliRobot, OneThatNeverStandsStillIsReportedAndPlannedFor) {
@@ -94,6 +118,8 @@ TEST_F(CliRobot, APlanForASteeredAxleAheadOfItsBodyIsWarnedOf) {
 TEST_F(CliRobot, ATimeStepThatIsTooLongIsNamed) {
   write("fast.json", R"({"model": "car", "parameters": {"max_speed": 100}})");
   EXPECT_THAT(report("fast.json"), HasSubstr("time step 0.1 s is too long: plan with --dt 0.04 or less\n"));
+  write("slower.json", R"({"model": "car", "parameters": {"max_speed": 93}})");
+  EXPECT_THAT(report("slower.json"), HasSubstr("plan with --dt 0.044 or less\n"));
 }
 
 TEST_F(CliRobot, ItIsDrawnToBothFormats) {

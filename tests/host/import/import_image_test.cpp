@@ -95,6 +95,12 @@ TEST(Png, InterlacedReadsAsPlain) {
   }
 }
 
+TEST(Png, MayPackSomeHundredTimes) {
+  const std::vector<std::string> rows(1000, std::string(1000, '\xFF'));
+  EXPECT_LT(encode({PNG_COLOR_TYPE_GRAY, 8}, 1000, rows).size(), 4000U);
+  expect_pixel(decode({PNG_COLOR_TYPE_GRAY, 8}, 1000, rows), 999, 999, 65535, 65535, 65535, 65535);
+}
+
 TEST(Png, TruncatedAtAnyLengthIsRefused) {
   const std::string bytes = encode({PNG_COLOR_TYPE_RGB, 8}, 2, {"abcdef", "ghijkl"});
   for (std::size_t length = 8; length < bytes.size(); ++length) {

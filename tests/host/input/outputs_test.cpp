@@ -31,6 +31,8 @@ TEST_F(OutputsTest, FilesOfTheirOwnAreTaken) {
   EXPECT_EQ(error({path("new"), path("old"), path("newer"), ""}), "");
   EXPECT_EQ(error({"", ""}), "");
   EXPECT_EQ(error({"/dev/null", "/dev/null"}), "");
+  std::filesystem::create_directory(path("folder"));
+  EXPECT_EQ(error({path("new"), path("folder/new")}), "");
   EXPECT_FALSE(std::filesystem::exists(path("new")));
 }
 
