@@ -9,12 +9,11 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 
 #include "host/cli/commands.hpp"
-#include "host/cli/interrupt.hpp"
+#include "host/input/interrupt.hpp"
 #include "host/workspace/workspace.hpp"
 
 namespace krait::host {
@@ -37,10 +36,11 @@ void execute(const std::string& compiler, std::vector<std::string>& arguments) {
   ::execv(compiler.c_str(), argv.data());
 }
 
-// In the child: its standard output is the pipe, and it ends when its parent does.
+// In the child: its standard output is the pipe, and it ends when its parent does, which has the word on Ctrl-C.
 [[noreturn]] void become_child(pid_t parent, int pipe_end, const std::string& compiler,
                                std::vector<std::string>& arguments) {
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  std::signal(SIGINT, SIG_IGN);
   const bool connected = ::dup2(pipe_end, STDOUT_FILENO) >= 0 && ::fcntl(STDOUT_FILENO, F_SETFD, 0) == 0;
   if (connected && ::getppid() == parent) execute(compiler, arguments);
   ::_exit(kNotRun);
@@ -64,10 +64,6 @@ int wait_for(pid_t child) {
 }
 
 void require_success(int status, const std::string& compiler, const std::string& map) {
-  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) {
-    std::fputs(kStopped, stderr);
-    throw Exit{kHonestNo};
-  }
   if (WIFSIGNALED(status)) {
     throw InputError(map + ": krait-compile was ended by signal " + std::to_string(WTERMSIG(status)) + " (" +
                      ::strsignal(WTERMSIG(status)) + "); has this machine enough memory for the map?");

@@ -11,6 +11,7 @@
 #include "host/compiler/reduction_options.hpp"
 #include "host/import/import.hpp"
 #include "host/input/file.hpp"
+#include "host/input/interrupt.hpp"
 #include "host/input/json.hpp"
 #include "host/input/number_option.hpp"
 #include "host/input/output_option.hpp"
@@ -23,6 +24,8 @@
 namespace {
 
 using namespace krait::host;
+
+constexpr const char* kStopped = "krait-compile: stopped by you while the map was compiled: nothing is written\n";
 
 void set_start(Workspace& workspace, const std::string& text) {
   const auto v = numbers("--start", text, {kMaxCoordinate, kMaxCoordinate, kMaxAngle},
@@ -58,6 +61,7 @@ struct Arguments {
 };
 
 void run(const Arguments& arguments, Progress& progress) {
+  std::optional<LastWord> word(kStopped);
   const Output output{"-o", arguments.output};
   check_outputs({output}, {arguments.input});
   progress.show("reading the map");
@@ -75,6 +79,8 @@ void run(const Arguments& arguments, Progress& progress) {
   const CompiledScene scene = arguments.reduction.compiled(workspace, robot, options, report);
   const std::vector<std::string> blocked = robot ? blocked_starts(scene, *robot) : std::vector<std::string>();
   if (!blocked.empty() && !arguments.start.empty()) throw InputError("--start: " + blocked.front());
+  word.reset();
+  const Interrupt too_late;  // the file becomes whole, and what is said of it is said
   write_file(arguments.output, std::string(scene.bytes.begin(), scene.bytes.end()));
   progress.end();
   const auto warn = [&](const std::string& text) {
@@ -94,7 +100,8 @@ int main(int argc, char** argv) {
   CLI::App app(
       "Turns a map or drawing into a scene file that krait plans in.\n"
       "Obstacles only ever grow: a plan for the scene holds on the map. Lengths in metres, angles in radians, world\n"
-      "coordinates. Exit code 0: done; 2: bad input, one line on standard error says what and where.",
+      "coordinates. Exit code 0: done; 2: bad input, one line on standard error says what and where. Ctrl-C writes\n"
+      "nothing; a shell has 130 for it.",
       "krait-compile");
   Arguments arguments;
   app.add_option("INPUT", arguments.input, map_formats())->required();

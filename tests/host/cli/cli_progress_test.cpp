@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is shown while krait works for long, and what Ctrl-C leaves.
+#include <random>
+#include <thread>
+
 #include "host/cli/program.hpp"
 
 namespace krait::host {
@@ -11,6 +14,18 @@ using testing::HasSubstr;
 using testing::Not;
 
 constexpr const char* kKrait = KRAIT_BIN_DIR "/krait";
+
+// A MovingAI map of `side` by `side` cells, of which every seventeenth or so is occupied and stands alone.
+std::string scattered_cells(int side) {
+  const std::string size = std::to_string(side);
+  std::string text = "type octile\nheight " + size + "\nwidth " + size + "\nmap\n";
+  std::minstd_rand draw(1);
+  for (int row = 0; row < side; ++row) {
+    for (int column = 0; column < side; ++column) text += draw() % 17 == 0 ? '@' : '.';
+    text += '\n';
+  }
+  return text;
+}
 
 class CliProgress : public CliTest {
  protected:
@@ -75,21 +90,32 @@ TEST_F(CliProgress, WhereCtrlCIsIgnoredItStaysSo) {
   EXPECT_THAT(outcome.output, Not(HasSubstr("stopped by you")));
 }
 
-TEST_F(CliProgress, CtrlCInTheCompilerIsNoFault) {
-  std::filesystem::copy_file(kKrait, path("krait"));
-  write("krait-compile", "#!/bin/sh\nkill -INT $$\n");
-  std::filesystem::permissions(path("krait-compile"), std::filesystem::perms::owner_all);
-  const Outcome outcome =
-      run_program(path("krait"), {"plan", "room.json", "--robot", "car", "-o", "plan.json"}, directory());
-  EXPECT_EQ(outcome.code, 1);
-  EXPECT_EQ(outcome.errors, "krait: stopped by you while the map was compiled: nothing is written\n");
-  EXPECT_FALSE(std::filesystem::exists(path("plan.json")));
+TEST_F(CliProgress, CtrlCEndsTheCompilerWithALine) {
+  write("large.map", scattered_cells(700));
+  const auto before = files();
+  const Outcome outcome = run_and_interrupt(kKrait, {"compile", "large.map", "-o", "large.krait"}, directory(), 1000ms);
+  EXPECT_EQ(outcome.code, -SIGINT);
+  EXPECT_EQ(outcome.output, "");
+  EXPECT_EQ(outcome.errors, "krait-compile: stopped by you while the map was compiled: nothing is written\n");
+  EXPECT_EQ(files(), before);
 }
 
-// A terminal sends it to both programs.
+// The reader begins long after the program was interrupted, and a pipe has no room for all of the scene.
+TEST_F(CliProgress, CtrlCWhileTheSceneIsWrittenComesTooLate) {
+  write("small.map", scattered_cells(100));
+  const std::string reader = "sleep 3; cat >late; mv late scene.krait";
+  const std::string command = "exec " + std::string(kKrait) + " compile small.map -o /dev/stdout > >(" + reader + ")";
+  const Outcome outcome = run_and_interrupt("/bin/bash", {"-c", command}, directory(), 1500ms);
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.errors, "");
+  for (int i = 0; i < 100 && !std::filesystem::exists(path("scene.krait")); ++i) std::this_thread::sleep_for(50ms);
+  EXPECT_THAT(krait({"info", "scene.krait"}).output, HasSubstr("small"));
+}
+
+// A terminal sends it to both programs, of which the one that plans has the word.
 TEST_F(CliProgress, CtrlCWhileTheMapIsCompiledHasALine) {
   std::filesystem::copy_file(kKrait, path("krait"));
-  write("krait-compile", "#!/bin/sh\nprintf '\\rreading the map: 1 s' >&2\nkill -INT $PPID\nkill -INT $$\n");
+  write("krait-compile", "#!/bin/sh\nkill -INT $$\nprintf '\\rreading the map: 1 s' >&2\nkill -INT $PPID\n");
   std::filesystem::permissions(path("krait-compile"), std::filesystem::perms::owner_all);
   const std::string line = "krait: stopped by you while the map was compiled: nothing is written";
   const Outcome outcome = run_program(path("krait"), {"plan", "room.json", "--robot", "car"}, directory());
