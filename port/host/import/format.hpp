@@ -32,6 +32,9 @@ struct Format {
   Uses uses = {};
 };
 
+// Whether a format recognises the source, a compiled scene's among them.
+bool is_map(const Source& source);
+
 // By the format that recognises the source. Throws InputError, also where none does.
 Workspace read_workspace(const Source& source, const ImportOptions& options);
 

@@ -78,6 +78,8 @@ std::string map_formats() {
   return names;
 }
 
+bool is_map(const Source& source) { return by_content(source) != nullptr; }
+
 Workspace read_workspace(const Source& source, const ImportOptions& options) {
   if (const auto what = mistaken(source)) throw InputError(source.path + ": " + *what);
   const Format* format = by_content(source);

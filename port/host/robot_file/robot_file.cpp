@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "host/input/file.hpp"
+#include "host/robot_file/mistaken.hpp"
 #include "host/robot_file/shipped.hpp"
 #include "host/workspace/heading.hpp"
 #include "host/workspace/printed.hpp"
@@ -18,7 +19,7 @@
 namespace krait::host {
 namespace {
 
-constexpr std::uint64_t kMaxFileBytes = 1 << 20;
+constexpr std::uint64_t kMaxFileBytes = 64U << 20;  // those of a map, so that one is named
 
 static_assert(kMaxLinks == kMaxTrailers);
 
@@ -210,20 +211,9 @@ std::string known_shipped() {
   return names;
 }
 
-// A file that people take for a robot's.
-void refuse_mistaken(const Field& field) {
-  if (field.has("model")) return;
-  if (field.has("bounds") || field.has("features"))
-    field.fail("is a map, not a robot: krait robots lists those that --robot takes, beside a ROBOT.json");
-  if (field.has("controls"))
-    field.fail("is a plan, not a robot: the object that is its \"robot\" may be one in a file of its own");
-}
-
 RobotSpec read_document(const std::string& text, const std::string& file) {
   const Json document = parse_json(text, file);
-  const Field field(document, file);
-  refuse_mistaken(field);
-  return read_robot(field);
+  return read_robot(Field(document, file));
 }
 
 // What is for the reader only.
@@ -348,7 +338,9 @@ RobotSpec parse_robot(const std::string& text) {
     throw InputError("unknown robot \"" + text + "\"; known are " + model_forms(" and ", "N trailers") +
                      ", the shipped " + known_shipped() + ", or the path of a ROBOT.json");
   }
-  return read_document(read_file(text, kMaxFileBytes), text);
+  const std::string content = read_file(text, kMaxFileBytes);
+  if (const auto what = mistaken_robot(text, content)) throw InputError(text + ": " + *what);
+  return read_document(content, text);
 }
 
 bool is_robot_file(const std::string& text) {

@@ -239,9 +239,28 @@ TEST_F(CliBadInput, OneOutputThatCannotBeWrittenKeepsTheOthersAway) {
 TEST_F(CliBadInput, AMapInPlaceOfASceneIsToldToBeCompiled) { expect_refused({"info", "room.json"}, "krait compile"); }
 
 TEST_F(CliBadInput, AMapOrAPlanInPlaceOfARobotIsNamed) {
-  expect_robot_refused(json("room.json").dump(), "is a map, not a robot: krait robots lists those");
+  expect_robot_refused(json("room.json").dump(), "is a map, not a robot: give it as the MAP of krait plan MAP --robot");
   expect_robot_refused(R"({"type": "FeatureCollection", "features": []})", "is a map, not a robot");
   expect_robot_refused(R"({"format": "krait-plan", "controls": []})", "is a plan, not a robot: the object that");
+}
+
+TEST_F(CliBadInput, AMapOfAnyFormatInPlaceOfARobotIsNamed) {
+  for (const std::string& map : {std::string("type octile\nheight 1\n"), std::string("<svg/>"),
+                                 read_text(path("room.krait")), std::string(R"({"bounds": )")}) {
+    expect_robot_refused(map, "robot.json: is a map, not a robot: give it as the MAP of krait plan MAP --robot ROBOT");
+  }
+  write("room.yaml", "image: room.pgm\nresolution: 0.05\norigin: [0, 0, 0]\n");
+  expect_plan_refused({"--robot", "room.yaml"}, "room.yaml: is a map, not a robot");
+  expect_refused({"robot", "room.yaml"}, "room.yaml: is a map, not a robot");
+  expect_refused({"compile", "room.json", "--for", "room.yaml", "-o", "a.krait"}, "room.yaml: is a map, not a robot");
+}
+
+TEST_F(CliBadInput, AnImageOrAnothersRobotInPlaceOfARobotIsNamed) {
+  expect_robot_refused("P5 2000 1000 255\n" + std::string(2'000'000, 'x'),
+                       "is an image, not a robot: give the map's YAML file, which names it, as the MAP of krait plan");
+  expect_robot_refused("<?xml version=\"1.0\"?>\n<robot name=\"arm\"/>\n",
+                       "is a robot's URDF, which is not read: write");
+  expect_robot_refused("shape: box\ndynamics: unicycle1\n", "is a robot of dynobench, which is not read: write");
 }
 
 TEST_F(CliBadInput, StandardOutputThatIsFullIsSaid) {
