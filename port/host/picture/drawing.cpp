@@ -169,23 +169,12 @@ class Painter : private Pen {
       ring(body);
       fill_and_stroke(inside, line, width);
     }
-    front_mark(poses.front(), line, width);
+    draw_front(poses.front(), line, width);
   }
 
-  // A chevron that points ahead, inside a body that is a box.
-  void front_mark(const Pose& pose, Color line, double width) {
-    const Ring& body = picture_.plan.robot.bodies.front();
-    const auto [back, front] =
-        std::minmax_element(body.begin(), body.end(), [](const Point& a, const Point& b) { return a.x < b.x; });
-    const auto [right, left] =
-        std::minmax_element(body.begin(), body.end(), [](const Point& a, const Point& b) { return a.y < b.y; });
-    const double size = std::min(front->x - back->x, left->y - right->y) / 2;
-    const double middle = (left->y + right->y) / 2;
-    const auto to = [&](double x, double y) { line_to(figure_.at(placed(pose, {x, y}))); };
+  void draw_front(const Pose& pose, Color line, double width) {
     cairo_new_sub_path(cr_);
-    to(front->x - 0.9 * size, middle + 0.6 * size);
-    to(front->x - 0.3 * size, middle);
-    to(front->x - 0.9 * size, middle - 0.6 * size);
+    for (const Point& corner : front_mark(picture_.plan.robot)) line_to(figure_.at(placed(pose, corner)));
     stroke(line, width);
   }
 

@@ -200,6 +200,19 @@ std::vector<Ring> goal_arrows(const PlanFile& plan) {
   return arrows;
 }
 
+Ring front_mark(const RobotSpec& robot) {
+  if (robot.bodies.empty()) return {};
+  const Ring& body = robot.bodies.front();
+  const auto [back, front] =
+      std::minmax_element(body.begin(), body.end(), [](const Point& a, const Point& b) { return a.x < b.x; });
+  const auto [right, left] =
+      std::minmax_element(body.begin(), body.end(), [](const Point& a, const Point& b) { return a.y < b.y; });
+  const double size = std::min(front->x - back->x, left->y - right->y) / 2;
+  const double middle = (left->y + right->y) / 2;
+  const double base = front->x - 0.9 * size;
+  return {{base, middle + 0.6 * size}, {front->x - 0.3 * size, middle}, {base, middle - 0.6 * size}};
+}
+
 Figure layout(const Picture& picture) {
   Figure figure;
   figure.min = picture.min;

@@ -27,6 +27,10 @@ std::string short_number(double value);
 // A line that is an arrow around the goal's middle for each heading that will do there, scene coordinates.
 std::vector<Ring> goal_arrows(const PlanFile& plan);
 
+// A line that is a chevron pointing ahead, in the frame of the first body and inside of it where that is a box; empty
+// for a robot without bodies.
+Ring front_mark(const RobotSpec& robot);
+
 // The sheet of a still picture: the map with a head above and a legend below. One unit is a point; a PNG has
 // kPixelsPerPoint pixels each.
 inline constexpr int kPixelsPerPoint = 2;

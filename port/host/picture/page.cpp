@@ -232,6 +232,7 @@ std::string draw_html(const Picture& picture) {
                      {"goal", rings({plan.goal_polygon})},
                      {"arrows", rings(goal_arrows(plan))},
                      {"bodies", rings(plan.robot.bodies)},
+                     {"front", rings({front_mark(plan.robot)})},
                      {"names", names(plan)},
                      {"motion", motion(plan)},
                      {"start", start(picture)},

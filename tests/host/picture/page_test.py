@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Drives the replay page in a headless browser: page_test.py WRITE_PAGES [KEEP_SCREENSHOTS_IN]"""
 import json
+import math
 import os
 import pathlib
 import subprocess
@@ -37,6 +38,18 @@ const [x, y] = arguments, view = krait.view;
 const ratio = canvas.width / canvas.getBoundingClientRect().width;
 const px = canvas.width / 2 + (x - view.x) * view.scale * ratio, py = canvas.height / 2 - (y - view.y) * view.scale * ratio;
 return Array.from(pixels.getImageData(Math.round(px), Math.round(py), 1, 1).data).slice(0, 3);
+"""
+
+# How many pixels within r metres of (x, y) are nearly white.
+WHITE_PIXELS = COPY + """
+const [x, y, r] = arguments, view = krait.view;
+const ratio = canvas.width / canvas.getBoundingClientRect().width;
+const px = canvas.width / 2 + (x - view.x) * view.scale * ratio, py = canvas.height / 2 - (y - view.y) * view.scale * ratio;
+const size = Math.max(1, Math.round(2 * r * view.scale * ratio));
+const data = pixels.getImageData(Math.round(px - size / 2), Math.round(py - size / 2), size, size).data;
+let count = 0;
+for (let i = 0; i < data.length; i += 4) count += Math.min(data[i], data[i + 1], data[i + 2]) > 200;
+return count;
 """
 
 # The canvas's pixels as one number.
@@ -133,6 +146,16 @@ class Page(unittest.TestCase):
     def pixel(self, x, y):
         return tuple(self.browser.execute_script(PIXEL, x, y))
 
+    # Zooms in as far as the wheel does in ten steps at (x, y) metres.
+    def zoom_at(self, x, y):
+        for _ in range(10):
+            left, top = self.browser.execute_script(
+                """const [x, y] = arguments, v = krait.view, b = document.getElementById('map').getBoundingClientRect();
+                return [b.left + b.width / 2 + (x - v.x) * v.scale, b.top + b.height / 2 - (y - v.y) * v.scale];""", x, y)
+            self.browser.execute_cdp_cmd("Input.dispatchMouseEvent", {
+                "type": "mouseWheel", "x": left, "y": top, "deltaX": 0, "deltaY": -120})
+            self.settle()
+
     def fingerprint(self):
         return self.browser.execute_script(FINGERPRINT)
 
@@ -205,6 +228,17 @@ class Page(unittest.TestCase):
         self.assertColor(self.pixel(x, y), VIOLET)
         self.scrub(0)
         self.assertNotEqual(self.pixel(x, y), VIOLET)
+
+    def test_the_front_is_marked(self):
+        self.open("solved")
+        self.click("layer-path")
+        self.scrub(30)
+        where = [float(self.readings()[axis].split()[0]) for axis in "xy"]
+        heading = math.radians(float(self.readings()["heading"].replace("−", "-").rstrip("°")))
+        self.zoom_at(*where)
+        ahead, behind = ([x + side * f(heading) for x, f in zip(where, (math.cos, math.sin))] for side in (0.2, -0.2))
+        self.assertGreater(self.browser.execute_script(WHITE_PIXELS, *ahead, 0.1), 5)
+        self.assertEqual(self.browser.execute_script(WHITE_PIXELS, *behind, 0.1), 0)
 
     def test_robots_of_other_models_move_and_are_read(self):
         for name, rate in (("unicycle", "turn rate"), ("diff_drive", "turn rate"), ("car", "steering")):

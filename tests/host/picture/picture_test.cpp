@@ -472,6 +472,13 @@ TEST(Page, ManyStatesAreThinnedWithTheLast) {
   EXPECT_NEAR(last, 4999.9, 1e-3);
 }
 
+TEST(Page, MarksTheFrontOfTheFirstBody) {
+  const std::vector<std::uint8_t> bytes = bytes_of(data_of(draw_html(standing(0)))["front"]["points"]);
+  std::vector<std::int32_t> millimetres(bytes.size() / 4);
+  std::memcpy(millimetres.data(), bytes.data(), bytes.size());
+  EXPECT_THAT(millimetres, testing::ElementsAre(200, 1200, 1400, 0, 200, -1200));
+}
+
 // ---- colours and captions
 
 TEST(Colors, RunFromRedToBlueAndGreyIsApart) {

@@ -24,6 +24,7 @@
   const goal = rings(raw.goal)[0];
   const arrows = rings(raw.arrows);
   const bodies = rings(raw.bodies);
+  const front = rings(raw.front)[0];
   const bodySize = Math.max(0, ...bodies.flat().map(Math.abs));  // metres, from a body's axle to its farthest side
   const triangles = metres(raw.triangles);
   const triangleCount = triangles.length / 6;
@@ -255,19 +256,29 @@
   };
   const startPoses = () => Array.from(start.headings,
       (heading, k) => ({x: start.points[2 * k], y: start.points[2 * k + 1], heading}));
+  // Of points in the frame of a body.
+  const placed = (pose, points) => {
+    const c = Math.cos(pose.heading);
+    const s = Math.sin(pose.heading);
+    return points.map((_, i) => i % 2 === 0 ? pose.x + c * points[i] - s * points[i + 1] :
+        pose.y + s * points[i - 1] + c * points[i]);
+  };
+  const drawFront = (pose, width) => {
+    const mark = placed(pose, front);
+    context.beginPath();
+    for (let i = 0; i < mark.length; i += 2) context.lineTo(mark[i], mark[i + 1]);
+    strokePath(width, colors.casing);
+  };
   const drawRobot = (poses) => {
     const outline = Math.min(1.4, 0.2 * bodySize * view.scale);
     for (let k = poses.length - 1; k >= 0; --k) {
-      const c = Math.cos(poses[k].heading);
-      const s = Math.sin(poses[k].heading);
-      const ring = bodies[k].map((_, i) => i % 2 === 0 ? poses[k].x + c * bodies[k][i] - s * bodies[k][i + 1] :
-          poses[k].y + s * bodies[k][i - 1] + c * bodies[k][i]);
       context.beginPath();
-      tracePolygon(context, ring);
+      tracePolygon(context, placed(poses[k], bodies[k]));
       context.fillStyle = k === 0 ? colors.robot : colors.trailer;
       context.fill();
       strokePath(outline, colors.casing);
     }
+    if (poses.length > 0) drawFront(poses[0], outline);
   };
   const drawStart = () => {
     const at = samples ? motion.points : tree.points;
