@@ -296,6 +296,18 @@ TEST(Fill, NamesTheGoalsThatItCloses) {
   EXPECT_THAT(complaint(w, wide), testing::StartsWith("goal 'far' is closed: no way from the starts to it is wide"));
 }
 
+TEST(Fill, NamesTheGoalsThatHaveNoRoomWhereThereAreNoStarts) {
+  Workspace w = room(cells(std::vector<std::string>(30, "..........#..#................"), 0.1));
+  w.starts.clear();
+  w.goals = {{"wide", {{2, 1}, {2.5, 1}, {2.5, 2}}}, {"slot", {{1.12, 1}, {1.28, 1}, {1.28, 2}}}};
+  const Reduction reduction{{}, {}, Girth{0.4, 0.4, 0}, {}, {}};
+  EXPECT_THAT(reduced(w, reduction).warnings,
+              testing::ElementsAre("goal 'slot' is closed: it has no room for a disc of radius 0.4 m, the robot's or "
+                                   "that of --fill: give a narrower one, or another goal"));
+  w.goals.erase(w.goals.begin());
+  EXPECT_THAT(complaint(w, reduction), testing::StartsWith("goal 'slot' is closed: it has no room for a disc"));
+}
+
 TEST(Fill, LessensTheCornersOfOutlines) {
   Random random(9);
   int before = 0, after = 0;
