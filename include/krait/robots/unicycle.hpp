@@ -73,7 +73,8 @@ class Unicycle : public PlanarBody {
   bool within_limits(StateView s) const;
   /// Bounds the body's motion by the control alone; always true.
   bool travel(StateView s, ControlView u, float dt, StateView next, Travel* travel) const;
-  /// 1/s: half the largest turn rate; the position alone has an error, of four orders above that of a chain.
+  /// 1/s: half the largest turn rate. A Runge-Kutta step has the heading exactly; only the position has an error, in
+  /// proportion to the fourth power of the turn in that step.
   float fastest_rate(float) const { return 0.5F * parameters_.max_turn_rate; }
   /// The extremes of its motion.
   Extremes extremes() const {
