@@ -15,7 +15,7 @@ std::uint64_t clock(void*) { return nanoseconds(ticks()); }
 void log(void*, const char* text) { console_write(text); }
 void fault(void*, const char* what) { report_fault(what, nullptr, 0); }
 
-// Cuts the line at its spaces, in place. Gives the number of words, at most kMaxWords.
+// Cuts the line at its spaces, in place. Returns the number of words, at most kMaxWords.
 int split(char* line, const char** words) {
   int count = 0;
   bool in_word = false;

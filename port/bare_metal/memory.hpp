@@ -30,7 +30,7 @@ void paint_stack();
 // The most bytes of stack in use since paint_stack.
 std::size_t stack_bytes();
 
-// Nanoseconds that `ticks` of the board's counter take; exact to 2^-16 ns a tick, without overflow for 80 years.
+// The duration of `ticks` of the board's counter, nanoseconds; exact to 2^-16 ns a tick, without overflow for 80 years.
 std::uint64_t nanoseconds(std::uint64_t ticks);
 
 // Fills in everything but name and callbacks.

@@ -4,7 +4,7 @@
 
 #include "bare_metal/console.hpp"
 
-// By the architecture: the instruction that a debugger takes for a call. Gives the operation's result.
+// By the architecture: the instruction that a debugger handles as a call. Returns the operation's result.
 extern "C" std::uintptr_t krait_semihosting(std::uintptr_t operation, const void* argument);
 
 namespace krait::bare_metal {

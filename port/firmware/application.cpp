@@ -41,7 +41,7 @@ Vec2 local_of(const Scene& scene, const Triple& place) {
   return {static_cast<float>(place.x - header.origin_x), static_cast<float>(place.y - header.origin_y)};
 }
 
-// The pose that is asked for, or the scene's first start.
+// The pose of --start, or the scene's first start.
 ScenePose start_of(const Scene& scene, const Request& request) {
   if (!request.has_start) return scene.start(0);
   ScenePose start{};
@@ -50,7 +50,7 @@ ScenePose start_of(const Scene& scene, const Request& request) {
   return start;
 }
 
-// The disc or pose that is asked for, or the scene's first goal.
+// The disc or pose of --goal, or the scene's first goal.
 Goal goal_of(const Scene& scene, const Request& request) {
   if (!request.has_goal) return Goal::named(0);
   const Vec2 center = local_of(scene, request.goal);

@@ -21,7 +21,8 @@ int run(const Board& board, int count, const char* const* words);
 // Views the scene that lies on the board. Its header says how long it is; bytes that are none are refused.
 Failure open_scene(const Board& board, Scene& scene);
 
-// The planner's block that is asked for, in bytes; else by the robot's size, at most what the board has.
+// The size of the planner's block, bytes: that of --memory; else it is determined by the robot's size, and is at most
+// what the board has.
 std::uint64_t block_bytes(const Board& board, const Request& request, const Robot& robot);
 
 // The robot standing still where it is asked to start, trailers at its heading, or at the scene's first start, trailers

@@ -6,7 +6,7 @@
 namespace krait::firmware {
 namespace {
 
-// The model's defaults, with the trailers that are asked for.
+// The model's defaults, with the request's number of trailers.
 template <class R>
 auto parameters_for([[maybe_unused]] const Request& request) {
   auto parameters = defaults_of<R>();

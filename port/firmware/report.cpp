@@ -8,7 +8,7 @@ namespace {
 
 void say(const Board& board, const char* text) { board.port.log(board.port.context, text); }
 
-// What is wrong with an argument that was asked for, and what to do. The ranges are Parameters::range's, whose code
+// What is wrong with an argument of the request, and what to do. The ranges are Parameters::range's, whose code
 // firmware does without.
 const char* hint(Argument argument, const Request& request) {
   switch (argument) {
@@ -20,7 +20,8 @@ const char* hint(Argument argument, const Request& request) {
       if (request.has_start) return ": --start is out of range for this robot";
       return ": the scene has no start for this robot: compile with --start X,Y,HEADING, or ask with it";
     case Argument::goal:
-      if (request.has_goal) return ": --goal lies outside of the scene, or its radius or heading is out of range";
+      if (request.has_goal)
+        return ": --goal lies outside of the scene, or its radius, heading or tolerance is out of range";
       return ": the scene has no goal: compile with --goal X,Y,RADIUS, or ask with it";
     default:
       return "";

@@ -39,10 +39,10 @@ struct Report {
   Improvement improvement;
 };
 
-// Says in one line why a request is refused, if it is, then writes the line of JSON. Gives the exit code.
+// Says in one line why a request is refused, if it is, then writes the line of JSON. Returns the exit code.
 int write(const Board& board, const Request& request, const Report& report);
 
-// Says what is wrong with the command line. Gives the exit code.
+// Says what is wrong with the command line. Returns the exit code.
 int refuse(const Board& board, const char* complaint);
 
 }  // namespace krait::firmware

@@ -97,7 +97,8 @@ const char* parse_option(const char* option, const char* value, const char* mode
     return good ? nullptr : "--memory: give bytes above 0, as 131072, 128K or 1M";
   }
   if (same(option, "--iterations")) {
-    return parse_number(value, request.iterations) ? nullptr : "--iterations: give a whole number";
+    const bool good = parse_number(value, request.iterations) && request.iterations > 0;
+    return good ? nullptr : "--iterations: give a whole number from 1 on";
   }
   if (same(option, "--improve")) {
     const bool good =
@@ -118,8 +119,8 @@ const char* parse(int count, const char* const* words, const char* model, bool h
       request.clock_counts_instructions = true;
       continue;
     }
-    if (i + 1 == count) return "an option lacks its value";
-    const char* wrong = parse_option(words[i], words[i + 1], model, has_trailers, request);
+    const char* value = i + 1 < count ? words[i + 1] : "";  // no option accepts an empty value
+    const char* wrong = parse_option(words[i], value, model, has_trailers, request);
     if (wrong != nullptr) return wrong;
     ++i;
   }

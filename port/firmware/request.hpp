@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the firmware is asked for, from the words of a command line.
+// The query and the parameters of one run, from the words of a command line.
 #pragma once
 
 #include <cstdint>

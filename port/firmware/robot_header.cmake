@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # krait_robot_header(HEADER ROBOT PROGRAM) writes HEADER: the ROBOT, the whole path of a ROBOT.json or what else
-# `--robot` takes, as PROGRAM, which is krait, has it. For compiled_robot.cpp its name is compiled.hpp.
+# `--robot` accepts, as PROGRAM, which is krait, has it. For compiled_robot.cpp its name is compiled.hpp.
 function(krait_robot_header header robot program)
   set(file "")
   if(EXISTS ${robot})

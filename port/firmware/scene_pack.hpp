@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Several scenes, one right behind the other where a board has its scene: how tests and benches give a machine all they
+// Several scenes, one right behind the other where a board has its scene: how tests and benches load all that they
 // need in one run.
 #pragma once
 

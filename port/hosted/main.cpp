@@ -31,7 +31,7 @@ void fault(void*, const char* what) {
   std::exit(kOwnBug);
 }
 
-// Gives the number of bytes; 0 when the file cannot be read.
+// Returns the number of bytes; 0 when the file cannot be read.
 std::size_t read_scene(const char* path) {
   std::FILE* file = std::fopen(path, "rb");
   if (file == nullptr) return 0;

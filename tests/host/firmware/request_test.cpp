@@ -101,6 +101,14 @@ TEST(FirmwareRequest, AsksForTheScenesOwnWithoutThem) {
   EXPECT_FALSE(request.has_start || request.has_goal || request.has_heading);
 }
 
+TEST(FirmwareRequest, NamesAnOptionWithoutAValue) {
+  for (const char* option : {"--robot", "--seed", "--memory", "--iterations", "--improve", "--start", "--goal",
+                             "--heading", "--heading-tolerance", "--clearance", "--dt"}) {
+    EXPECT_EQ(complaint({option}).rfind(std::string(option) + ": ", 0), 0U) << option;
+  }
+  EXPECT_EQ(complaint({"--help"}).rfind("unknown option: --robot, --seed", 0), 0U);
+}
+
 TEST(FirmwareRequest, RefusesWithTheOptionsName) {
   for (const char* text : {"2,3", "2,3,", "2,3,4,5", "2;3;4", "a,b,c", "2,3,0x1", ""}) {
     EXPECT_EQ(complaint({"--start", text}).rfind("--start: give X,Y,HEADING", 0), 0U) << text;
@@ -114,7 +122,7 @@ TEST(FirmwareRequest, RefusesWithTheOptionsName) {
   EXPECT_EQ(complaint({"--heading", "-90", "--goal", "2,3,1"}).rfind("--heading: in radians", 0), 0U);
   EXPECT_EQ(complaint({"--clearance", "wide"}), "--clearance: give metres, as 0.05");
   EXPECT_EQ(complaint({"--dt", "0.1s"}), "--dt: give seconds, as 0.05");
-  EXPECT_EQ(complaint({"--start"}), "an option lacks its value");
+  EXPECT_EQ(complaint({"--iterations", "0"}), "--iterations: give a whole number from 1 on");
   EXPECT_EQ(complaint({"--speed", "1"}).rfind("unknown option", 0), 0U);
 }
 
