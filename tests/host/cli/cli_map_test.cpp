@@ -273,13 +273,6 @@ TEST_F(CliCompilerEnds, WithEveryExitCodeAndSignal) {
   EXPECT_THAT(half.errors, testing::StartsWith("krait: room.json: bad_scene: "));
 }
 
-// As Ctrl-C on a terminal ends both.
-TEST_F(CliCompilerEnds, ByYouWithoutABlame) {
-  const Outcome stopped = krait_with_compiler("kill -INT $$");
-  EXPECT_EQ(stopped.code, 1);
-  EXPECT_EQ(stopped.errors, "krait: stopped by you while the map was compiled: nothing is written\n");
-}
-
 // A compiler that leaves a wall out, in place of one: the pieces would not tell.
 TEST_F(CliCompilerEnds, WithASceneThatIsNotTheMapAndTheMapTells) {
   ordered_json open = json("room.json");
