@@ -41,7 +41,7 @@ CONSTANTS = {
             "near_radius": (), "stray_share": (), "gentle_share": (), "sight_tries": (), "candidates": (),
             "least_sketch": (), "doomed_steps": (0.5, 1.5), "restart_unit": (), "slowest": (0.5, 0.75),
             "max_substeps": (), "kTreeSlack": ()},
-        "lib/decomposition/regions.hpp": {"kMostAhead": ()},
+        "lib/decomposition/regions.hpp": {"kMostAhead": (), "kMostRaised": (), "kRaiseReach": ()},
         "lib/search/search.hpp": {"kPatience": (), "kLeastCost": (), "kDepthKept": ()},
         "lib/search/search.cpp": {"kGentlest": ()},
         "lib/search/adaptive_search.hpp": {
@@ -112,7 +112,7 @@ ARGUED = {
     # A power of two that a float's bits lead to; and how closely a report names a place, which no search asks for.
     "lib/decomposition/regions.cpp": ["kExactRatio", "kPoints"],
     # A packed byte's parts.
-    "lib/decomposition/regions.hpp": ["kEdgeMask", "kNoEdge", "kListed"],
+    "lib/decomposition/regions.hpp": ["kEdgeMask", "kNoEdge", "kListed", "kAround"],
     # Simpson's and Dekker's numbers; and from where on rounding is as large as what Simpson's rule corrects.
     "lib/motion/plan_drive.cpp": ["kSimpson", "kSplitter", "kSame", "kNear"],
     # A power of two, so that it rounds nothing; and shorter steps than the tree's, whatever the robot.

@@ -410,8 +410,9 @@ typedef struct krait_search_tuning {
       epsilon;           /**< above 0, up to 1, default 0.01: keeps every weight positive */
   float gamma,           /**< 0 to 1e6, default 20: how much a failure raises edge costs; no unit, but with cost_length
                               0 square metres; 0: costs never change */
-      cost_length;       /**< 0 to 10, default 1, in lengths of body 0: with this length l, a failure raises C by
-                              gamma l^2 / max(C, l); 0: by gamma / C */
+      cost_length;       /**< 0 to 10, default 1, in lengths of body 0: with this length l, a failure raises C,
+                              at first C0, by gamma l min(C0, l) / max(C, l), and the edges of the regions within
+                              0.35 l around as well, at most 32 in all; 0: by gamma / C */
   uint32_t kappa,        /**< 1 to 10000, default 10: expansions between updates of the heuristic costs */
       update_regions;    /**< 0 to 1e6, default 100: after an update that looked at n regions, the next waits for at
                               least n / update_regions expansions; 0: no such wait */

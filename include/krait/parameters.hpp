@@ -34,8 +34,9 @@ struct SearchTuning {
   /// 0 … 1e6: how much a failure raises edge costs; no unit, but with cost_length 0 square metres; 0: costs never
   /// change.
   float gamma = 20.0F;
-  /// 0 … 10, in lengths of body 0: with this length l, a failure raises C by gamma l^2 / max(C, l); 0: by gamma / C, as
-  /// in Eqn 9.
+  /// 0 … 10, in lengths of body 0: with this length l, a failure raises C, at first C0, by
+  /// gamma l min(C0, l) / max(C, l), and the edges of the regions within 0.35 l around as well, at most 32 in all; 0:
+  /// by gamma / C, as in Eqn 9.
   float cost_length = 1.0F;
   std::uint32_t kappa = 10;  ///< 1 … 10000: expansions between updates of the heuristic costs
   /// 0 … 1e6: after an update that looked at n regions, the next waits for at least n / update_regions expansions; 0:

@@ -63,8 +63,8 @@ bool Regions::reset(const Goal& goal, float least_width, float least_cost) {
   }
   if (!found) return false;
   goal_center_ = goal.is_disc() ? goal.center() : (1.0F / goal_area_) * weighted;
-  set_costs(least_width, least_cost);
-  exact_below_ = kExactRatio * least_cost;
+  least_cost_ = least_cost;
+  set_costs(least_width);
   update();
   return true;
 }
@@ -162,19 +162,22 @@ Vec2 Regions::region_center(Index region) const {
   return region == goal_region_ ? goal_center_ : scene_->centroid(region);
 }
 
-void Regions::set_costs(float least_width, float least_cost) {
+void Regions::set_costs(float least_width) {
   for (Index t = 0; t < scene_->triangle_count(); ++t) {
-    const Vec2 center = region_center(region(t));
     for (int i = 0; i < 3; ++i) {
       const Index n = scene_->neighbor(t, i);
       if (n == kNone || n < t) continue;
       const Index portal = scene_->portal(t, i);
-      const float apart = length(region_center(region(n)) - center);
       const bool passable = scene_->portal_width(portal) >= least_width;
-      portal_costs_[portal] = apart > least_cost ? apart : least_cost;
-      if (!passable) portal_costs_[portal] = kInfinity;
+      portal_costs_[portal] = passable ? base_cost(region(t), region(n)) : kInfinity;
     }
   }
+}
+
+// C0: how far apart the centres of two regions are, but at least the least cost.
+float Regions::base_cost(Index a, Index b) const {
+  const float apart = length(region_center(b) - region_center(a));
+  return apart > least_cost_ ? apart : least_cost_;
 }
 
 void Regions::push_sources() {
@@ -238,8 +241,9 @@ void Regions::run_dijkstra() {
 Index Regions::repair(bool all) {
   const Index stale = list_stale();
   if (!all) repair_listed(stale);
-  if (all || largest_ >= exact_below_) update();
-  return largest_ < exact_below_ ? stale : scene_->triangle_count();
+  const float exact_below = kExactRatio * least_cost_;
+  if (all || largest_ >= exact_below) update();
+  return largest_ < exact_below ? stale : scene_->triangle_count();
 }
 
 void Regions::repair_listed(Index count) {
@@ -294,24 +298,66 @@ Index Regions::list_if_new(Index triangle, Index count) {
   return count + 1;
 }
 
+// Lists the region and those around it that are nearer than `reach`, at most kMostRaised, and marks them: breadth
+// first.
+Index Regions::list_around(Index region, float reach, Index* around) {
+  around[0] = region;
+  next_[region] |= kAround;
+  Index count = 1;
+  for (Index i = 0; i < count; ++i) {
+    for (int edge = 0; edge < 3 && count < kMostRaised; ++edge) {
+      if (!may_list(around[i], edge)) continue;
+      const Index n = scene_->neighbor(around[i], edge);
+      if (length(scene_->centroid(n) - scene_->centroid(region)) >= reach) continue;
+      next_[n] |= kAround;
+      around[count++] = n;
+    }
+  }
+  return count;
+}
+
+// Whether the edge leads to a region that is no goal and has no mark.
+bool Regions::may_list(Index from, int edge) const {
+  const Index n = scene_->neighbor(from, edge);
+  if (n == kNone || is_goal(region(n)) || (next_[n] & kAround) != 0) return false;
+  return portal_costs_[scene_->portal(from, edge)] < kInfinity;
+}
+
+// An edge between two marked triangles rises with the one of the smaller number.
 void Regions::raise_triangle_edges(Index triangle, const CostRaise& raise) {
   raised_count_ = list_if_new(triangle, raised_count_);
-  for (int i = 0; i < 3; ++i) {
-    const Index n = scene_->neighbor(triangle, i);
+  for (int edge = 0; edge < 3; ++edge) {
+    const Index n = scene_->neighbor(triangle, edge);
     if (n == kNone || region(n) == region(triangle)) continue;
-    float& cost = portal_costs_[scene_->portal(triangle, i)];
-    const float base = cost > raise.length ? cost : raise.length;
-    const float scale = raise.length > 0.0F ? raise.gamma * raise.length * raise.length : raise.gamma;
-    cost = cost + scale / base;
+    if (n > triangle || (next_[n] & kAround) == 0) raise_edge(triangle, edge, raise);
   }
+}
+
+void Regions::raise_edge(Index triangle, int edge, const CostRaise& raise) {
+  float& cost = portal_costs_[scene_->portal(triangle, edge)];
+  if (raise.length <= 0.0F) {
+    cost = cost + raise.gamma / cost;
+    return;
+  }
+  const float base = base_cost(region(triangle), region(scene_->neighbor(triangle, edge)));
+  const float least = base < raise.length ? base : raise.length;
+  const float most = cost > raise.length ? cost : raise.length;
+  cost = cost + raise.gamma * raise.length * least / most;
 }
 
 void Regions::raise_edges(Index region, const CostRaise& raise) {
   KRAIT_ASSERT(region < scene_->triangle_count());
-  if (region != goal_region_) {
-    raise_triangle_edges(region, raise);
+  if (region == goal_region_) {
+    raise_goal_edges(raise);
     return;
   }
+  Index around[kMostRaised];
+  const Index count = list_around(region, is_goal(region) ? 0.0F : kRaiseReach * raise.length, around);
+  for (Index i = 0; i < count; ++i) raise_triangle_edges(around[i], raise);
+  for (Index i = 0; i < count; ++i) next_[around[i]] &= kEdgeMask | kListed;
+}
+
+void Regions::raise_goal_edges(const CostRaise& raise) {
   for (Index t = goal_region_; t < goal_end_; ++t) {
     if (is_goal_triangle(t)) raise_triangle_edges(t, raise);
   }

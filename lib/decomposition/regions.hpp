@@ -17,12 +17,16 @@ namespace krait::detail {
 // How much a failed expansion raises an edge's cost C (Eqn 9).
 struct CostRaise {
   float gamma = 50.0F;  // square metres in the paper's form, plain number otherwise
-  float length = 0.0F;  // metres: C += gamma * length^2 / max(C, length); 0: the paper's C += gamma / C
+  // Metres: C, which was C0 at first, rises by gamma * length * min(C0, length) / max(C, length), and so do the edges
+  // of regions around; 0: C rises by gamma / C, as in the paper.
+  float length = 0.0F;
 };
 
 class Regions {
  public:
-  static constexpr Index kMostAhead = 32;  // the last region that a distance can add
+  static constexpr Index kMostAhead = 32;      // the last region that a distance can add
+  static constexpr Index kMostRaised = 32;     // regions whose edges one failure raises
+  static constexpr float kRaiseReach = 0.35F;  // as far around a region, in CostRaise::length
 
   Regions();
 
@@ -71,8 +75,11 @@ class Regions {
   const Goal& goal() const { return goal_; }
   const Scene& scene() const { return *scene_; }
 
-  // Raises the cost of every edge of r (Algorithm 1, line 11). Costs h stay as they were. O(1); for G O(triangles from
-  // its first to its last).
+  // Raises the cost of every edge of r (Algorithm 1, line 11). With a CostRaise::length also, once each, those of the
+  // regions around it: the first kMostRaised, counted in portals from r, whose centroids lie nearer to r's than
+  // kRaiseReach lengths, and which portals between such regions connect with r; goals are none of them, and have none.
+  // So a failure weighs as much among many small regions as in a large one. Costs h stay as they were. O(kMostRaised);
+  // for G O(triangles from its first to its last).
   void raise_edges(Index region, const CostRaise& raise);
   // Whether edges were raised since h was found.
   bool raised() const { return raised_count_ > 0; }
@@ -97,7 +104,7 @@ class Regions {
   std::uint8_t edge_to(Index triangle, Index neighbor) const;
   Bottleneck narrowest_on_way(Index from) const;
   Vec2 roomiest_point(Index triangle, int edge) const;
-  void set_costs(float least_width, float least_cost);
+  void set_costs(float least_width);
   void push_sources();
   void run_dijkstra();
   void relax_edges(Index triangle);
@@ -107,7 +114,12 @@ class Regions {
   void repair_listed(Index count);
   Index list_followers(Index triangle, Index count);
   Index list_if_new(Index triangle, Index count);
+  float base_cost(Index a, Index b) const;
+  Index list_around(Index region, float reach, Index* around);
+  bool may_list(Index from, int edge) const;
   void raise_triangle_edges(Index triangle, const CostRaise& raise);
+  void raise_edge(Index triangle, int edge, const CostRaise& raise);
+  void raise_goal_edges(const CostRaise& raise);
   Index random_goal_triangle(Random& random) const;
 
   const Scene* scene_ = nullptr;
@@ -116,10 +128,11 @@ class Regions {
   Index goal_end_ = 0;      // after the last of its triangles
   float goal_area_ = 0.0F;  // square metres, twice
   Vec2 goal_center_{};
-  // The bits of next_: the edge that a triangle's shortest path crosses, and a mark.
+  // The bits of next_: the edge that a triangle's shortest path crosses, and marks.
   static constexpr std::uint8_t kEdgeMask = 3;
   static constexpr std::uint8_t kNoEdge = 3;
   static constexpr std::uint8_t kListed = 4;  // its path is to be recomputed
+  static constexpr std::uint8_t kAround = 8;  // one of those whose edges are being raised
 
   float* h_ = nullptr;
   std::uint8_t* next_ = nullptr;
@@ -127,7 +140,7 @@ class Regions {
   IndexedHeap heap_;        // between updates the list of the raised
   Index raised_count_ = 0;  // triangles whose edges were raised since h was found
   float largest_ = 0.0F;
-  float exact_below_ = 0.0F;  // metres: up to there every edge of a path counts in float
+  float least_cost_ = 0.0F;  // metres: of an edge
 };
 
 }  // namespace krait::detail

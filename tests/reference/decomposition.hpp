@@ -36,6 +36,7 @@ class Decomposition {
         edge(region(t), region(n)) = std::max(least_cost, distance(centroid(region(t)), centroid(region(n))));
       }
     }
+    base_ = costs_;
     update();
   }
 
@@ -61,9 +62,11 @@ class Decomposition {
 
   // Eqn 9, in the form of CostRaise.
   void raise_edges_of(Index region, double gamma, double length) {
+    const std::vector<Index> raised = regions_around(region, 0.35 * length);
     for (auto& [ends, cost] : costs_) {
-      if (ends.first != region && ends.second != region) continue;
-      cost += length > 0 ? gamma * length * length / std::max(cost, length) : gamma / cost;
+      if (!among(raised, ends.first) && !among(raised, ends.second)) continue;
+      const double scale = length > 0 ? length * std::min(base_.at(ends), length) : 1;
+      cost += gamma * scale / std::max(cost, length);
     }
   }
 
@@ -96,6 +99,24 @@ class Decomposition {
 
  private:
   double& edge(Index a, Index b) { return costs_[std::minmax(a, b)]; }
+
+  static bool among(const std::vector<Index>& regions, Index region) {
+    return std::find(regions.begin(), regions.end(), region) != regions.end();
+  }
+
+  // The region and those nearer to it than `reach`, connected by such ones, the goal left out: breadth first, 32 at
+  // most.
+  std::vector<Index> regions_around(Index region, double reach) const {
+    std::vector<Index> found = {region};
+    for (std::size_t i = 0; i < found.size() && region != goal_region_; ++i) {
+      for (int edge = 0; edge < 3; ++edge) {
+        const Index n = scene_->neighbor(found[i], edge);
+        if (n == kNone || this->region(n) == goal_region_ || costs_.count(std::minmax(found[i], n)) == 0) continue;
+        if (found.size() < 32 && apart(region, n) < reach && !among(found, n)) found.push_back(n);
+      }
+    }
+    return found;
+  }
 
   bool shorten(Index region, double way) {
     if (!(way < h_[region])) return false;
@@ -141,6 +162,7 @@ class Decomposition {
   Index goal_;
   Index goal_region_ = kNone;
   Costs costs_;
+  Costs base_;   // before the first raise
   Costs known_;  // of the last update
   std::vector<double> h_;
 };
