@@ -91,7 +91,7 @@ std::string stopping_line(const RobotFacts& facts) {
 }
 
 std::string step_line(const RobotFacts& facts, double dt) {
-  if (!(facts.longest_time_step >= 0.001)) return "none of 0.001 s or more: it changes too fast to be planned for";
+  if (!(facts.longest_time_step >= 0.001)) return kNoTimeStep;
   if (facts.longest_time_step < dt) {
     return printed("%.3g s is too long: plan with --dt %.2g or less", dt,
                    std::floor(facts.longest_time_step * 1000) / 1000);

@@ -37,6 +37,9 @@ struct RobotFacts {
   double step_error = 0;         // metres, that a body is off after a second at top speed and full lock in those steps
 };
 
+// What is said of a robot whose longest_time_step is 0.
+inline constexpr const char* kNoTimeStep = "none of 0.001 s or more: the robot changes too fast to be planned for";
+
 // That the steered axle lies outside of body 0, by how much, and what may be wrong: one line; empty where it lies
 // inside.
 std::string axle_warning(const RobotSpec& robot);

@@ -7,6 +7,7 @@
 #include "host/rivals/prior.hpp"
 #include "host/rivals/rrt.hpp"
 #include "host/run/planner_session.hpp"
+#include "host/run/robot_facts.hpp"
 #include "host/run/why.hpp"
 #include "host/workspace/printed.hpp"
 
@@ -44,6 +45,7 @@ std::string explanation(const Failure& failure, const krait::Scene& scene, const
     case Status::bad_argument:
       if (argument == to_string(Argument::goal)) return outside("the goal's centre", scene);
       if (failure.most > 0) return longest_dt(static_cast<double>(failure.most));
+      if (argument == to_string(Argument::dt)) return argument + ": " + kNoTimeStep;
       return argument +
              " is not finite or out of its range (numbers in metres, seconds and radians; krait plan --help)";
     case Status::bad_arithmetic:

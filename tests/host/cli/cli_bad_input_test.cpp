@@ -152,6 +152,13 @@ TEST_F(CliBadInput, ATimeStepThatIsTooLongIsToldTheLongest) {
   EXPECT_LE(plan("0.044").code, 1);
 }
 
+TEST_F(CliBadInput, ARobotThatNoTimeStepSuitsIsCalledThat) {
+  write("fast.json", R"({"model": "truck", "links": 2, "parameters": {"max_speed": 10000, "hitch_length": 0.01}})");
+  const Outcome refused = krait({"plan", "room.krait", "--robot", "fast.json"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.errors, HasSubstr("bad_argument: dt: none of 0.001 s or more: the robot changes too fast to be"));
+}
+
 TEST_F(CliBadInput, Memory) {
   expect_plan_refused({"--memory", "0"}, "arena_too_small");
   expect_plan_refused({"--memory", "1"}, "arena_too_small");
