@@ -50,8 +50,8 @@ class Goal {
   /// facing's numbers are in their ranges. O(1).
   [[nodiscard]] bool valid(const Scene& scene) const;
 
-  /// Whether p, metres, local coordinates, lies inside and at least `depth` metres, 0 or more, from the border.
-  /// O(vertices of the polygon).
+  /// Whether p, metres, local coordinates, lies inside and at least `depth` metres from the border; where that is below
+  /// 0, inside or at most so far outside. O(vertices of the polygon).
   bool contains(const Scene& scene, Vec2 p, float depth) const;
 
   /// Whether a triangle belongs to the goal: by its label, or by meeting the disc. O(1).

@@ -70,7 +70,10 @@ bool Goal::valid(const Scene& scene) const {
 bool Goal::contains(const Scene& scene, Vec2 p, float depth) const {
   if (is_disc()) return length(p - center_) <= radius_ - depth;
   const Polygon polygon = scene.goal_polygon(index_);
-  return inside(polygon, p) && !(distance_to_border(polygon, p) < depth);
+  const bool in = inside(polygon, p);
+  if (!in && depth >= 0.0F) return false;
+  const float distance = distance_to_border(polygon, p);
+  return in ? !(distance < depth) : distance <= -depth;
 }
 
 bool Goal::covers(const Scene& scene, Index triangle) const {
@@ -86,11 +89,7 @@ bool Goal::may_reach(const Scene& scene, Index triangle, float reach) const {
          b.min.y - reach <= a.max.y;
 }
 
-bool Goal::near(const Scene& scene, Vec2 p, float reach) const {
-  if (is_disc()) return length(p - center_) <= radius_ + reach;
-  const Polygon polygon = scene.goal_polygon(index_);
-  return inside(polygon, p) || distance_to_border(polygon, p) <= reach;
-}
+bool Goal::near(const Scene& scene, Vec2 p, float reach) const { return contains(scene, p, -reach); }
 
 Box Goal::box(const Scene& scene) const {
   if (is_disc()) return {center_ - Vec2{radius_, radius_}, center_ + Vec2{radius_, radius_}};

@@ -34,6 +34,13 @@ Vec2 random_point_in_disc(Vec2 center, float radius, Random& random) {
   return center;
 }
 
+// Eqn 9 in both forms.
+void raise_cost(float& cost, float base, const CostRaise& raise) {
+  const float least = base < raise.length ? base : raise.length;
+  const float most = cost > raise.length ? cost : raise.length;
+  cost = cost + (raise.length > 0.0F ? raise.gamma * raise.length * least : raise.gamma) / most;
+}
+
 }  // namespace
 
 Regions::Regions() = default;
@@ -298,69 +305,43 @@ Index Regions::list_if_new(Index triangle, Index count) {
   return count + 1;
 }
 
-// Lists the region and those around it that are nearer than `reach`, at most kMostRaised, and marks them: breadth
-// first.
-Index Regions::list_around(Index region, float reach, Index* around) {
-  around[0] = region;
-  next_[region] |= kAround;
-  Index count = 1;
-  for (Index i = 0; i < count; ++i) {
-    for (int edge = 0; edge < 3 && count < kMostRaised; ++edge) {
-      if (!may_list(around[i], edge)) continue;
-      const Index n = scene_->neighbor(around[i], edge);
-      if (length(scene_->centroid(n) - scene_->centroid(region)) >= reach) continue;
-      next_[n] |= kAround;
-      around[count++] = n;
-    }
-  }
-  return count;
-}
-
-// Whether the edge leads to a region that is no goal and has no mark.
-bool Regions::may_list(Index from, int edge) const {
-  const Index n = scene_->neighbor(from, edge);
-  if (n == kNone || is_goal(region(n)) || (next_[n] & kAround) != 0) return false;
-  return portal_costs_[scene_->portal(from, edge)] < kInfinity;
-}
-
-// An edge between two marked triangles rises with the one of the smaller number.
-void Regions::raise_triangle_edges(Index triangle, const CostRaise& raise) {
-  raised_count_ = list_if_new(triangle, raised_count_);
-  for (int edge = 0; edge < 3; ++edge) {
-    const Index n = scene_->neighbor(triangle, edge);
-    if (n == kNone || region(n) == region(triangle)) continue;
-    if (n > triangle || (next_[n] & kAround) == 0) raise_edge(triangle, edge, raise);
-  }
-}
-
-void Regions::raise_edge(Index triangle, int edge, const CostRaise& raise) {
-  float& cost = portal_costs_[scene_->portal(triangle, edge)];
-  if (raise.length <= 0.0F) {
-    cost = cost + raise.gamma / cost;
-    return;
-  }
-  const float base = base_cost(region(triangle), region(scene_->neighbor(triangle, edge)));
-  const float least = base < raise.length ? base : raise.length;
-  const float most = cost > raise.length ? cost : raise.length;
-  cost = cost + raise.gamma * raise.length * least / most;
-}
-
 void Regions::raise_edges(Index region, const CostRaise& raise) {
   KRAIT_ASSERT(region < scene_->triangle_count());
-  if (region == goal_region_) {
-    raise_goal_edges(raise);
+  if (region != goal_region_) {
+    raise_around(region, raise);
     return;
   }
-  Index around[kMostRaised];
-  const Index count = list_around(region, is_goal(region) ? 0.0F : kRaiseReach * raise.length, around);
-  for (Index i = 0; i < count; ++i) raise_triangle_edges(around[i], raise);
-  for (Index i = 0; i < count; ++i) next_[around[i]] &= kEdgeMask | kListed;
+  for (Index t = goal_region_; t < goal_end_; ++t) {
+    if (is_goal_triangle(t)) raise_around(t, raise);
+  }
 }
 
-void Regions::raise_goal_edges(const CostRaise& raise) {
-  for (Index t = goal_region_; t < goal_end_; ++t) {
-    if (is_goal_triangle(t)) raise_triangle_edges(t, raise);
+// Breadth first. A region is marked once it is among those around, or is never: an edge between two of them rises with
+// the one of the smaller number.
+void Regions::raise_around(Index triangle, const CostRaise& raise) {
+  const float reach = is_goal(triangle) ? 0.0F : kRaiseReach * raise.length;
+  Index around[kMostRaised];
+  around[0] = triangle;
+  Index count = 1;
+  next_[triangle] |= kAround;
+  for (Index i = 0; i < count; ++i) {
+    const Index t = around[i];
+    const Index here = region(t);
+    raised_count_ = list_if_new(t, raised_count_);
+    for (int edge = 0; edge < 3; ++edge) {
+      const Index n = scene_->neighbor(t, edge);
+      if (n == kNone) continue;
+      const Index there = region(n);
+      if (there == here) continue;
+      float& cost = portal_costs_[scene_->portal(t, edge)];
+      if (count < kMostRaised && cost < kInfinity && !marked(n) && !is_goal(there) && base_cost(triangle, n) < reach) {
+        next_[n] |= kAround;
+        around[count++] = n;
+      }
+      if (n > t || !marked(n)) raise_cost(cost, base_cost(here, there), raise);
+    }
   }
+  for (Index i = 0; i < count; ++i) next_[around[i]] &= kEdgeMask | kListed;
 }
 
 Index Regions::random_goal_triangle(Random& random) const {
@@ -382,6 +363,11 @@ Vec2 Regions::random_goal_point(Random& random) const {
 
 Vec2 Regions::random_point(Index region, Random& random) const {
   return is_goal(region) ? random_goal_point(random) : random_point_in_triangle(*scene_, region, random);
+}
+
+Index Regions::next(Index region) const {
+  const std::uint8_t edge = next_[region] & kEdgeMask;
+  return edge == kNoEdge ? kNone : this->region(scene_->neighbor(region, edge));
 }
 
 Index Regions::regions_ahead(Index region, Index most, float distance) const {

@@ -62,10 +62,7 @@ class Regions {
   // Largest finite h (Eqn 7's h_max).
   float largest_cost() const { return largest_; }
   // The region after r on its shortest path, as of the last update; kNone at a goal and where there is no path.
-  Index next(Index region) const {
-    const std::uint8_t edge = next_[region] & kEdgeMask;
-    return edge == kNoEdge ? kNone : this->region(scene_->neighbor(region, edge));
-  }
+  Index next(Index region) const;
   // The regions after r on its shortest path: the first `most`, and further ones, up to the kMostAhead-th, as long as
   // their centroids lie nearer to r's than `distance` metres. O(kMostAhead + most).
   Index regions_ahead(Index region, Index most, float distance = 0.0F) const;
@@ -115,11 +112,8 @@ class Regions {
   Index list_followers(Index triangle, Index count);
   Index list_if_new(Index triangle, Index count);
   float base_cost(Index a, Index b) const;
-  Index list_around(Index region, float reach, Index* around);
-  bool may_list(Index from, int edge) const;
-  void raise_triangle_edges(Index triangle, const CostRaise& raise);
-  void raise_edge(Index triangle, int edge, const CostRaise& raise);
-  void raise_goal_edges(const CostRaise& raise);
+  bool marked(Index triangle) const { return (next_[triangle] & kAround) != 0; }
+  void raise_around(Index triangle, const CostRaise& raise);
   Index random_goal_triangle(Random& random) const;
 
   const Scene* scene_ = nullptr;

@@ -55,9 +55,10 @@ void expect_membership(const std::vector<Vec2>& polygon) {
   for (int i = 0; i < 50'000; ++i) {
     const Vec2 p{uniform_float(random, 0, 10), uniform_float(random, 0, 10)};
     const double border = border_distance(point(p), expected);
-    for (const float depth : {0.0F, 0.03F, 0.5F}) {
-      if (std::abs(border - static_cast<double>(depth)) < 1e-5) continue;
-      const bool deep = winds_around(point(p), expected) && border > static_cast<double>(depth);
+    for (const float depth : {-0.4F, 0.0F, 0.03F, 0.5F}) {
+      if (std::abs(border - static_cast<double>(std::fabs(depth))) < 1e-5) continue;
+      const double from_border = winds_around(point(p), expected) ? border : -border;
+      const bool deep = from_border > static_cast<double>(depth);
       ASSERT_EQ(Goal::named(0).contains(opened.scene, p, depth), deep) << p.x << " " << p.y << " " << depth;
       inside += deep ? 1 : 0;
     }
