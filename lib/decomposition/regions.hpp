@@ -73,10 +73,10 @@ class Regions {
   const Scene& scene() const { return *scene_; }
 
   // Raises the cost of every edge of r (Algorithm 1, line 11). With a CostRaise::length also, once each, those of the
-  // regions around it: the first kMostRaised, counted in portals from r, whose centroids lie nearer to r's than
-  // kRaiseReach lengths, and which portals between such regions connect with r; goals are none of them, and have none.
-  // So a failure weighs as much among many small regions as in a large one. Costs h stay as they were. O(kMostRaised);
-  // for G O(triangles from its first to its last).
+  // regions around it, unless r is a goal: the first kMostRaised, counted in portals from r, whose centroids lie nearer
+  // to r's than kRaiseReach lengths, which are no goals, and which portals between such regions connect with r. So a
+  // failure weighs as much among many small regions as in a large one. Costs h stay as they were. O(kMostRaised); for G
+  // O(triangles from its first to its last).
   void raise_edges(Index region, const CostRaise& raise);
   // Whether edges were raised since h was found.
   bool raised() const { return raised_count_ > 0; }

@@ -252,7 +252,7 @@ TEST(PlanDriveOfHitches, HasRoomBetweenTheTreeAndTheLimit) {
   const float start[8] = {3, 6};
   float nearest = 1;
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-    (void)bench.solve({start, Goal::named(0), seed});
+    ASSERT_EQ(bench.solve({start, Goal::named(0), seed}), Status::budget_used);
     const detail::MotionTree& tree = detail::opened(bench.planner).tree();
     for (Index vertex = 0; vertex < tree.vertices(); ++vertex) {
       const float* state = tree.state(vertex);

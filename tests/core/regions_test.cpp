@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "decomposition/locate.hpp"
+#include "regions_around.hpp"
 #include "scene_builder.hpp"
 
 namespace krait::test {
@@ -51,28 +52,18 @@ class Graph {
   }
 
   void raise(Index triangle, double gamma, double length) {
+    const auto joins = [this](Index a, Index b) { return !goal(b) && joined(a, b); };
+    const auto apart = [this](Index a, Index b) {
+      return std::hypot(center(a).x - center(b).x, center(a).y - center(b).y);
+    };
+    const double reach = goal(triangle) ? 0 : 0.35 * length;
     std::set<std::size_t> raised;
-    for (const Index t : around(triangle, 0.35 * length)) raised.insert(vertex(t));
+    for (const Index t : regions_around(scene_, triangle, reach, joins, apart)) raised.insert(vertex(t));
     for (Edge& e : edges_) {
       if (raised.count(vertex(e.a)) + raised.count(vertex(e.b)) == 0 || e.cost == kInfinite) continue;
       const double scale = length > 0 ? length * std::min(e.base, length) : 1;
       e.cost += gamma * scale / std::max(e.cost, length);
     }
-  }
-
-  // The triangle and, breadth first, those nearer to it than `reach`, no goals, up to 32 in all.
-  std::vector<Index> around(Index triangle, double reach) const {
-    std::vector<Index> found = {triangle};
-    if (goal(triangle)) return found;
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      for (int edge = 0; edge < 3; ++edge) {
-        const Index n = scene_.neighbor(found[i], edge);
-        if (n == kNone || goal(n) || !joined(found[i], n) || found.size() == 32) continue;
-        if (std::hypot(center(n).x - center(triangle).x, center(n).y - center(triangle).y) >= reach) continue;
-        if (std::find(found.begin(), found.end(), n) == found.end()) found.push_back(n);
-      }
-    }
-    return found;
   }
 
   // Distances of all triangles from the goal.

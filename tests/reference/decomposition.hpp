@@ -7,9 +7,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
+#include "regions_around.hpp"
 #include "scene_builder.hpp"
 
 namespace krait::test::reference {
@@ -62,9 +64,15 @@ class Decomposition {
 
   // Eqn 9, in the form of CostRaise.
   void raise_edges_of(Index region, double gamma, double length) {
-    const std::vector<Index> raised = regions_around(region, 0.35 * length);
+    const auto joins = [this](Index a, Index b) {
+      return this->region(b) != goal_region_ && costs_.count(std::minmax(a, b)) > 0;
+    };
+    const auto apart_of = [this](Index a, Index b) { return apart(a, b); };
+    const double reach = region == goal_region_ ? 0 : 0.35 * length;
+    const std::vector<Index> around = regions_around(*scene_, region, reach, joins, apart_of);
+    const std::set<Index> raised(around.begin(), around.end());
     for (auto& [ends, cost] : costs_) {
-      if (!among(raised, ends.first) && !among(raised, ends.second)) continue;
+      if (raised.count(ends.first) + raised.count(ends.second) == 0) continue;
       const double scale = length > 0 ? length * std::min(base_.at(ends), length) : 1;
       cost += gamma * scale / std::max(cost, length);
     }
@@ -99,24 +107,6 @@ class Decomposition {
 
  private:
   double& edge(Index a, Index b) { return costs_[std::minmax(a, b)]; }
-
-  static bool among(const std::vector<Index>& regions, Index region) {
-    return std::find(regions.begin(), regions.end(), region) != regions.end();
-  }
-
-  // The region and those nearer to it than `reach`, connected by such ones, the goal left out: breadth first, 32 at
-  // most.
-  std::vector<Index> regions_around(Index region, double reach) const {
-    std::vector<Index> found = {region};
-    for (std::size_t i = 0; i < found.size() && region != goal_region_; ++i) {
-      for (int edge = 0; edge < 3; ++edge) {
-        const Index n = scene_->neighbor(found[i], edge);
-        if (n == kNone || this->region(n) == goal_region_ || costs_.count(std::minmax(found[i], n)) == 0) continue;
-        if (found.size() < 32 && apart(region, n) < reach && !among(found, n)) found.push_back(n);
-      }
-    }
-    return found;
-  }
 
   bool shorten(Index region, double way) {
     if (!(way < h_[region])) return false;

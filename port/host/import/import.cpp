@@ -14,8 +14,6 @@
 namespace krait::host {
 namespace {
 
-constexpr std::uint64_t kMaxFileBytes = 64U << 20;
-
 const std::array<const Format*, 8> kFormats = {&kSceneFile, &kSvg,      &kGeoJson,   &kNative,
                                                &kTpcap,     &kMovingAi, &kMapServer, &kDynobench};
 
@@ -96,7 +94,7 @@ Workspace read_workspace(const Source& source, const ImportOptions& options) {
 }
 
 Workspace import_workspace(const std::string& path, const ImportOptions& options) {
-  Workspace workspace = read_workspace({path, read_file(path, kMaxFileBytes)}, options);
+  Workspace workspace = read_workspace({path, read_file(path, kMaxMapBytes)}, options);
   if (workspace.name.empty()) workspace.name = cleaned_name(std::filesystem::path(path).stem().string());
   return workspace;
 }

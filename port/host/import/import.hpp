@@ -2,6 +2,7 @@
 // Reads a map or drawing of any known format into a Workspace.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -9,10 +10,11 @@
 
 namespace krait::host {
 
-inline constexpr double kMaxLongitude = 180;  // degrees
-inline constexpr double kMaxLatitude = 90;    // degrees
-inline constexpr double kMinUnit = 1e-6;      // metres
-inline constexpr double kMaxUnit = 1e6;       // metres
+inline constexpr double kMaxLongitude = 180;              // degrees
+inline constexpr double kMaxLatitude = 90;                // degrees
+inline constexpr double kMinUnit = 1e-6;                  // metres
+inline constexpr double kMaxUnit = 1e6;                   // metres
+inline constexpr std::uint64_t kMaxMapBytes = 64U << 20;  // of a file
 
 // The words of --help, for every command that reads maps.
 inline constexpr const char* kAboutUnit =

@@ -38,13 +38,15 @@ constexpr std::array<Kind, 11> kFirstBytes = {{{"\x1F\x8B", kCompressed},
                                                 "is a list of MovingAI queries: give the .map that they "
                                                 "belong to"}}};
 
+constexpr std::string_view kUrdf = "<robot";
+
 // First elements of XML, in lower case.
 constexpr std::array<Kind, 7> kElements = {{{"<!doctype html", kWebPage},
                                             {"<html", kWebPage},
                                             {"<osm", "is OpenStreetMap's XML: convert it to GeoJSON"},
                                             {"<kml", "is KML: convert it to GeoJSON"},
                                             {"<gpx", "is a GPS track, not a map: a map has areas"},
-                                            {"<robot", "is a robot's URDF, not a map"},
+                                            {kUrdf, "is a robot's URDF, not a map"},
                                             {"<world", "is a simulator's world, not a map: give the map_server YAML"}}};
 
 std::string head_of(const std::string& content) {
@@ -54,11 +56,13 @@ std::string head_of(const std::string& content) {
   return head;
 }
 
+// Whether the head of XML has the element, and no drawing before it.
+bool has_first(const std::string& head, std::string_view element) { return head.find(element) < head.find("<svg"); }
+
 std::optional<std::string> mistaken_xml(const std::string& content) {
   const std::string head = head_of(content);
-  const std::size_t svg = head.find("<svg");
   for (const Kind& kind : kElements) {
-    if (head.find(kind.mark) < svg) return kind.advice;
+    if (has_first(head, kind.mark)) return kind.advice;
   }
   return std::nullopt;
 }
@@ -73,6 +77,12 @@ std::optional<std::string> mistaken_json(const std::string& content) {
 
 }  // namespace
 
+bool is_urdf(const std::string& content) { return has_first(head_of(content), kUrdf); }
+
+bool is_dynobench_robot(const std::string& content) {
+  return has_top_key(content, "dynamics") && !has_top_key(content, "environment");
+}
+
 std::optional<std::string> mistaken(const Source& source) {
   const std::string& content = source.content;
   if (is_image(content)) return "is an image alone; give the map's YAML file, which names the image and its scale";
@@ -83,7 +93,7 @@ std::optional<std::string> mistaken(const Source& source) {
   const std::size_t first = text_begin(content);
   if (first == std::string::npos) return std::nullopt;
   if (content[first] == '<') return mistaken_xml(content);
-  if (has_top_key(content, "dynamics") && !has_top_key(content, "environment"))
+  if (is_dynobench_robot(content))
     return "is a robot of dynobench, not a map: give a problem, which has an environment, and the robot as a "
            "ROBOT.json";
   const bool is_dxf = content[first] == '0' && content.substr(first, 20).find("SECTION") != std::string::npos;

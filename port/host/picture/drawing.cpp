@@ -10,6 +10,7 @@
 #include "host/picture/picture.hpp"
 #include "host/picture/poses.hpp"
 #include "host/picture/sheet.hpp"
+#include "host/workspace/ring.hpp"
 
 namespace krait::host {
 
@@ -18,13 +19,6 @@ namespace {
 constexpr double kBarWidth = 250;  // points: the colour bar
 constexpr double kBarHeight = 11;
 constexpr double kLongestScaleBar = 150;
-
-// Of a point in the frame of a body.
-Point placed(const Pose& body, const Point& p) {
-  const double c = std::cos(body.heading);
-  const double s = std::sin(body.heading);
-  return {body.x + c * p.x - s * p.y, body.y + s * p.x + c * p.y};
-}
 
 // A pen on one sheet.
 class Painter : private Pen {
@@ -164,9 +158,7 @@ class Painter : private Pen {
     const std::vector<Pose> poses = body_poses(picture_.plan.robot, state);
     cairo_set_line_join(cr_, CAIRO_LINE_JOIN_ROUND);
     for (std::size_t k = poses.size(); k-- > 0;) {
-      Ring body;
-      for (const Point& corner : picture_.plan.robot.bodies[k]) body.push_back(placed(poses[k], corner));
-      ring(body);
+      ring(placed(picture_.plan.robot.bodies[k], {poses[k].x, poses[k].y}, poses[k].heading));
       fill_and_stroke(inside, line, width);
     }
     draw_front(poses.front(), line, width);
@@ -174,7 +166,8 @@ class Painter : private Pen {
 
   void draw_front(const Pose& pose, Color line, double width) {
     cairo_new_sub_path(cr_);
-    for (const Point& corner : front_mark(picture_.plan.robot)) line_to(figure_.at(placed(pose, corner)));
+    const Ring mark = placed(front_mark(picture_.plan.robot), {pose.x, pose.y}, pose.heading);
+    for (const Point& corner : mark) line_to(figure_.at(corner));
     stroke(line, width);
   }
 

@@ -4,7 +4,7 @@
 #include "host/import/format.hpp"
 #include "host/import/image.hpp"
 #include "host/import/json_keys.hpp"
-#include "host/import/yaml.hpp"
+#include "host/import/mistaken.hpp"
 
 namespace krait::host {
 namespace {
@@ -33,8 +33,8 @@ std::optional<std::string> mistaken_robot(const std::string& path, const std::st
   if (is_json_object(content)) return mistaken_json(content);
   if (is_image(content)) return kIsImage;
   if (is_map({path, content})) return kIsMap;
-  if (content.substr(0, 1024).find("<robot") != std::string::npos) return kIsUrdf;
-  if (has_top_key(content, "dynamics")) return kIsDynobench;
+  if (is_urdf(content)) return kIsUrdf;
+  if (is_dynobench_robot(content)) return kIsDynobench;
   return std::nullopt;
 }
 

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <type_traits>
 
+#include "host/import/import.hpp"
 #include "host/input/file.hpp"
 #include "host/robot_file/mistaken.hpp"
 #include "host/robot_file/shipped.hpp"
@@ -18,8 +19,6 @@
 
 namespace krait::host {
 namespace {
-
-constexpr std::uint64_t kMaxFileBytes = 64U << 20;  // those of a map, so that one is named
 
 static_assert(kMaxLinks == kMaxTrailers);
 
@@ -338,7 +337,7 @@ RobotSpec parse_robot(const std::string& text) {
     throw InputError("unknown robot \"" + text + "\"; known are " + model_forms(" and ", "N trailers") +
                      ", the shipped " + known_shipped() + ", or the path of a ROBOT.json");
   }
-  const std::string content = read_file(text, kMaxFileBytes);
+  const std::string content = read_file(text, kMaxMapBytes);  // a map is named, however large
   if (const auto what = mistaken_robot(text, content)) throw InputError(text + ": " + *what);
   return read_document(content, text);
 }

@@ -9,6 +9,7 @@
 #include "host/run/robots.hpp"
 #include "host/verify/dynamics.hpp"
 #include "host/workspace/printed.hpp"
+#include "host/workspace/ring.hpp"
 #include "motion/rk4.hpp"
 #include "robot/shape.hpp"
 
@@ -18,13 +19,6 @@ namespace {
 double parameter(const RobotSpec& robot, const char* name) { return robot.parameters.at(name); }
 
 bool has_steering(const RobotSpec& robot) { return robot.parameters.count("max_steering") > 0; }
-
-// A body's corner, placed by a heading and the position of the body's origin.
-Point placed(const Point& corner, const Point& origin, double heading) {
-  const double c = std::cos(heading);
-  const double s = std::sin(heading);
-  return {origin.x + c * corner.x - s * corner.y, origin.y + s * corner.x + c * corner.y};
-}
 
 double distance_to_edge(const Point& p, const Point& a, const Point& b) {
   const Point along{b.x - a.x, b.y - a.y};
@@ -191,11 +185,9 @@ std::vector<Ring> bodies_in(const SteadyTurn& turn, const RobotSpec& robot) {
   for (std::size_t k = 0; k < robot.bodies.size(); ++k) {
     if (k > 0) {
       heading -= turn.hitch_angles[k - 1];
-      origin = placed({-parameter(robot, "hitch_length"), 0}, origin, heading);
+      origin = placed(Point{-parameter(robot, "hitch_length"), 0}, origin, heading);
     }
-    Ring ring;
-    for (const Point& corner : robot.bodies[k]) ring.push_back(placed(corner, origin, heading));
-    bodies.push_back(std::move(ring));
+    bodies.push_back(placed(robot.bodies[k], origin, heading));
   }
   return bodies;
 }

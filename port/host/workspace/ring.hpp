@@ -1,12 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
-// Areas of rings, by their signs, their parts on one side of a line, and whether two are one.
+// Points of bodies; areas of rings, by their signs, their parts on one side of a line, and whether two are one.
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "host/workspace/workspace.hpp"
 
 namespace krait::host {
+
+// What is given in the frame of a body that has this origin and this heading, radians.
+inline Point placed(const Point& p, const Point& origin, double heading) {
+  const double c = std::cos(heading), s = std::sin(heading);
+  return {origin.x + c * p.x - s * p.y, origin.y + s * p.x + c * p.y};
+}
+
+inline Ring placed(const Ring& ring, const Point& origin, double heading) {
+  Ring result;
+  for (const Point& p : ring) result.push_back(placed(p, origin, heading));
+  return result;
+}
 
 // Twice the area of the triangle, above 0 where it is counter-clockwise.
 inline double cross(const Point& a, const Point& b, const Point& c) {
