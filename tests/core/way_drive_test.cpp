@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+// A robot that is driven along a route: where its legs begin, where it begins to shoot, and how a way ends.
+#include "improve/way_drive.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <optional>
+
+#include "planner_fixture.hpp"
+#include "robot/shape.hpp"
+
+namespace krait::test {
+namespace {
+
+using Outcome = detail::WayDrive::Outcome;
+constexpr float kDt = 0.1F;
+constexpr float kMargin = 0.01F;  // metres
+constexpr float kReach = 3.0F;
+constexpr std::uint32_t kHold = 4;
+constexpr std::uint32_t kManySteps = 100'000;
+
+// A hall, with a wall between its halves or none.
+Room hall(bool walled) {
+  Room room;
+  room.bounds = {0, 0, 16, 6};
+  if (walled) room.boxes = {{8, 0, 8.25, 6}};
+  return room;
+}
+
+// A unicycle at (2, 3) that is to come to (14, 3), both times with the heading 0.
+struct Driver {
+  explicit Driver(bool walled = false)
+      : open(hall(walled)),
+        robot(small_unicycle()),
+        start(standing(robot, {2, 3})),
+        block(1U << 14),
+        arena(block.data(), block.size() * sizeof(std::uint64_t)) {
+    check.allocate(arena, robot);
+    check.assign(robot, open.scene, kMargin, static_cast<int>(parameters.tuning.max_substeps), true);
+    driven.assign(robot, kDt);
+    braked.assign(robot, kDt);
+    ending.assign(robot, open.scene, goal, 0.0F);
+    last_metres.assign(open.scene, goal, nimbleness());
+    const detail::TargetGrid grid(open.scene.bounds());
+    tools = {robot, &open.scene, &parameters,  &check, &driven,     &braked,
+             grid,  &ending,     &last_metres, 0.0F,   start.data()};
+    way.allocate(arena, 512, robot.state_size());
+    none.allocate(arena, 512, robot.state_size());
+    none.clear();
+    route.allocate(arena, 8);
+    route.clear();
+    for (const float x : {2.0F, 8.0F, 14.0F}) route.add({{x, 3}, 1.0F, 1.0F, 0.0F});
+    route.measure();
+  }
+
+  detail::Nimbleness nimbleness() const {
+    const Robot seen(robot);
+    const Polygon outline = seen.body(0);
+    const float length = detail::robot_length(seen);
+    const float far = detail::farthest(outline.vertices, outline.count);
+    const float near = detail::inner_radius(outline, {});
+    return {length,
+            length,
+            seen.turning_radius(length),
+            seen.top_speed(length),
+            near,
+            far,
+            false,
+            0,
+            kDt,
+            kMargin,
+            outline,
+            nullptr,
+            nullptr};
+  }
+
+  // Outcome of a drive along the route, from a way's first legs on.
+  Outcome drive(const detail::Way& from, std::uint32_t legs, std::uint32_t bound = kManySteps,
+                float until = kInfinity) {
+    drives.assign(tools, {kHold, 0.1F, kReach, 0.1F});
+    drives.begin(way, from, legs, route, bound, until);
+    Outcome outcome = Outcome::drives;
+    for (int calls = 0; outcome == Outcome::drives && calls < 10'000; ++calls) outcome = drives.advance(1);
+    return outcome;
+  }
+  Outcome drive() { return drive(none, 0); }
+
+  // Metres along the route where the last leg begins that follows it. None if no leg leaves it.
+  std::optional<float> first_shot() const {
+    for (std::uint32_t i = 1; i < way.count(); ++i) {
+      if (way[i].arc == detail::Leg::kOffRoute) return way[i - 1].arc;
+    }
+    return {};
+  }
+
+  const Goal goal = Goal::pose({14, 3}, 0.1F, {0.0F, 0.1F, false, kInfinity});
+  OpenScene open;
+  Unicycle robot;
+  Parameters parameters;
+  std::vector<float> start;
+  std::vector<std::uint64_t> block;
+  detail::Arena arena;
+  detail::MotionCheck check;
+  detail::Drive driven, braked;
+  detail::Ending ending;
+  detail::LastMetres last_metres;
+  detail::WayTools tools;
+  detail::Way way, none;
+  detail::Route route;
+  detail::WayDrive drives;
+};
+
+TEST(WayDrive, ShotsBeginNoEarlierThanTheRouteSays) {
+  constexpr float kLeg = 0.5F;  // metres, longer than the robot drives in one
+  Driver anywhere;
+  const float length = anywhere.route.length();
+  ASSERT_EQ(anywhere.drive(), Outcome::reached);
+  ASSERT_TRUE(anywhere.first_shot());
+  ASSERT_GT(anywhere.last_metres.capture(), 2.5F);
+  EXPECT_NEAR(*anywhere.first_shot(), length - anywhere.last_metres.capture(), kLeg);
+  for (const float within : {1.0F, 1.75F}) {
+    Driver bounded;
+    bounded.route.shoot_within(within);
+    ASSERT_EQ(bounded.drive(), Outcome::reached);
+    ASSERT_TRUE(bounded.first_shot());
+    EXPECT_GE(*bounded.first_shot(), length - within);
+    EXPECT_LE(*bounded.first_shot(), length - within + kLeg);
+  }
+}
+
+TEST(WayDrive, AWayEndsInThePose) {
+  Driver driver;
+  ASSERT_EQ(driver.drive(), Outcome::reached);
+  const float* const end = driver.braked.state();
+  EXPECT_LE(std::hypot(end[0] - 14, end[1] - 3), 0.1F);
+  EXPECT_LE(std::abs(end[2]), 0.1F);
+}
+
+// The wall is 6 m ahead: the robot ends before it, and not far from it.
+TEST(WayDrive, AWallEndsAWay) {
+  Driver driver(true);
+  EXPECT_EQ(driver.drive(), Outcome::blocked);
+  EXPECT_LT(driver.driven.state()[0], 8.0F - 0.25F);
+  EXPECT_GT(driver.driven.state()[0], 6.5F);
+}
+
+TEST(WayDrive, AWayThatWouldBeTooLongIsGivenUp) {
+  Driver driver;
+  ASSERT_EQ(driver.drive(), Outcome::reached);
+  const std::uint32_t steps = driver.way.steps();
+  EXPECT_EQ(driver.drive(driver.none, 0, steps + 1), Outcome::reached);
+  EXPECT_EQ(driver.drive(driver.none, 0, steps / 2), Outcome::too_long);
+  EXPECT_LT(driver.way.steps(), steps / 8);  // since the rest of the route is too long
+}
+
+TEST(WayDrive, AWayEndsWhereItWasToCome) {
+  Driver driver;
+  EXPECT_EQ(driver.drive(driver.none, 0, kManySteps, 4.0F), Outcome::passed);
+  EXPECT_GE(driver.drives.arc(), 4.0F);
+  EXPECT_LT(driver.drives.arc(), 5.0F);
+}
+
+TEST(WayDrive, AWayGoesOnFromAnyOfItsLegsToTheSameBits) {
+  Driver whole;
+  ASSERT_EQ(whole.drive(), Outcome::reached);
+  for (const std::uint32_t legs : {1U, 5U, 15U, 16U, 17U}) {
+    ASSERT_LT(legs, whole.way.count());
+    ASSERT_NE(whole.way[legs].arc, detail::Leg::kOffRoute);
+    Driver again;
+    ASSERT_EQ(again.drive(whole.way, legs), Outcome::reached);
+    EXPECT_EQ(again.way.steps(), whole.way.steps());
+    EXPECT_EQ(std::memcmp(again.braked.state(), whole.braked.state(),
+                          sizeof(float) * static_cast<std::size_t>(whole.robot.state_size())),
+              0);
+  }
+}
+
+}  // namespace
+}  // namespace krait::test
