@@ -2,6 +2,7 @@
 #include "host/cli/map_options.hpp"
 
 #include "host/cli/options.hpp"
+#include "host/input/word_option.hpp"
 
 namespace krait::host {
 
@@ -9,7 +10,7 @@ void MapOptions::add(CLI::App& command) {
   command_ = &command;
   command
       .add_option("--unknown", unknown, "how a map's unknown cells count: by its own thresholds (map), free, occupied")
-      ->check(CLI::IsMember({"map", "free", "occupied"}))
+      ->check(one_of({"map", "free", "occupied"}))
       ->capture_default_str();
   command.add_option("--unit", unit, kAboutUnit)->check(number_in(kMinUnit, kMaxUnit, "metres"))->option_text("METRES");
   command.add_option("--datum", datum, kAboutDatum)->option_text("LONGITUDE,LATITUDE");

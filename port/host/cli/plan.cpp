@@ -17,6 +17,7 @@
 #include "host/input/output_option.hpp"
 #include "host/input/outputs.hpp"
 #include "host/input/progress.hpp"
+#include "host/input/word_option.hpp"
 #include "host/picture/picture.hpp"
 #include "host/run/query.hpp"
 #include "host/run/robot_facts.hpp"
@@ -442,7 +443,7 @@ void add_plan(CLI::App& app, const char* program) {
   command
       ->add_option("--planner", o->planner,
                    "the search: adaptive (the paper's), prior ([18], its costs never change), rrt")
-      ->check(CLI::IsMember({"adaptive", "prior", "rrt"}))
+      ->check(one_of({"adaptive", "prior", "rrt"}))
       ->capture_default_str();
   command->add_option("--seed", o->seed, "of the random numbers: the same seed has the same plan")
       ->check(whole_number(UINT64_MAX))

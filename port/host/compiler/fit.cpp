@@ -80,7 +80,8 @@ class Fitter {
   bool fits(const Outcome& outcome) const { return excess(outcome) <= 1; }
 
   std::string done(const Step& step) const {
-    std::string text = printed("obstacles grown by at most %.3g m", error_of(step));
+    const double error = error_of(step);
+    std::string text = error > 0 ? printed("obstacles grown by at most %.3g m", error) : "obstacles as they are";
     if (step.cell) text += printed(", cells of %.3g m", *step.cell);
     if (step.coarse) text += ", coarse regions";
     if (step.corridor) text += printed(", what is further than %.3g m from the shortest ways closed", *step.corridor);
@@ -145,7 +146,7 @@ Fitted fit(const Workspace& workspace, const RobotSpec& robot, const Budget& bud
         closed = fitter.done(step);
       }
     } catch (const InputError& error) {
-      closed = error.what();
+      closed = fitter.done(step) + ": " + error.what();
     }
   }
   if (best) return std::move(*best);

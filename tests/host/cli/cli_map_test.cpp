@@ -196,7 +196,7 @@ TEST_F(CliMap, OptionsForMapsAreRefusedWithACompiledScene) {
                                   " is for maps, but room.krait is compiled already: use it with krait compile, or "
                                   "plan in the map itself\n");
   }
-  expect_refused({"plan", "room.json", "--unknown", "maybe"}, "--unknown: maybe not in {map,free,occupied}");
+  expect_refused({"plan", "room.json", "--unknown", "maybe"}, "--unknown: give map, free or occupied, not maybe");
   expect_refused({"plan", "room.json", "--tolerance", "-1"}, "--tolerance: give metres from 0 to 1000000, not -1");
   expect_refused({"plan", "room.json", "--tolerance", "nan"}, "--tolerance: give metres from 0 to 1000000, not nan");
 }

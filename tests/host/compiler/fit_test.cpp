@@ -78,7 +78,7 @@ TEST(Fit, KeepsToTheBudgetAndNothingBecomesFree) {
 TEST(Fit, WhereAllFitsIsTheFinest) {
   const Workspace w = clutter(300, 60, 2);
   const Fitted fitted = fit(w, parse_robot("turtlebot4"), budget(64U << 20U, 64U << 20U), {});
-  EXPECT_EQ(fitted.report.at(0), "obstacles grown by at most 0 m");
+  EXPECT_EQ(fitted.report.at(0), "obstacles as they are");
   EXPECT_EQ(fitted.scene.bytes, compile(w, {0, {}}).bytes);
 }
 

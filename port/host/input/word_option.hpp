@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Options of a program that take one of a few words.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace krait::host {
+
+// "a, b or c", of two words or more.
+inline std::string alternatives(const std::vector<std::string>& words) {
+  std::string text = words.front();
+  for (std::size_t i = 1; i < words.size(); ++i) text += (i + 1 < words.size() ? ", " : " or ") + words[i];
+  return text;
+}
+
+// Lets an option take one of the words only; the help lists them.
+inline CLI::Validator one_of(const std::vector<std::string>& words) {
+  const auto check = [words](const std::string& text) -> std::string {
+    if (std::find(words.begin(), words.end(), text) != words.end()) return {};
+    return "give " + alternatives(words) + ", not " + text;
+  };
+  return {check, "{" + CLI::detail::join(words, ",") + "}", "word"};
+}
+
+}  // namespace krait::host
