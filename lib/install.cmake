@@ -13,14 +13,17 @@ endif()")
 install(TARGETS krait EXPORT krait-targets INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/krait DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
   FILES_MATCHING PATTERN *.hpp PATTERN version.h PATTERN robot_check.hpp EXCLUDE)
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/NOTICE
-  ${PROJECT_SOURCE_DIR}/include/krait/FORMAT.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
-# In the folders that they have here, which the comments of headers name.
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# In the folders that they have here, which the comments of headers and their links name.
 foreach(folder lib lib/robot)
   file(GLOB pages CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.md)
   install(FILES ${pages} DESTINATION ${CMAKE_INSTALL_DOCDIR}/${folder})
 endforeach()
-install(FILES ${PROJECT_SOURCE_DIR}/bench/ABLATIONS.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/bench)
+foreach(page include/krait/FORMAT.md port/host/robot_file/ROBOTS.md tests/TRUST.md bench/ABLATIONS.md
+    bench/targets/RESULTS.md)
+  cmake_path(GET page PARENT_PATH folder)
+  install(FILES ${PROJECT_SOURCE_DIR}/${page} DESTINATION ${CMAKE_INSTALL_DOCDIR}/${folder})
+endforeach()
 
 install(EXPORT krait-targets NAMESPACE krait:: DESTINATION ${package_folder})
 write_basic_package_version_file(krait-config-version.cmake

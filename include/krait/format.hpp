@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// \file
-/// The bytes of a scene file: header and sections. FORMAT.md, which is installed as share/doc/krait/FORMAT.md, says
-/// what they mean; the scene compiler writes these records and Scene::open checks them.
+/// The bytes of a scene file: header and sections. FORMAT.md (installed in share/doc/krait/include/krait) says what
+/// they mean; the scene compiler writes these records and Scene::open checks them.
 #pragma once
 
 #include <cstddef>

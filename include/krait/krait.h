@@ -2,7 +2,7 @@
 /** \file
     krait in C: the adaptive planner, its robots and your own behind plain structs. Nothing allocates; all memory
     is the caller's. The program needs no C++ run-time library, and no special compiler flags but for a robot of your
-    own: link krait::c (-lkrait_c -lkrait). The two functions at the end are for workstations.
+    own: link krait::c (-lkrait_c -lkrait -lm). The two functions at the end are for workstations.
 
     Metres, radians, seconds. Positions are in the scene's local coordinates. A pointer argument must not be NULL
     where nothing else is said, and what lies there is read during the call only. R is the number of the scene's
@@ -417,9 +417,9 @@ typedef struct krait_search_tuning {
       update_regions;    /**< 0 to 1e6, default 100: after an update that looked at n regions, the next waits for at
                               least n / update_regions expansions; 0: no such wait */
   bool raise_goal;       /**< default false: whether a failure right before the goal raises the goal's edges as well */
-  uint32_t max_steps,    /**< 1 to 1000, default 40: of one expansion */
-      open_steps,        /**< 0 to 1000, default 1000: of one in the open, while it nears its target and crosses one
-                              portal */
+  uint32_t max_steps,    /**< 1 to 1000, default 40: time steps of one expansion, at most */
+      open_steps,        /**< 0 to 1000, default 1000: the same of an expansion in the open, while it nears its target
+                              and has crossed one portal at most */
       path_regions;      /**< 1 to 64, default 6: targets come from that many regions after the group's own */
   float path_lengths,    /**< 0 to 100, default 8, in lengths of body 0: and from those after them, up to the 32nd
                               after the group's own, as long as their centroids lie within this distance of the
@@ -432,8 +432,8 @@ typedef struct krait_search_tuning {
                              gently */
   uint32_t sight_tries, /**< 0 to 64, default 16: points drawn for one in sight of the vertex; 0: any point will do */
       candidates,       /**< 0 to 8, default 4: ways that are sketched before one is driven; 0: any way will do */
-      least_sketch;     /**< 0 to 20, default 8: sketched steps, of 2 dt, below which no way is driven and costs are
-                             raised */
+      least_sketch;     /**< 0 to 20, default 8: sketched steps, of 2 dt at most, below which no way is driven and
+                             costs are raised */
   uint32_t doomed_steps, /**< 0 to 3, default 2: this many states before a collision are not kept to grow from */
       restart_unit;      /**< expansions, 0 to 1e9, default 4000: tries last 1, 1, 2, 1, 1, 2, 4, ... of it, and of
                               as many again for every 90 regions of the way from the start; 0: one try for ever */
@@ -489,7 +489,7 @@ uint64_t krait_bytes_required(const krait_scene* scene, const krait_robot* robot
     Unspecified for a robot that krait_init would refuse. Work: 22 times that of krait_bytes_required. */
 krait_limits krait_limits_for(uint64_t bytes, const krait_scene* scene, const krait_robot* robot);
 
-/** The same with room for krait_improve: `way_legs` is 0, or 16 to 1e6. */
+/** The same with room for krait_improve: `way_legs` is 0, or 16 to 1e6. As much work. */
 krait_limits krait_limits_to_improve(uint64_t bytes, const krait_scene* scene, const krait_robot* robot,
                                      uint32_t way_legs);
 

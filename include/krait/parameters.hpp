@@ -44,9 +44,10 @@ struct SearchTuning {
   std::uint32_t update_regions = 100;
   bool raise_goal = false;  ///< whether a failure right before the goal raises the goal's edges as well
   // An expansion drives from a state of the group toward a target (Algorithm 2).
-  std::uint32_t max_steps = 40;     ///< 1 … 1000: of one expansion
-  std::uint32_t open_steps = 1000;  ///< 0 … 1000: of one in the open, while it nears its target and crosses one portal
-  std::uint32_t path_regions = 6;   ///< 1 … 64: targets come from that many regions after the group's own
+  std::uint32_t max_steps = 40;  ///< 1 … 1000: time steps of one expansion, at most
+  /// 0 … 1000: the same of an expansion in the open, while it nears its target and has crossed one portal at most.
+  std::uint32_t open_steps = 1000;
+  std::uint32_t path_regions = 6;  ///< 1 … 64: targets come from that many regions after the group's own
   /// 0 … 100, in lengths of body 0: and from those after them, up to the 32nd after the group's own, as long as their
   /// centroids lie within this distance of the group's.
   float path_lengths = 8.0F;
@@ -56,7 +57,7 @@ struct SearchTuning {
   float gentle_share = 0.35F;  ///< 0 … 1: share of expansions from a group that was often selected that turn gently
   std::uint32_t sight_tries = 16;  ///< 0 … 64: points drawn for one in sight of the vertex; 0: any point will do
   std::uint32_t candidates = 4;    ///< 0 … 8: ways that are sketched before one is driven; 0: any way will do
-  std::uint32_t least_sketch = 8;  ///< 0 … 20: steps of a sketch, of 2 dt, below which no way is driven and costs rise
+  std::uint32_t least_sketch = 8;  ///< 0 … 20: steps of a sketch, of 2 dt at most; below: no way is driven, costs rise
   std::uint32_t doomed_steps = 2;  ///< 0 … 3: this many states before a collision are not kept to grow from
   /// Expansions, 0 … 1e9: tries last 1, 1, 2, 1, 1, 2, 4, … of it, and of as many again for every 90 regions of the way
   /// from the start; 0: one try for ever.

@@ -51,8 +51,8 @@ class PlanCursor {
   /// advance.
   PlanCursor(const Robot& robot, const detail::PlanPath& path, const float* start, float dt);
 
-  int state_size() const;    ///< floats of a state
-  int control_size() const;  ///< floats of a control
+  int state_size() const;    ///< floats of a state; 0 without a plan
+  int control_size() const;  ///< floats of a control; 0 without a plan
 
   /// Whether this is the last state. O(1).
   bool done() const;

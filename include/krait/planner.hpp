@@ -86,7 +86,8 @@ struct Query {
   std::uint64_t seed = 1;        ///< any; the same seed, the same plan
 };
 
-/// What a search and the calls of improve after it have done so far. The names are those in the plan's JSON.
+/// What a search and the calls of improve after it have done so far. The plan's JSON has the same names, with the unit
+/// behind those of the plan's length, duration and end speed.
 struct Statistics {
   std::uint64_t iterations = 0;        ///< expansions; each max_steps steps of a long one count as one
   std::uint64_t restarts = 0;          ///< tries after the first (SearchTuning::restart_unit)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// \file
-/// A checked, read-only view of a scene file, used in place (it may lie in flash). FORMAT.md, which is installed as
-/// share/doc/krait/FORMAT.md, describes the bytes.
+/// A checked, read-only view of a scene file, used in place (it may lie in flash). FORMAT.md (installed
+/// in share/doc/krait/include/krait) describes the bytes.
 #pragma once
 
 #include <cstddef>

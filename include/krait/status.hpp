@@ -97,7 +97,7 @@ const char* to_string(Argument argument);
 struct Failure {
   Status status = Status::ok;      ///< ok where nothing did
   std::uint8_t section = 0;        ///< bad_scene: format::Section, or Scene::kHeaderSection
-  std::uint32_t element = 0;       ///< bad_scene: index in the section; bad_argument, bad_robot: Argument
+  std::uint32_t element = 0;       ///< bad_scene: index in the section, or the header's byte; else an Argument
   std::uint64_t bytes_needed = 0;  ///< arena_too_small: the length of the block that suffices
   float most = 0.0F;               ///< bad_argument, dt: the longest time step in seconds that the robot allows
 
@@ -134,7 +134,7 @@ struct Bottleneck {
 
 /// The place where a search has tried most, as a rule in vain.
 struct Effort {
-  Vec2 at{};                ///< the middle of a region, local coordinates
+  Vec2 at{};                ///< metres, local coordinates: the middle of a region
   std::uint32_t tries = 0;  ///< expansions from there since the last restart; 0: none
 };
 

@@ -121,8 +121,9 @@ class Chain {
   /// The bounds of travel for all bodies alike, by lemmas 10 to 13 of lib/robot/CHAIN.md.
   QuickBound quick_bound(StateView s, ControlView u, float dt, StateView next) const;
 
-  /// 1/s: the largest of speed over the shorter of wheelbase and hitch, the root of acceleration over that, and three
-  /// quarters of the steering rate; as much of acceleration and steering rate as a time step of dt has room for.
+  /// 1/s: the largest of speed over the shorter of wheelbase and hitch (without trailers the wheelbase), the root of
+  /// acceleration over that, and three quarters of the steering rate; of both as much as a time step of dt has room
+  /// for.
   float fastest_rate(float dt) const;
   /// The extremes of its motion: at full speed and lock.
   Extremes extremes() const {

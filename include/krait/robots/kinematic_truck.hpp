@@ -50,8 +50,8 @@ struct KinematicTruckParameters {
 /// A car whose speed and steering angle change at once, and trailers that roll without slip. While a control is held,
 /// it moves like a truck whose speed and steering angle are held, so a Chain computes its bodies, hitches and bounds.
 /// It owns its parameters and polygons and allocates nothing: 2 KB. Its members are those that RobotModel describes;
-/// every function of a state is O(trailers), except those of the car alone, which are O(1): track, integrate_lead and
-/// steer.
+/// every function of a state is O(trailers), except track, integrate_lead, and steer where it is passed the frames,
+/// which are O(1).
 class KinematicTruck {
  public:
   using Parameters = KinematicTruckParameters;                           ///< what its constructor copies

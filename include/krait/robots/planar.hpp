@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// \file
-/// What unicycle and differential drive share: one box on an axle, state (x, y, theta, …).
+/// What both unicycles and the differential drive share: one box on an axle, state (x, y, theta, …).
 #pragma once
 
 #include "krait/geometry.hpp"

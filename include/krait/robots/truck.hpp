@@ -17,9 +17,9 @@ class Truck : public Chain {
 
   /// The last trailer, where the truck can drive backwards and pulls at most three; else the tractor. O(1).
   int backing_body() const;
-  /// Steers the tractor as a chain does; backwards the backing body. O(1).
+  /// Steers the tractor as a chain does; backwards the backing body. O(trailers): it places all bodies.
   void steer(StateView s, const Target& target, Steering& steering, ControlRef u) const;
-  /// The same, knowing the frames of all bodies.
+  /// The same, knowing the frames of all bodies. O(1).
   void steer(StateView s, const Pose* poses, const Target& target, Steering& steering, ControlRef u) const;
   /// Forwards Chain::track; backwards it brings the backing body back to its reference's line, and all hitches to
   /// their reference angles.
