@@ -20,6 +20,7 @@ constexpr double kPixel = 0.0254 / 96;           // m, a user unit where the dra
 constexpr double kSmall = 1;                     // m: a map that is smaller has a unit that was not meant
 constexpr std::size_t kMaxCorners = 4'000'000;   // of a drawing
 constexpr std::size_t kMaxElements = 1'000'000;  // of a drawing, copies by <use> counted
+constexpr std::size_t kMaxRead = 128'000'000;    // bytes of attributes that are read, copies counted
 constexpr std::size_t kFillWork = 200'000'000;   // comparisons of edges
 
 bool recognise(const Source& source) {
@@ -108,6 +109,7 @@ class Reader {
 
   void read_element(const pugi::xml_node& element, const SvgStyle& outer, int depth) {
     if (++elements_ > kMaxElements) places_.fail(element, "the drawing has more than 1000000 elements, copies counted");
+    count_attributes(element);
     const std::string_view name = element.name();
     const SvgStyle style = outer.of(element, places_);
     if (style.role == Role::none || !style.is_shown) return;
@@ -117,6 +119,12 @@ class Reader {
     if (name == "style") has_sheet_ = true;
     if (name == "text" || name == "image" || name == "foreignObject") others_ += 1;
     if (is_shape(name)) read_shape(element, name, style);
+  }
+
+  // An element is read anew for each of its copies.
+  void count_attributes(const pugi::xml_node& element) {
+    for (const pugi::xml_attribute& attribute : element.attributes()) read_ += std::strlen(attribute.value());
+    if (read_ > kMaxRead) places_.fail(element, "the drawing's copies are too many and too large to be read");
   }
 
   // A copy of the element that it names; one in itself ends at the depth's bound.
@@ -226,8 +234,17 @@ class Reader {
     } else {
       rings = {points_of(element)};
     }
+    if (name != "path") count_corners(element, rings);
     for (Ring& ring : rings) place(ring, element, style);
     return rings;
+  }
+
+  // Of a shape without curves, or with a circle's; read_path counts its own.
+  void count_corners(const pugi::xml_node& element, const std::vector<Ring>& rings) {
+    for (const Ring& ring : rings) {
+      if (ring.size() > corners_) places_.fail(element, "the drawing has more than 4000000 corners, copies counted");
+      corners_ -= ring.size();
+    }
   }
 
   Flatness flatness(const SvgStyle& style) { return {kFlatness / style.place.stretch(), corners_}; }
@@ -317,6 +334,7 @@ class Reader {
   std::vector<std::pair<std::string, pugi::xml_node>> ids_;
   std::size_t corners_ = kMaxCorners;
   std::size_t elements_ = 0;
+  std::size_t read_ = 0;  // bytes of attributes
   std::size_t fill_work_ = kFillWork;
   std::size_t hollow_ = 0;  // shapes
   std::size_t others_ = 0;  // elements that a map has no use for

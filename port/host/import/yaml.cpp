@@ -78,6 +78,7 @@ class Converter {
     for (const auto& member : node) {
       if (!member.first.IsScalar()) throw InputError(file_ + ": a key is not a text");
       const std::string& key = member.first.Scalar();
+      if (object.size() == kMaxKeys) fail_keys(file_);
       if (object.contains(key)) throw InputError(file_ + ": key \"" + cleaned_name(key) + "\" is given twice");
       object[key] = convert(member.second, depth + 1);
     }

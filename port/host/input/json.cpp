@@ -44,7 +44,7 @@ std::string missing(const std::string& key, const Json& object) {
   return "is missing";
 }
 
-// Refuses deep nesting and repeated keys while the text is parsed.
+// Refuses deep nesting, large objects and repeated keys while the text is parsed.
 class Guard {
  public:
   explicit Guard(const std::string& file) : file_(file) {}
@@ -59,6 +59,7 @@ class Guard {
       keys_.pop_back();
     } else if (event == Json::parse_event_t::key) {
       const std::string& key = value.get_ref<const std::string&>();
+      if (keys_.back().size() == kMaxKeys) fail_keys(file_);
       if (!keys_.back().insert(key).second)
         throw InputError(file_ + ": key \"" + cleaned_name(key) + "\" is given twice");
     }
@@ -71,6 +72,10 @@ class Guard {
 };
 
 }  // namespace
+
+void fail_keys(const std::string& file) {
+  throw InputError(file + ": an object has more than " + std::to_string(kMaxKeys) + " keys");
+}
 
 std::string shown(double number) { return printed("%.8g", number); }
 

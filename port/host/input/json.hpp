@@ -16,13 +16,15 @@ namespace krait::host {
 using Json = nlohmann::ordered_json;
 
 inline constexpr int kMaxDepth = 64;               // of nested lists and objects
+inline constexpr std::size_t kMaxKeys = 1000;      // of an object, which is searched from its first to its last
 inline constexpr double kMaxCoordinate = 1e7;      // metres, world coordinates
 inline constexpr double kLeastGoalRadius = 0.001;  // metres, of options: a smaller one is most likely a slip
 inline constexpr double kMaxFarCoordinate = 1e10;  // metres, in the file of a map, which is then brought near
 inline constexpr double kMaxAngle = 1000;          // radians
 inline constexpr std::size_t kMaxNameBytes = 200;
 
-// Throws InputError: a syntax error with its position, nesting beyond kMaxDepth, a key given twice.
+// Throws InputError: a syntax error with its position, nesting beyond kMaxDepth, more than kMaxKeys keys in an object,
+// a key given twice.
 Json parse_json(const std::string& text, const std::string& file);
 
 // A value of a parsed document and the place where it stands. The document must outlive it.
@@ -62,6 +64,9 @@ class Field {
 };
 
 Json to_json(const Ring& ring);  // [[x, y], …]
+
+// That an object or map has more than kMaxKeys.
+[[noreturn]] void fail_keys(const std::string& file);
 
 // The text as a name may stand: escaped (safe_to_print), then cut to kMaxNameBytes between two characters.
 std::string cleaned_name(const std::string& text);

@@ -51,6 +51,12 @@ TEST_F(BadInputTest, DeepNestingEndsInALine) {
   EXPECT_NE(error("a.yaml", "environment: " + repeated("&a ", 100000)), "");
 }
 
+TEST_F(BadInputTest, ManyKeysEndInALine) {
+  std::string keys;
+  for (int i = 0; i < 1001; ++i) keys += "  k" + std::to_string(i) + ": 0\n";
+  EXPECT_THAT(error("a.yaml", "environment:\n" + keys), HasSubstr("a.yaml: an object has more than 1000 keys"));
+}
+
 TEST_F(BadInputTest, AliasesThatMultiplyEndInALine) {
   std::string bomb = "a0: &a0 [x, x, x, x, x, x, x, x, x, x]\n";
   for (int i = 1; i < 20; ++i) {

@@ -355,6 +355,21 @@ TEST_F(SvgTest, CopiesOfThemselvesEndInALine) {
   EXPECT_THAT(shape_error(bomb), HasSubstr("more than 1000000 elements, copies counted"));
 }
 
+TEST_F(SvgTest, CornersOfCopiesAreCounted) {
+  const auto copied = [](const std::string& shape, int copies) {
+    return "<g id=\"a\">" + shape + "</g>" + repeated("<use href=\"#a\"/>", copies);
+  };
+  const std::string polygon = "<polygon points=\"" + repeated("1,1 2,1 2,2 ", 10'000) + "\"/>";
+  EXPECT_THAT(shape_error(copied(polygon, 200)), HasSubstr("more than 4000000 corners, copies counted"));
+  EXPECT_THAT(shape_error(copied("<circle r=\"1000\"/>", 200'000)), HasSubstr("corners, copies counted"));
+}
+
+TEST_F(SvgTest, AttributesAreReadForEachCopyAndSoBounded) {
+  const std::string large = "<rect id=\"a\" width=\"1\" height=\"1\" note=\"" + std::string(1'000'000, '.') + "\"/>";
+  EXPECT_EQ(shapes(large + repeated("<use href=\"#a\"/>", 100)).obstacles.size(), 101U);
+  EXPECT_THAT(shape_error(large + repeated("<use href=\"#a\"/>", 130)), HasSubstr("copies are too many and too large"));
+}
+
 TEST_F(SvgTest, EntitiesDoNotMultiply) {
   std::string bomb = "<!DOCTYPE svg [<!ENTITY a0 \"M0 0\">";
   for (int i = 1; i < 30; ++i) {

@@ -37,6 +37,17 @@ TEST(Json, RefusesAKeyGivenTwice) {
   EXPECT_THAT(parse_error(R"({"a": {"b": 1}, "c": {"b": 1, "b": 2}})"), HasSubstr("key \"b\" is given twice"));
 }
 
+TEST(Json, RefusesAnObjectOfMoreKeysThanAMapHas) {
+  const auto object = [](int keys) {
+    std::string text = "{\"k\": 0";
+    for (int i = 1; i < keys; ++i) text += ", \"" + std::to_string(i) + "\": 0";
+    return text + "}";
+  };
+  EXPECT_EQ(parse_error(object(1000)), "");
+  EXPECT_EQ(parse_error("[" + object(1000) + ", " + object(1000) + "]"), "");
+  EXPECT_EQ(parse_error(object(1001)), "f.json: an object has more than 1000 keys");
+}
+
 TEST(Field, NamesThePlaceOfAWrongNumber) {
   const auto read = [](const Field& f) { f.at("a").item(1).at("b").number(0, 10); };
   EXPECT_EQ(field_error(R"({"a": [0, {"b": 11}]})", read), "f.json: a[1].b: must be a number from 0 to 10, is 11");
