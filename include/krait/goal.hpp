@@ -57,9 +57,9 @@ class Goal {
   /// Whether a triangle belongs to the goal: by its label, or by meeting the disc. O(1).
   bool covers(const Scene& scene, Index triangle) const;
 
-  /// False only when every point of the triangle is further than `reach` metres from the goal. O(vertices of the
-  /// polygon).
-  bool may_reach(const Scene& scene, Index triangle, float reach) const;
+  /// False only when every point of the triangle is further than `reach` metres from the goal, whose box() is passed.
+  /// O(1).
+  bool may_reach(const Scene& scene, Index triangle, float reach, const Box& box) const;
 
   /// Whether p lies in the goal or at most `reach` metres away from it. O(vertices of the polygon).
   bool near(const Scene& scene, Vec2 p, float reach) const;

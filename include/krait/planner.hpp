@@ -149,12 +149,13 @@ class Planner {
   /// driven once more before it becomes the plan: each max_steps steps of that use up one of `iterations`, but do not
   /// count in Statistics and Limits. The result does not depend on how a search is split into calls.
   ///
-  /// Work per iteration: at most max_steps steps, each with its collision check; the lines of sight and sketches of
-  /// SearchTuning::sight_tries and candidates; and at most one Dijkstra, O(R log R). `krait info` prints these bounds
-  /// for a scene and a robot. Two more depend on the query. With a full memory: O(R) per step and per group of states
-  /// that is dropped. Near a pose: at every fourth state at most 288 lines to it, of at most 128 looks at a disc each;
-  /// where none of them ends in the goal, a robot that parks (kParks) tries at most 576 more, and looks once a query at
-  /// 49,152 placements of body 0, at most; one that pushes trailers (kDocks) tries at most 288 more.
+  /// Work per iteration: at most max_steps steps, each with its collision check and Goal::contains; the lines of sight
+  /// and sketches of SearchTuning::sight_tries and candidates; and at most one Dijkstra, O(R log R). `krait info`
+  /// prints these bounds for a scene and a robot. Two more depend on the query. With a full memory: O(R) per step and
+  /// per group of states that is dropped. Near a pose: at every fourth state at most 288 lines to it, of at most 128
+  /// looks at a disc each; where none of them ends in the goal, a robot that parks (kParks) tries at most 576 more, and
+  /// looks once a query at 49,152 placements of body 0, at most; one that pushes trailers (kDocks) tries at most 288
+  /// more.
   [[nodiscard]] Status advance(std::uint64_t iterations);
 
   /// The same, and calls watch(from, to) with the two states of every step that the tree grows by, and

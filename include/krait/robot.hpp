@@ -46,11 +46,12 @@ class Robot {
   /// Body k's outline in its own frame, 0 … body_count() - 1; metres. Its vertices are the robot's.
   Polygon body(int k) const { return functions_->body(self_, k); }
 
-  /// Whether the sizes are within the model's, and the backing body is one of the robot's.
+  /// Whether the sizes are within the model's, the backing body is one of the robot's, and self_collision_gap is 1 or
+  /// more.
   bool sizes_valid() const {
     return functions_ != nullptr && state_size_ >= 2 && state_size_ <= functions_->max_state && control_size_ >= 1 &&
            control_size_ <= functions_->max_control && body_count_ >= 1 && body_count_ <= functions_->max_bodies &&
-           backing_body() >= 0 && backing_body() < body_count_;
+           backing_body() >= 0 && backing_body() < body_count_ && self_collision_gap() >= 1;
   }
   bool leads() const { return functions_->leads; }          ///< whether leading components are integrated first
   bool has_speed() const { return functions_->has_speed; }  ///< whether the robot has the function `speed`

@@ -70,12 +70,12 @@ struct Model {
 
   static std::uint32_t state_size(const krait_robot& from) {
     const R robot = make_robot<R>(from);
-    return robot.sound() ? static_cast<std::uint32_t>(robot.state_size()) : 0;
+    return usable(robot) ? static_cast<std::uint32_t>(robot.state_size()) : 0;
   }
 
   static std::uint32_t control_size(const krait_robot& from) {
     const R robot = make_robot<R>(from);
-    return robot.sound() ? static_cast<std::uint32_t>(robot.control_size()) : 0;
+    return usable(robot) ? static_cast<std::uint32_t>(robot.control_size()) : 0;
   }
 
   static bool rest(const krait_robot& from, const krait_pose& pose, float* state) {
@@ -93,6 +93,9 @@ struct Model {
     const R robot = make_robot<R>(from);
     return Planner::limits_for(pools, scene, robot, way_legs);
   }
+
+ private:
+  static bool usable(const R& robot) { return robot.sound() && Robot(robot).sizes_valid(); }
 };
 
 template <class R>

@@ -80,13 +80,12 @@ bool Goal::covers(const Scene& scene, Index triangle) const {
   return is_disc() ? triangle_meets_disc(scene, triangle, center_, radius_) : scene.goal_of(triangle) == index_;
 }
 
-bool Goal::may_reach(const Scene& scene, Index triangle, float reach) const {
+bool Goal::may_reach(const Scene& scene, Index triangle, float reach, const Box& box) const {
   if (is_disc()) return triangle_meets_disc(scene, triangle, center_, radius_ + reach);
   const Vec2 corners[3] = {scene.corner(triangle, 0), scene.corner(triangle, 1), scene.corner(triangle, 2)};
   const Box a = bounding_box({corners, 3});
-  const Box b = box(scene);
-  return a.min.x - reach <= b.max.x && b.min.x - reach <= a.max.x && a.min.y - reach <= b.max.y &&
-         b.min.y - reach <= a.max.y;
+  return a.min.x - reach <= box.max.x && box.min.x - reach <= a.max.x && a.min.y - reach <= box.max.y &&
+         box.min.y - reach <= a.max.y;
 }
 
 bool Goal::near(const Scene& scene, Vec2 p, float reach) const { return contains(scene, p, -reach); }

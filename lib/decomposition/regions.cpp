@@ -78,6 +78,7 @@ bool Regions::reset(const Goal& goal, float least_width, float least_cost) {
 
 bool Regions::connected(Index from, const Goal& goal, float reach, float least_width) {
   for (Index t = 0; t < scene_->triangle_count(); ++t) h_[t] = kInfinity;
+  const Box box = goal.box(*scene_);
   Index found = 0;
   const auto visit = [&](Index triangle) {
     h_[triangle] = 0.0F;
@@ -86,7 +87,7 @@ bool Regions::connected(Index from, const Goal& goal, float reach, float least_w
   visit(from);
   for (Index i = 0; i < found; ++i) {
     const Index triangle = heap_.listed(i);
-    if (goal.may_reach(*scene_, triangle, reach)) return true;
+    if (goal.may_reach(*scene_, triangle, reach, box)) return true;
     for (int edge = 0; edge < 3; ++edge) {
       const Index n = scene_->neighbor(triangle, edge);
       if (n == kNone || h_[n] == 0.0F) continue;
@@ -107,8 +108,9 @@ Bottleneck Regions::widest_way(Index from, float reach) {
 // next_ the edge that it crosses first.
 void Regions::find_widest_ways(float reach) {
   heap_.reset();
+  const Box box = goal_.box(*scene_);
   for (Index t = 0; t < scene_->triangle_count(); ++t) {
-    const bool source = reach > 0.0F ? goal_.may_reach(*scene_, t, reach) : goal_.covers(*scene_, t);
+    const bool source = reach > 0.0F ? goal_.may_reach(*scene_, t, reach, box) : goal_.covers(*scene_, t);
     h_[t] = source ? -kInfinity : 0.0F;
     next_[t] = kNoEdge;
     if (source) heap_.push(t);
@@ -214,7 +216,9 @@ void Regions::run_dijkstra() {
 }
 
 // Finds what comes next on the triangle's path, the edge to argmin over the neighbours of (h + C, region), a pure
-// function of h and C: who is further from the goal cannot come next. And relaxes the edges to those that are.
+// function of h and C: who is further from the goal cannot come next. And relaxes the edges to those that are. Where h
+// is so large that h + C is h, of those as far from the goal only one whose path was found before can come next: every
+// path ends in the goal.
 [[gnu::flatten]] void Regions::relax_edges(Index triangle) {
   const float distance = h_[triangle];
   std::uint8_t best = kNoEdge;
@@ -231,6 +235,7 @@ void Regions::run_dijkstra() {
       }
       continue;
     }
+    if (h_[n] == distance && (next_[n] & kEdgeMask) == kNoEdge) continue;
     const float back = h_[n] + cost;
     if (back == kInfinity || back > least) continue;
     if (back == least && region(n) >= region(best_neighbor)) continue;

@@ -77,8 +77,8 @@ void PullOuts::find_from(const Obstacles& obstacles, bool opposite) {
 void PullOuts::follow(const Obstacles& obstacles, Way way, Pose inner) {
   way.cost = static_cast<float>(way.steps[0]);
   if (way.steps[0] > 0 && way.straight_back != way.arc_back) way.cost += kGearCost;
-  const int whole = static_cast<int>(kMostTurn * body_.radius / metres(1));
-  const int most = whole < kMostSteps ? whole : kMostSteps;
+  const float whole = kMostTurn * body_.radius / metres(1);
+  const int most = whole < static_cast<float>(kMostSteps) ? static_cast<int>(whole) : kMostSteps;
   int turned = 0;
   while (way.moves < kMostMoves && turned < most && pays(way.cost)) {
     const int number = way.moves++;

@@ -41,7 +41,7 @@ class CellSquares {
  public:
   CellSquares(const Box& bounds, float size, std::uint32_t columns, std::uint32_t rows)
       : bounds_{to_grid(bounds.min), to_grid(bounds.max)},
-        size_(to_grid(size)),
+        size_(grid_steps(size)),
         columns_(static_cast<std::int32_t>(columns)),
         rows_(static_cast<std::int32_t>(rows)) {}
 

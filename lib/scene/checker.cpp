@@ -144,15 +144,15 @@ std::uint64_t section_bytes(const Header& h, Section section) {
 // Whether x is a positive multiple of `step` grid steps.
 bool multiple(float x, std::int32_t step) {
   if (!(x > 0.0F && x <= 2.0F * format::kMaxCoordinate)) return false;
-  const std::int32_t steps = to_grid(x);
+  const std::int32_t steps = grid_steps(x);
   return steps > 0 && steps % step == 0 && static_cast<float>(steps) * format::kGrid == x;
 }
 
 // Whether this many cells, and no fewer, reach across the extent.
 bool covers(float cell, std::uint32_t cells, float extent) {
   if (cells == 0 || cells > format::kMaxCells) return false;
-  const std::int64_t size = to_grid(cell);
-  const std::int64_t length = to_grid(extent);
+  const std::int64_t size = grid_steps(cell);
+  const std::int64_t length = grid_steps(extent);
   return size * cells >= length && size * (cells - 1) < length;
 }
 

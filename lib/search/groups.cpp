@@ -22,7 +22,7 @@ void Groups::allocate(Arena& arena, const Scene& scene, std::uint32_t vertices) 
   region_count_ = scene.triangle_count();
   log_weights_ = arena.allocate<float>(Pool::groups, region_count_);
   block_bits_ = block_bits_for(region_count_);
-  block_count_ = ((region_count_ - 1) >> block_bits_) + 1;
+  block_count_ = (region_count_ + (1U << block_bits_) - 1) >> block_bits_;
   block_weights_ = arena.allocate<float>(Pool::groups, block_count_);
   reached_ = arena.allocate<std::uint32_t>(Pool::groups, region_count_);
   selections_ = arena.allocate<std::uint32_t>(Pool::groups, region_count_);

@@ -367,6 +367,7 @@ Bottleneck Search::bottleneck() {
   const Status ended = status();
   const bool in_vain = ended == Status::budget_used || ended == Status::tree_full || ended == Status::time_used;
   if (!in_vain && ended != Status::no_route) return {};
+  if (in_vain) expander_.place(tree_.state(kRoot));
   return disc_route().narrowest(ended == Status::no_route);
 }
 

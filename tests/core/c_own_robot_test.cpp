@@ -426,6 +426,9 @@ TEST(OwnRobotInC, WhatKeepsTheCheckFromBeginningIsAFault) {
   f.state_size = -1;
   expect_said(f, "robot_sizes");
   f = whole(2);
+  f.self_collision_gap = [](const void*) { return 0; };
+  expect_said(f, "robot_sizes");
+  f = whole(2);
   f.exact = [] { return false; };
   expect_said(f, "exact (arithmetic)");
 
@@ -450,6 +453,16 @@ TEST(OwnRobotInC, HasItsOwnStates) {
   EXPECT_EQ(krait_control_size(&in_c.robot()), 2U);
   float state[KRAIT_MAX_STATE];
   EXPECT_FALSE(krait_rest(&in_c.robot(), {2, 6, 0, nullptr, 0}, state));
+}
+
+TEST(OwnRobotInC, HasNoSizesWhereTheyCannotBeUsed) {
+  for (const int bad : {-1, 0, 1, KRAIT_MAX_STATE + 1}) {
+    krait_functions f = bare(2);
+    f.state_size = bad;
+    const InC in_c(f, 2);
+    EXPECT_EQ(krait_state_size(&in_c.robot()), 0U) << bad;
+    EXPECT_EQ(krait_control_size(&in_c.robot()), 0U) << bad;
+  }
 }
 
 }  // namespace

@@ -121,11 +121,11 @@ TEST(PlannerParking, NoLineOfOneGearLeadsThere) {
 
 class PullOuts : public ::testing::Test {
  protected:
-  void find(double lengths, bool either_way = false) {
+  void find(double lengths, float radius = 1.3F) {
     const OpenScene open(aisle(lengths));
     const Parked car;
-    Goal goal = Goal::pose(space().center(), 0.05F, {0.0F, 0.1F, either_way, kInfinity});
-    ways.find(open.scene, goal, {car.body(0), kLength, 1.3F, 0.001F});
+    Goal goal = Goal::pose(space().center(), 0.05F, {0.0F, 0.1F, false, kInfinity});
+    ways.find(open.scene, goal, {car.body(0), kLength, radius, 0.001F});
   }
 
   detail::PullOuts ways;
@@ -169,6 +169,14 @@ TEST_F(PullOuts, AreCheapestFirstAndFewer) {
   const int tight = ways.moves(0);
   find(1.8);
   EXPECT_LE(ways.moves(0), tight);
+}
+
+// Arcs of such a radius are straight, and half a turn has more steps than an int can count.
+TEST_F(PullOuts, OfACarThatHardlySteersLeadStraightOn) {
+  for (const float radius : {1e6F, 1e9F, 1e12F}) {
+    find(4, radius);
+    EXPECT_GT(ways.count(), 0) << radius;
+  }
 }
 
 TEST_F(PullOuts, ThereAreNoneOutOfASpaceThatIsTooShort) {

@@ -447,5 +447,18 @@ TEST(PlannerParameters, EachCountIsCheckedAtBothEnds) {
   EXPECT_EQ(init_with([](Parameters& p) { p.tuning.max_substeps = 12; }).element, blame(Argument::max_substeps));
 }
 
+TEST_F(PlannerStatus, ASceneWithoutRegionsTakesAsSmallABlockAsOneWithSome) {
+  Room solid = two_rooms();
+  solid.boxes = {solid.bounds};
+  Bench<Unicycle> bench(solid, small_unicycle());
+  ASSERT_EQ(bench.open.scene.triangle_count(), 0U);
+  const Bench<Unicycle> rooms(two_rooms(), small_unicycle());
+  EXPECT_LE(Planner::bytes_required(bench.open.scene, bench.robot, bench.limits),
+            Planner::bytes_required(rooms.open.scene, rooms.robot, rooms.limits));
+  ASSERT_TRUE(bench.init().ok());
+  const std::vector<float> start = standing(bench.robot, {2, 2});
+  EXPECT_EQ(bench.planner.start({start.data()}), Status::start_in_collision);
+}
+
 }  // namespace
 }  // namespace krait::test

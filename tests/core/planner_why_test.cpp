@@ -109,6 +109,22 @@ TEST(PlannerWhy, TheBottleneckLeavesTheCostsAsTheyWere) {
   EXPECT_EQ(costs(), before);
 }
 
+// The goal is hard to hit, so that the last expansions are past the narrow door.
+TEST(PlannerWhy, OfASearchInVainItIsOnTheWayFromTheStart) {
+  int in_vain = 0;
+  for (std::uint64_t iterations = 50; iterations <= 500; iterations += 50) {
+    Bench<Unicycle> bench(walled({{3, 6, 0.5}, {6, 2, 0.8}}), small_unicycle());
+    bench.limits.iterations = iterations;
+    ASSERT_TRUE(bench.init().ok());
+    if (bench.solve({kStart, Goal::disc({10.5F, 6.5F}, 1e-4F)}) != Status::budget_used) continue;
+    ++in_vain;
+    const Bottleneck bottleneck = bench.planner.bottleneck();
+    EXPECT_NEAR(static_cast<double>(bottleneck.width), 0.5, 0.02) << iterations;
+    EXPECT_NEAR(static_cast<double>(bottleneck.at.x), 3.125, 0.13) << iterations;
+  }
+  EXPECT_GT(in_vain, 3);
+}
+
 TEST(PlannerWhy, ThereIsNoneWhereTheSearchEndsOtherwise) {
   Bench<Unicycle> bench(two_rooms(), small_unicycle());
   EXPECT_EQ(bench.planner.bottleneck().needed, 0.0F);

@@ -540,6 +540,41 @@ TEST(Regions, OfEquallyShortWaysTheOneOverTheSmallerRegionIsTaken) {
   EXPECT_GT(ties, 10);
 }
 
+// Two aisles of 4 km, one after the other, with cells of a grid step in the furthest corner: h + C is h there.
+TEST(Regions, EveryPathEndsInTheGoalWhereFloatsAddNoEdge) {
+  constexpr double kStep = 1.0 / 4096;
+  Room room;
+  room.bounds = {-1990, -10, 1990, 10};
+  room.boxes = {{-1990, -1, 1980, 1}};
+  for (int i = 0; i < 6; ++i) {
+    room.boxes.push_back({-1980 + 2 * i * kStep, 9, -1980 + (2 * i + 1) * kStep, 9.5});
+    room.boxes.push_back({1985, 5 + 2 * i * kStep, 1985.5, 5 + (2 * i + 1) * kStep});
+  }
+  room.goals = {{-1985, -5, -1980, -2}};
+  room.spacing = 40;
+  room.clearance_cell = room.bucket_size = 2;
+  for (unsigned diagonals = 1; diagonals <= 4; ++diagonals) {
+    room.diagonals = diagonals;
+    const OpenScene open(room);
+    Decomposition decomposition(open.scene);
+    const detail::Regions& regions = decomposition.regions;
+    ASSERT_TRUE(decomposition.regions.reset(Goal::named(0), 0.0F, 1e-5F));
+    Index as_far = 0;
+    for (Index t = 0; t < open.scene.triangle_count(); ++t) {
+      const Index first = regions.next(regions.region(t));
+      as_far += first != kNone && regions.cost(first) == regions.cost(regions.region(t)) ? 1 : 0;
+      Index region = regions.region(t);
+      Index steps = 0;
+      while (region != kNone && !regions.is_goal(region) && steps <= open.scene.triangle_count()) {
+        region = regions.next(region);
+        ++steps;
+      }
+      ASSERT_LE(steps, open.scene.triangle_count()) << "from triangle " << t;
+    }
+    EXPECT_GT(as_far, 10U);  // else the scene tests nothing
+  }
+}
+
 TEST(Regions, TrianglesOfAGoalAreOneRegion) {
   const OpenScene open(with_door());
   Decomposition d(open.scene);

@@ -28,6 +28,20 @@ Room any_room(unsigned seed) {
   return room;
 }
 
+// Floats of more than 2^23 grid steps have no halves to round by.
+TEST(SceneExtent, OfAnOddNumberOfGridStepsMayBeAWholeNumberOfBuckets) {
+  constexpr double kStep = 1.0 / 4096;
+  constexpr int kBucket = 2'999'997;
+  for (const int more : {-1, 0, 1}) {
+    Room room;
+    room.bounds = {-4'500'000 * kStep, -10, (3 * kBucket - 4'500'000) * kStep, 10};
+    room.spacing = 400;
+    room.clearance_cell = 2;
+    room.bucket_size = (kBucket + more) * kStep;
+    EXPECT_TRUE(opens(data_of(room))) << more;
+  }
+}
+
 class SceneGrids : public ::testing::TestWithParam<unsigned> {};
 
 TEST_P(SceneGrids, OfASoundSceneAreTaken) { EXPECT_TRUE(opens(data_of(any_room(GetParam())))); }

@@ -120,6 +120,20 @@ TEST(UserRobotDefaults, EachSizeIsHeldToItsRange) {
   }
 }
 
+class Gapped : public Slider {
+ public:
+  explicit Gapped(int gap) : Slider(0.5F, 1), gap_(gap) {}
+  int self_collision_gap() const { return gap_; }
+
+ private:
+  int gap_;
+};
+
+TEST(UserRobotDefaults, AGapBelowOneIsRefused) {
+  for (const int gap : {1, 2, 1000}) EXPECT_EQ(first_bad(Gapped(gap)), Argument::none) << gap;
+  for (const int gap : {0, -1, -1000}) EXPECT_EQ(first_bad(Gapped(gap)), Argument::robot_sizes) << gap;
+}
+
 TEST(UserRobotDefaults, TheLengthIsThatOfBody0WhicheverVertexIsFirst) {
   std::vector<Vec2> body = {{0.5F, -0.25F}, {0.75F, 0}, {0.5F, 0.25F}, {-0.25F, 0.25F}, {-0.5F, 0}};
   for (std::size_t first = 0; first < body.size(); ++first) {

@@ -9,15 +9,10 @@
 #include "host/run/pools.hpp"
 #include "host/run/robots.hpp"
 #include "host/run/run.hpp"
+#include "host/run/scene_names.hpp"
 
 namespace krait::host {
 namespace {
-
-void print_names(const char* what, Index count, auto name) {
-  std::printf("%-10s", what);
-  for (Index i = 0; i < count; ++i) std::printf("%s%s", i == 0 ? "" : ", ", name(i));
-  std::printf("%s\n", count == 0 ? "none" : "");
-}
 
 std::uint64_t print_row(const char* name, std::uint64_t bytes) {
   std::printf("%-26s %10llu\n", name, static_cast<unsigned long long>(bytes));
@@ -83,8 +78,8 @@ void print_info(const std::string& path, const std::string& robot, const std::st
               h.origin_y + number(h.bounds_min_y), h.origin_x + number(h.bounds_max_x),
               h.origin_y + number(h.bounds_max_y));
   if (h.origin_x != 0 || h.origin_y != 0) std::printf("%-10s%.10g,%.10g m\n", "origin", h.origin_x, h.origin_y);
-  print_names("starts", scene.start_count(), [&](Index i) { return scene.start_name(i); });
-  print_names("goals", scene.goal_count(), [&](Index i) { return scene.goal_name(i); });
+  const SceneNames names = names_of(scene);
+  std::printf("%-10s%s\n%-10s%s\n", "starts", listed(names.starts).c_str(), "goals", listed(names.goals).c_str());
   std::printf("%-10s%u triangles, %u portals between them", "regions", h.triangles, h.portals);
   if (h.portals > 0) std::printf(", the narrowest %.3f m wide", number(narrowest_portal(scene)));
   std::printf("\n%-10s%u convex pieces, %u vertices\n", "obstacles", h.pieces, h.piece_vertices);

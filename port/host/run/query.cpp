@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/run/query.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "host/run/scene_names.hpp"
 
 namespace krait::host {
 namespace {
 
 constexpr int kDiscCorners = 64;  // of the polygon that stands for a disc goal in the plan's file
-
-template <class Name>
-std::string listed(Index count, Name name) {
-  std::string names;
-  for (Index i = 0; i < count; ++i) names += (i == 0 ? "" : ", ") + std::string(name(i));
-  return names.empty() ? "none" : names;
-}
 
 Start scene_start(const krait::Scene& scene, Index index, int links) {
   const ScenePose pose = scene.start(index);
@@ -62,13 +58,12 @@ std::string goal_name(const krait::Scene& scene, const SearchRequest& request, c
 Start resolve_start(const krait::Scene& scene, const SearchRequest& request) {
   if (request.start) return {"start", request.start->position, request.start->heading, {}};
   if (request.start_name.empty() && scene.start_count() > 0) return scene_start(scene, 0, request.robot.links);
-  for (Index i = 0; i < scene.start_count(); ++i) {
-    if (request.start_name == scene.start_name(i)) return scene_start(scene, i, request.robot.links);
-  }
-  const std::string known = listed(scene.start_count(), [&](Index i) { return scene.start_name(i); });
+  const std::vector<std::string> starts = names_of(scene).starts;
+  const auto index = static_cast<Index>(std::find(starts.begin(), starts.end(), request.start_name) - starts.begin());
+  if (index < starts.size()) return scene_start(scene, index, request.robot.links);
   throw InputError(request.start_name.empty() ? "the scene has no start: give --start X,Y,HEADING"
                                               : "the scene has no start '" + request.start_name +
-                                                    "' (it has: " + known + "; or give --start X,Y,HEADING)");
+                                                    "' (it has: " + listed(starts) + "; or give --start X,Y,HEADING)");
 }
 
 krait::Goal resolve_goal(const krait::Scene& scene, const SearchRequest& request) {
@@ -81,7 +76,7 @@ krait::Goal resolve_goal(const krait::Scene& scene, const SearchRequest& request
   if (request.goal_name.empty() && scene.goal_count() > 0) return krait::Goal::named(0);
   const Index index = scene.find_goal(request.goal_name.c_str());
   if (index != kNone) return krait::Goal::named(index);
-  const std::string known = listed(scene.goal_count(), [&](Index i) { return scene.goal_name(i); });
+  const std::string known = listed(names_of(scene).goals);
   throw InputError(request.goal_name.empty() ? "the scene has no goal: give --goal X,Y,RADIUS"
                                              : "the scene has no goal '" + request.goal_name + "' (it has: " + known +
                                                    "; or give --goal X,Y,RADIUS)");

@@ -200,7 +200,8 @@ SearchResult run_search(const std::string& scene_path, const SceneBytes& bytes, 
   const double searched = since(begin);
   const PlanMeasure first{static_cast<double>(found.plan_length), static_cast<double>(found.plan_duration)};
   const double multiples = request.multiples_of(found.collision_checks);
-  const bool near_shortest = improve(*session, multiples, request, scene, company);
+  const bool near_shortest =
+      session->status() == Status::solved && improve(*session, multiples, request, scene, company);
   SearchResult result{session->query().form, session->query().asked, since(begin)};
   result.first = first;
   result.stopped = company.stopped();

@@ -101,14 +101,17 @@ class TreeRecorder {
   std::unordered_map<std::uint64_t, std::uint32_t> vertex_of_;
 };
 
+// A call that drives a way to the goal once more does not count as an iteration.
 void watch(Session& session, std::uint64_t iterations, Picture& picture) {
   const std::uint64_t slice = iterations / kFrames + 1;
   TreeRecorder recorder(session.query().start);
   picture.frames.push_back(costs_now(session.regions(), 0));
-  for (std::uint64_t done = 0; done < iterations;) {
-    for (std::uint64_t i = 0; i < slice && done < iterations; ++i) {
-      ++done;
-      session.advance_watched([&](const auto& from, const auto& to) { recorder.add_step(from, to, done); });
+  std::uint64_t done = 0;
+  while (done < iterations && session.status() == Status::searching) {
+    const std::uint64_t until = std::min(done + slice, iterations);
+    while (done < until && session.status() == Status::searching) {
+      session.advance_watched([&](const auto& from, const auto& to) { recorder.add_step(from, to, done + 1); });
+      done = session.statistics().iterations;
     }
     picture.frames.push_back(costs_now(session.regions(), done));
   }

@@ -212,6 +212,12 @@ TEST_F(CliPlan, ImprovesNoFurtherThanAsked) {
               HasSubstr("\nthe first plan was not improved\n  longer than the shortest way by less than 10000 %, as"));
 }
 
+TEST_F(CliPlan, NothingIsImprovedWhereThereIsNoPlan) {
+  const Outcome run = krait({"plan", "room.krait", "--robot", "car", "--iterations", "1", "--stop-within", "0.1"});
+  EXPECT_EQ(run.code, 1);
+  EXPECT_THAT(run.output, testing::StartsWith("budget_used: "));
+}
+
 // A long chain's plan is improved by searches, whose counts are not the first one's.
 TEST_F(CliPlan, CountsTheSearchForTheFirstPlanAlone) {
   const ordered_json first = plan({"--robot", "snake:4", "--seed", "3", "--improve", "0"}).at("statistics");

@@ -57,6 +57,33 @@ TEST_F(FailedPicture, ThinnedBranchesKeepTheirBends) {
   }
 }
 
+// A trailer that is pushed for 14 hitch lengths makes ways that do not hold as driven. Driving them again takes calls
+// that are no iterations of the search.
+TEST_F(FailedPicture, HasAllThatGrewAlsoWhereWaysWereRefused) {
+  write("lane.json", R"({"bounds": {"min": [0, 0], "max": [14, 1.2]}, "obstacles": [],
+      "goals": [{"name": "west", "box": {"center": [1.1, 0.6], "size": [0.6, 1], "angle": 0}}],
+      "starts": [{"name": "east", "position": [7, 0.6], "heading": 0, "angles": [0]}]})");
+  expect_done({"compile", "lane.json", "-o", "lane.krait"});
+  SearchRequest request;
+  request.robot = parse_robot("truck:1");
+  request.robot.parameters.at("hitch_length") = 0.4;
+  request.robot.parameters.at("min_speed") = -request.robot.parameters.at("max_speed");
+  request.parameters.tuning.reverse_share = 0.5F;
+  request.iterations = 2000;
+  const SceneBytes bytes = SceneBytes::read(path("lane.krait"));
+  std::uint64_t refused = 0;
+  for (request.seed = 1; request.seed <= 10; ++request.seed) {
+    const SearchResult result = run_search("lane.krait", bytes, request, {});
+    refused += result.plan.statistics.at("plans_refused").get<std::uint64_t>();
+    const auto vertices = result.plan.statistics.at("vertices").get<std::uint64_t>();
+    const Picture picture = watch_search("lane.krait", bytes, request, result.plan);
+    ASSERT_LE(vertices, 20'000U);
+    EXPECT_EQ(picture.tree.size(), vertices) << request.seed;
+    EXPECT_EQ(picture.frames.back().iteration, result.plan.statistics.at("iterations").get<std::uint64_t>());
+  }
+  EXPECT_GT(refused, 0U);
+}
+
 // The door is 0.6 m wide, the car and its clearance 0.602 m.
 TEST_F(FailedPicture, CutsOffTheRegionsBeyondANarrowDoor) {
   write("narrow.json", R"({"bounds": {"min": [0, 0], "max": [20, 10]},
