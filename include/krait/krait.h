@@ -555,10 +555,10 @@ KRAIT_NODISCARD krait_status krait_start(krait_planner* planner, const krait_que
     Work per iteration: at most max_steps steps, each with its collision check and a look at the goal, O(vertices of
     its polygon); the lines of sight and sketches of sight_tries and candidates; and at most one Dijkstra. `krait info`
     on the workstation prints these bounds for a scene and a robot. Two more depend on the query. With a full memory:
-   O(R) per step and per group of states that is dropped. Near a pose: at every fourth state at most 288 lines to it, of
-   at most 128 looks at a disc each; where none of them ends in the goal, a robot of one body that reverses tries at
-   most 576 more, and looks once a query at 49,152 placements of its body, at most; one that pushes trailers tries at
-   most 288 more. */
+    O(R) per step and per group of states that is dropped. Near a pose: at every fourth state at most 288 lines to it,
+    of at most 128 looks at a disc each; where none of them ends in the goal, a robot of one body that reverses tries
+    at most 576 more, and looks once a query at 49,152 placements of its body, at most; one that pushes trailers tries
+    at most 288 more. */
 KRAIT_NODISCARD krait_status krait_advance(krait_planner* planner, uint64_t iterations);
 
 /** Runs at most `iterations` iterations that look for a plan with fewer steps. The plan and its figures in

@@ -108,10 +108,9 @@ class Reader {
   }
 
   void read_element(const pugi::xml_node& element, const SvgStyle& outer, int depth) {
-    if (++elements_ > kMaxElements) places_.fail(element, "the drawing has more than 1000000 elements, copies counted");
-    count_attributes(element);
+    if (++elements_ > kMaxElements) places_.fail(element, more_than(kMaxElements, "elements"));
     const std::string_view name = element.name();
-    const SvgStyle style = outer.of(element, places_);
+    const SvgStyle style = style_of(element, outer);
     if (style.role == Role::none || !style.is_shown) return;
     if (name == "g" || name == "a" || name == "switch") return read_children(element, style, depth + 1);
     if (name == "use") return read_use(element, style, depth);
@@ -122,9 +121,14 @@ class Reader {
   }
 
   // An element is read anew for each of its copies.
-  void count_attributes(const pugi::xml_node& element) {
+  SvgStyle style_of(const pugi::xml_node& element, const SvgStyle& outer) {
     for (const pugi::xml_attribute& attribute : element.attributes()) read_ += std::strlen(attribute.value());
     if (read_ > kMaxRead) places_.fail(element, "the drawing's copies are too many and too large to be read");
+    return outer.of(element, places_);
+  }
+
+  static std::string more_than(std::size_t most, const char* what) {
+    return "the drawing has more than " + std::to_string(most) + " " + what + ", copies counted";
   }
 
   // A copy of the element that it names; one in itself ends at the depth's bound.
@@ -137,8 +141,7 @@ class Reader {
     if (!element) places_.fail(use, "href: there is no element " + cleaned_name(target));
     SvgStyle moved = style;
     moved.place = style.place.after({1, 0, 0, 1, places_.length(use, "x"), places_.length(use, "y")});
-    if (std::strcmp(element.name(), "symbol") == 0)
-      return read_children(element, moved.of(element, places_), depth + 1);
+    if (std::strcmp(element.name(), "symbol") == 0) return read_children(element, style_of(element, moved), depth + 1);
     read_element(element, moved, depth + 1);
   }
 
@@ -242,7 +245,7 @@ class Reader {
   // Of a shape without curves, or with a circle's; read_path counts its own.
   void count_corners(const pugi::xml_node& element, const std::vector<Ring>& rings) {
     for (const Ring& ring : rings) {
-      if (ring.size() > corners_) places_.fail(element, "the drawing has more than 4000000 corners, copies counted");
+      if (ring.size() > corners_) places_.fail(element, more_than(kMaxCorners, "corners"));
       corners_ -= ring.size();
     }
   }

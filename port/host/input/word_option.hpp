@@ -22,7 +22,7 @@ inline CLI::Validator one_of(const std::vector<std::string>& words) {
     if (std::find(words.begin(), words.end(), text) != words.end()) return {};
     return "give " + alternatives(words) + ", not " + text;
   };
-  return {check, "{" + CLI::detail::join(words, ",") + "}", "word"};
+  return {check, CLI::IsMember(words).get_description(), "word"};
 }
 
 }  // namespace krait::host

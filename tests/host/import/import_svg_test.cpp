@@ -368,6 +368,9 @@ TEST_F(SvgTest, AttributesAreReadForEachCopyAndSoBounded) {
   const std::string large = "<rect id=\"a\" width=\"1\" height=\"1\" note=\"" + std::string(1'000'000, '.') + "\"/>";
   EXPECT_EQ(shapes(large + repeated("<use href=\"#a\"/>", 100)).obstacles.size(), 101U);
   EXPECT_THAT(shape_error(large + repeated("<use href=\"#a\"/>", 130)), HasSubstr("copies are too many and too large"));
+  const std::string symbol = "<symbol id=\"a\" note=\"" + std::string(1'000'000, '.') + "\"/>";
+  EXPECT_THAT(shape_error(symbol + repeated("<use href=\"#a\"/>", 130)),
+              HasSubstr("copies are too many and too large"));
 }
 
 TEST_F(SvgTest, EntitiesDoNotMultiply) {
