@@ -28,11 +28,10 @@ choice.
 
 REASONS = """
 **Where a goal may be missed, why.**
-- **`prior`** has our pruning, steering and proofs, and may end at full speed, where `adaptive` brakes. On
-  `parallelpark_0` a search takes a tenth of a millisecond and some hundred vertices, of which sight and sketches save
-  none.
-- **The best peers** are SyclopEST, which has our triangles without the portals that are too narrow, and KPIECE1; both
-  have our steering, gentle turns and proofs, and may end at full speed.
+- **`prior`** has our pruning, steering and proofs, and may end at full speed, where `adaptive` brakes: where nothing is
+  narrow, both take about as long.
+- **The best peers** are Syclop's planners, which have our triangles without the portals that are too narrow, and
+  KPIECE1; all have our steering, gentle turns and proofs, and may end at full speed.
 - **The paper's comparison** is held at 15 links. Figure 4, in the tables, has the others: in `rooms` with 20 links
   `prior` (reference [18] of the paper) solves more than the method under the paper's conditions does, and with 25
   hardly a run of either is solved.
