@@ -2,6 +2,7 @@
 #include "robot_check/bounds.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "robot_check/answers.hpp"
 
@@ -122,6 +123,21 @@ double least_separation(const Case& c) {
   return least;
 }
 
+// Where no two bodies are tested against each other, any separation is true, an infinite one, too.
+void check_separation(const Case& c, double separation) {
+  constexpr const char* kRemedy =
+      "Lower separation: it must be no more than the least distance of two origins of bodies that are tested against "
+      "each other; 0 is always right.";
+  if (std::isnan(separation)) c.fault("quick_bound", "separation", kInfinite, "separation is NaN", kRemedy);
+  const double least = least_separation(c);
+  if (!(separation > least + rounding_at(c.motion.end()))) return;
+  const double over = separation - least;
+  c.fault(
+      "quick_bound", "separation", over,
+      "separation is " + number(separation) + " m, where two origins came " + number(over) + " m nearer to each other",
+      kRemedy);
+}
+
 // How far a body's frame moves from one time to the next, a radian counting as a metre.
 double leap(const Frame& a, const Frame& b) { return distance(origin(a), origin(b)) + angle_between(a, b); }
 
@@ -148,14 +164,7 @@ void check_quick_bound(const Case& c) {
   if (!quick.limits_kept) return;
   for (std::size_t k = 0; k < c.frames[0].size(); ++k) check_bound(c, Bound{"quick_bound", quick.most, k});
   check_limits_hold(c, "quick_bound");
-  const double over = static_cast<double>(quick.separation) - least_separation(c);
-  if (!(over <= rounding_at(c.motion.end()))) {
-    c.fault("quick_bound", "separation", over,
-            "separation is " + number(static_cast<double>(quick.separation)) + " m, where two origins came " +
-                number(over) + " m nearer to each other",
-            "Lower separation: it must be no more than the least distance of two origins of bodies that are tested "
-            "against each other; 0 is always right.");
-  }
+  check_separation(c, static_cast<double>(quick.separation));
 }
 
 void check_place_follows(const Case& c) {

@@ -42,6 +42,7 @@ enum class Wrong {
   quick_path_too_small,
   quick_negative,
   quick_separation_too_large,
+  quick_separation_nan,
   quick_vouches_for_limits_that_break,
   steer_beyond_its_limits,
   steer_below_its_limits,
@@ -145,6 +146,7 @@ class Cart {
     if (is(Wrong::quick_path_too_small)) bound.most.path = 0.5F * each[0].path;
     if (is(Wrong::quick_negative)) bound.most.twist = -1.0F;
     if (is(Wrong::quick_separation_too_large)) bound.separation = 1.1F;
+    if (is(Wrong::quick_separation_nan)) bound.separation = std::nanf("");
     return bound;
   }
 

@@ -157,6 +157,7 @@ INSTANTIATE_TEST_SUITE_P(
         Expected{Wrong::quick_path_too_small, "quick_bound", "path", "Raise path"},
         Expected{Wrong::quick_negative, "quick_bound", "number", "(path, turn, bend, twist)"},
         Expected{Wrong::quick_separation_too_large, "quick_bound", "separation", "separation is 1.1 m"},
+        Expected{Wrong::quick_separation_nan, "quick_bound", "separation", "separation is NaN"},
         Expected{Wrong::quick_vouches_for_limits_that_break, "quick_bound", "limits", "is beyond them"},
         Expected{Wrong::steer_beyond_its_limits, "steer", "control", "not within -2 and 2"},
         Expected{Wrong::steer_below_its_limits, "steer", "control", "not within -2 and 2"},
@@ -227,6 +228,24 @@ TEST(RobotCheckRate, IsNotCheckedWhereThereIsNone) {
   ranges.step_error = 0.0F;
   EXPECT_NE(find(report_of(Cart(), ranges, 50), "fastest_rate", "step"), nullptr);
   EXPECT_EQ(report_of(QuietCart(), ranges, 50).text(), "");
+}
+
+// Its bodies are not tested against each other, so that their origins may be said to be as far apart as one likes.
+class LooseCart : public Cart {
+ public:
+  using Cart::Cart;
+  int self_collision_gap() const { return 2; }
+  QuickBound quick_bound(StateView s, ControlView u, float dt, StateView next) const {
+    QuickBound bound = Cart::quick_bound(s, u, dt, next);
+    bound.separation += kInfinity;
+    return bound;
+  }
+};
+
+TEST(RobotCheckSeparation, MayBeInfiniteWhereNoTwoBodiesAreTestedAgainstEachOther) {
+  EXPECT_EQ(report_of(LooseCart(), cart_ranges(), 50).text(), "");
+  const LooseCart nan(Wrong::quick_separation_nan);
+  expect_named(report_of(nan, cart_ranges(), 50), "quick_bound", "separation", "separation is NaN");
 }
 
 TEST(RobotCheckTrust, ARobotThatTakesWhatIsNotFiniteForAStateMustNotBeTrusted) {
