@@ -27,23 +27,25 @@ void check_control(const Case& c, const Sample& at) {
   }
 }
 
-void check_steer_repeats(const Case& c, const Sample& at, const Target& target, Steering steering) {
-  const std::vector<float> again = steer_of(c.robot, at.state, target, steering, kFills[1]);
+// `memory` went through the same steps as the memory of the steering that chose the sample's control, by calls of its
+// own, so that what differs in it shows in a later control.
+void check_steer_repeats(const Case& c, const Sample& at, const Target& target, Steering& memory) {
+  const std::vector<float> again = steer_of(c.robot, at.state, target, memory, kFills[1]);
   if (same_bits(again, at.control)) return;
   c.findings.add("steer", "pure", kInfinite, "called again it returns " + list(again), at,
-                 "It must write every component and depend on nothing but its arguments.");
+                 "It must write every component, and its control and what it leaves in its Steering must depend on "
+                 "nothing but its arguments.");
 }
 
 }  // namespace
 
 void check_steer(const Case& c, const Target& target, int steps, SteeredSteps& counted) {
-  Steering steering;
+  Steering steering, repeated;
   Sample at = c.sample;
   while (steps-- > 0) {
-    const Steering before = steering;
     at.control = steer_of(c.robot, at.state, target, steering, kFills[0]);
     check_control(c, at);
-    check_steer_repeats(c, at, target, before);
+    check_steer_repeats(c, at, target, repeated);
     const std::vector<float> next = rounded(integrated(c.robot, at, static_cast<double>(at.dt), 1).back());
     ++counted.all;
     if (!c.robot.within_limits(next.data())) {

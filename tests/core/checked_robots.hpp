@@ -49,6 +49,7 @@ enum class Wrong {
   steer_nan_at_the_target,
   steer_too_fast,
   steer_counts_its_calls,
+  steer_remembers_its_calls,
   rate_too_small,
   rate_nan
 };
@@ -79,7 +80,7 @@ class Cart {
     if (is(Wrong::derivative_leaps_to_and_fro)) ds[2] += math::sin_cos(3000.0F * s[2]).sin > 0.0F ? 5.0F : -5.0F;
   }
 
-  void steer(StateView s, const Target& target, Steering&, ControlRef u) const {
+  void steer(StateView s, const Target& target, Steering& steering, ControlRef u) const {
     const SinCos heading = math::sin_cos(s[2]);
     const Vec2 to = target.point - position(s);
     const Vec2 along{heading.cos, heading.sin};
@@ -91,6 +92,10 @@ class Cart {
     u[0] = math::clamp((speed - s[3]) / target.dt, -kAcceleration, kAcceleration);
     if (is(Wrong::steer_nan_at_the_target)) u[1] = 0.1F * to.x / length(to);
     if (is(Wrong::steer_counts_its_calls)) u[1] = 0.001F * static_cast<float>(++calls_ % 3);
+    if (is(Wrong::steer_remembers_its_calls)) {
+      u[1] = steering.heading({0.0F, 0.001F, 0.0F}, 0.0F, target.dt);
+      steering.heading({}, static_cast<float>(++calls_ % 3), target.dt);
+    }
   }
 
   bool within_limits(StateView s) const {

@@ -164,6 +164,7 @@ INSTANTIATE_TEST_SUITE_P(
         Expected{Wrong::steer_nan_at_the_target, "steer", "control", "0 / 0"},
         Expected{Wrong::steer_too_fast, "steer", "limits", "it leads beyond the limits, to ["},
         Expected{Wrong::steer_counts_its_calls, "steer", "pure", "called again it returns"},
+        Expected{Wrong::steer_remembers_its_calls, "steer", "pure", "what it leaves in its Steering"},
         Expected{Wrong::rate_too_small, "fastest_rate", "step", "at 0.1 1/s a Runge-Kutta step of 0.4 s"},
         Expected{Wrong::rate_nan, "fastest_rate", "number", "fastest_rate is"}),
     [](const auto& expected) {
