@@ -21,7 +21,7 @@ struct RobotFault {
   std::string promise;   ///< a short name of what it promises, such as path
   std::string message;   ///< what, by how much, at which state and control, and what to do
   double amount = 0;     ///< how far off it is, in the promise's own unit; infinite where that is unknown
-  int samples = 0;       ///< in how many it was found
+  int samples = 0;       ///< in how many it was found; 0: it is of no sample, but of the check as a whole
 };
 
 /// What check_robot has found. It owns everything in it.

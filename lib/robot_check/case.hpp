@@ -2,7 +2,6 @@
 // One state and control of a robot, what follows from them, and where faults go.
 #pragma once
 
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -12,8 +11,6 @@ namespace krait::detail::checking {
 
 // What stands in memory before a robot's function writes there: twice another, so that what it leaves shows.
 inline constexpr float kFills[] = {12345.0F, -54321.0F};
-
-inline constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 struct Case {
   const Robot& robot;

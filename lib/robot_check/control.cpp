@@ -61,12 +61,13 @@ void check_steer(const Case& c, const Target& target, int steps, SteeredSteps& c
 
 void check_leaving(Findings& findings, const RobotRanges& ranges, const SteeredSteps& counted) {
   const double share = counted.all == 0 ? 0 : static_cast<double>(counted.leaving) / counted.all;
-  if (ranges.leaving_share <= 0 || share <= static_cast<double>(ranges.leaving_share)) return;
+  const auto allowed = static_cast<double>(ranges.leaving_share);
+  if (allowed <= 0 || share <= allowed) return;
   findings.add("steer", "leaving",
                "of " + std::to_string(counted.all) + " steered steps " + number(100 * share) +
-                   " % lead beyond the limits, more than the " +
-                   number(100 * static_cast<double>(ranges.leaving_share)) +
-                   " % that the ranges allow as `leaving_share`. Each ends an expansion of the search.");
+                   " % lead beyond the limits, more than the " + number(100 * allowed) +
+                   " % that the ranges allow as `leaving_share`. Each ends an expansion of the search.",
+               share - allowed);
 }
 
 }  // namespace krait::detail::checking

@@ -8,8 +8,11 @@ namespace krait {
 std::string RobotReport::text() const {
   std::string lines;
   for (const RobotFault& fault : faults) {
-    lines += fault.function + " (" + fault.promise + "): " + fault.message + " Found in " +
-             std::to_string(fault.samples) + " of " + std::to_string(samples) + " samples.\n";
+    lines += fault.function + " (" + fault.promise + "): " + fault.message;
+    if (fault.samples > 0) {
+      lines += " Found in " + std::to_string(fault.samples) + " of " + std::to_string(samples) + " samples.";
+    }
+    lines += "\n";
   }
   return lines;
 }
@@ -49,10 +52,10 @@ void Findings::add(const char* function, const char* promise, double amount, con
   fault.message = what + ", " + where(sample) + ". " + remedy;
 }
 
-void Findings::add(const char* function, const char* promise, const std::string& sentence) {
+void Findings::add(const char* function, const char* promise, const std::string& sentence, double amount) {
   RobotFault& fault = find(function, promise);
   fault.message = sentence;
-  fault.samples = report_->samples;
+  fault.amount = amount;
 }
 
 RobotFault& Findings::find(const char* function, const char* promise) {

@@ -3,12 +3,15 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "krait/robot_check.hpp"
 
 namespace krait::detail::checking {
+
+inline constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 // A state, and a control that is held from it on for dt seconds.
 struct Sample {
@@ -34,7 +37,7 @@ class Findings {
            const char* remedy);
 
   // A fault of the whole check, not of one sample.
-  void add(const char* function, const char* promise, const std::string& sentence);
+  void add(const char* function, const char* promise, const std::string& sentence, double amount = kInfinite);
 
  private:
   RobotFault& find(const char* function, const char* promise);

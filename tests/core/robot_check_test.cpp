@@ -265,6 +265,9 @@ TEST(RobotCheckLeaving, MoreStepsThanAllowedAreNamed) {
   EXPECT_EQ(find(report, "steer", "limits"), nullptr);
   ASSERT_NE(find(report, "steer", "leaving"), nullptr) << report.text();
   EXPECT_THAT(find(report, "steer", "leaving")->message, HasSubstr("more than the 0.1 % that the ranges allow"));
+  EXPECT_GT(find(report, "steer", "leaving")->amount, 0);
+  EXPECT_LE(find(report, "steer", "leaving")->amount, 0.999);
+  EXPECT_EQ(find(report, "steer", "leaving")->samples, 0);
   ranges.leaving_share = 1.0F;
   EXPECT_EQ(report_of(Cart(Wrong::steer_too_fast), ranges, 200).text(), "");
 }
@@ -279,6 +282,14 @@ TEST(RobotCheckReport, TellsStateControlAndStepOfTheWorst) {
   // With a bar of a metre that turns at 2 rad/s for 0.4 s, the bend that is left out is at most 0.08 m.
   EXPECT_GT(fault->amount, 0.05);
   EXPECT_LT(fault->amount, 0.0801);
+}
+
+TEST(RobotCheckReport, TellsNoSamplesOfAFaultOfTheWholeCheck) {
+  const RobotReport refused = report_of(Cart(Wrong::body_clockwise), cart_ranges());
+  ASSERT_EQ(refused.faults.size(), 1U);
+  EXPECT_EQ(refused.faults[0].amount, static_cast<double>(kInfinity));
+  EXPECT_EQ(refused.faults[0].samples, 0);
+  EXPECT_EQ(refused.text(), "body (robot_polygon): " + refused.faults[0].message + "\n");
 }
 
 TEST(RobotCheckReport, IsTheSameForTheSameSeed) {
