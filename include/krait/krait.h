@@ -663,7 +663,7 @@ void krait_rewind(krait_planner* planner);
 /* These two are in an archive of their own, krait::c_robot_check (-lkrait_c_robot_check -lkrait_robot_check, before the
     others), which allocates and needs C++'s run-time library. */
 
-/** The range of a component, which includes both ends. */
+/** The range of a component, which includes both ends. They and their difference are finite. */
 typedef struct krait_range {
   float low;  /**< in the component's own unit */
   float high; /**< in the component's own unit, not below low */
@@ -673,7 +673,7 @@ typedef struct krait_range {
 typedef struct krait_ranges {
   const krait_range* state;   /**< one a component; drawn evenly, but for the position now and then at the ends */
   const krait_range* control; /**< one a component: the limits that steer keeps to; drawn in the same way */
-  const float* dt;            /**< seconds: the time steps to be tried */
+  const float* dt;            /**< seconds, finite and above 0: the time steps to be tried */
   uint32_t dt_count;          /**< of them; 0: 0.1 s alone */
   /** The components of the state that are headings, in radians: turning the robot adds to them and changes nothing else
       but the position. Whether it moves alike in every direction is checked where there are any. */
@@ -682,9 +682,9 @@ typedef struct krait_ranges {
   bool translation_invariant; /**< default true: whether it moves alike wherever it stands, which is checked then */
   float
       leaving_share, /**< 0 to 1, default 0: share of steered steps that may leave the limits, as where hitches fold */
-      step_rate,     /**< 0 or more, default 0.32: Runge-Kutta steps of step_rate / fastest_rate(dt) seconds, and of
-                          at most dt, are to be accurate to step_error; 0: not checked */
-      step_error;    /**< metres and radians, 0 or more, default 5e-4 */
+      step_rate,     /**< finite, 0 or more, default 0.32: Runge-Kutta steps of step_rate / fastest_rate(dt) seconds,
+                          and of at most dt, are to be accurate to step_error; 0: not checked */
+      step_error;    /**< metres and radians, finite, 0 or more, default 5e-4 */
   /** Makes a state of the numbers that were drawn, where components depend on each other; NULL: they are the state. */
   void (*complete_state)(const void* self, float* state);
   const void* self; /**< what complete_state is called with; may be NULL */
@@ -693,7 +693,8 @@ typedef struct krait_ranges {
 krait_ranges krait_default_ranges(const krait_range* state, const krait_range* control);
 
 /** Draws `samples` states and controls from the ranges, and returns how many promises of krait_functions the robot
-    breaks at one of them; 0: none was found to be broken, which is no proof. Writes a line for each into `text`: what
+    breaks at one of them; 0: none was found to be broken, which is no proof. Ranges that do not fit the robot's sizes,
+    or of which one is not as stated above, count as one, and nothing is drawn. Writes a line for each into `text`: what
     is broken, by how much and where in the worst case, and what to do. It writes at most `bytes`, the zero at the end
     among them; `text` may be NULL where `bytes` is 0. The same for the same seed. Work: some thousand derivatives a
     sample. */

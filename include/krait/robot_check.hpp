@@ -36,18 +36,18 @@ struct RobotReport {
   std::string text() const;
 };
 
-/// The range of a component, which includes both ends.
+/// The range of a component, which includes both ends. They and their difference are finite.
 struct RobotRange {
   float low;   ///< in the component's own unit
   float high;  ///< in the component's own unit, not below low
 };
 
-/// Where a robot's states and controls lie, in its own units, and what holds of it. check_robot reports ranges that do
-/// not fit the robot's sizes as faults of the function `ranges`.
+/// Where a robot's states and controls lie, in its own units, and what holds of it. Where they do not fit the robot's
+/// sizes, or one of them is not as stated here, check_robot draws nothing and reports a fault of the function `ranges`.
 struct RobotRanges {
   std::vector<RobotRange> state;    ///< one a component; drawn evenly, but for the position now and then at the ends
   std::vector<RobotRange> control;  ///< one a component: the limits that steer keeps to; drawn in the same way
-  std::vector<float> dt = {Parameters().dt};  ///< seconds: the time steps to be tried
+  std::vector<float> dt = {Parameters().dt};  ///< seconds, finite and above 0: the time steps to be tried
   /// The components of the state that are headings, in radians: turning the robot adds to them and changes nothing else
   /// but the position. Whether it moves alike in every direction is checked where there are any.
   std::vector<int> headings = {};
@@ -56,8 +56,8 @@ struct RobotRanges {
   // A Runge-Kutta step of step_rate / fastest_rate(dt) seconds, and at most dt, is to be accurate to step_error, in
   // metres and radians: as the library makes them while the tree grows (lib/DESIGN.md, "Integration", which is
   // installed below share/doc/krait).
-  float step_rate = 0.32F;   ///< 0 or more, without a unit; 0: not checked
-  float step_error = 5e-4F;  ///< metres and radians, 0 or more
+  float step_rate = 0.32F;   ///< finite, 0 or more, without a unit; 0: not checked
+  float step_error = 5e-4F;  ///< metres and radians, finite, 0 or more
   /// Makes a state of the numbers that were drawn, where components depend on each other; none: they are the state.
   std::function<void(std::vector<float>& state)> complete_state = {};
 };

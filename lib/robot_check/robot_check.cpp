@@ -10,6 +10,7 @@
 #include "robot_check/bounds.hpp"
 #include "robot_check/control.hpp"
 #include "robot_check/invariance.hpp"
+#include "robot_check/ranges.hpp"
 #include "robot_check/samples.hpp"
 #include "robot_check/steps.hpp"
 
@@ -61,28 +62,7 @@ class RobotCheck {
           "change what floats compute.");
       return false;
     }
-    const bool fit = ranges_.state.size() == static_cast<std::size_t>(robot_.state_size()) &&
-                     ranges_.control.size() == static_cast<std::size_t>(robot_.control_size()) && !ranges_.dt.empty();
-    if (!fit) {
-      findings_.add("ranges", "sizes",
-                    "there are " + std::to_string(ranges_.state.size()) + " ranges of states, " +
-                        std::to_string(ranges_.control.size()) + " of controls and " +
-                        std::to_string(ranges_.dt.size()) + " time steps; the robot has " +
-                        std::to_string(robot_.state_size()) + " and " + std::to_string(robot_.control_size()) +
-                        ", and one time step is needed.");
-    }
-    return fit && headings_fit();
-  }
-
-  bool headings_fit() {
-    for (const int i : ranges_.headings) {
-      if (i >= 2 && i < robot_.state_size()) continue;
-      findings_.add("ranges", "headings",
-                    "component " + std::to_string(i) + " of the state is named a heading; those from 2 to " +
-                        std::to_string(robot_.state_size() - 1) + " may be one.");
-      return false;
-    }
-    return true;
+    return check_ranges(robot_, ranges_, findings_);
   }
 
   // A state within the limits; empty after many in vain.

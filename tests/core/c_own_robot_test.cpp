@@ -435,6 +435,9 @@ TEST(OwnRobotInC, WhatKeepsTheCheckFromBeginningIsAFault) {
   Checked checked(whole(2));
   checked.ranges().state = nullptr;
   EXPECT_NE(checked.text().find("there are 0 ranges of states"), std::string::npos);
+  Checked negative(whole(2));
+  negative.ranges().leaving_share = -1;
+  EXPECT_EQ(negative.text(), "ranges (leaving_share): leaving_share is -1; it must be from 0 to 1.\n");
 }
 
 TEST(OwnRobotInC, ItsCheckWritesNoMoreThanThereIsRoomFor) {

@@ -216,6 +216,43 @@ TEST(RobotCheckRanges, ThatDoNotFitAreNamed) {
   EXPECT_THAT(report_of(Cart(Wrong::body_clockwise), cart_ranges()).text(), HasSubstr("robot_polygon"));
 }
 
+// Neither blamed on the robot nor taken for a reason to check less.
+TEST(RobotCheckRanges, ThatCannotBeUsedAreNamedBeforeAnySample) {
+  const float nan = std::nanf("");
+  const auto expect_refused = [](const char* promise, const char* says, const auto& spoil) {
+    SCOPED_TRACE(says);
+    RobotRanges ranges = cart_ranges();
+    spoil(ranges);
+    const RobotReport report = report_of(Cart(), ranges, 20);
+    EXPECT_EQ(report.samples, 0);
+    EXPECT_EQ(report.faults.size(), 1U);
+    ASSERT_NE(find(report, "ranges", promise), nullptr) << report.text();
+    EXPECT_THAT(report.text(), HasSubstr(says));
+  };
+  for (const float dt : {0.0F, -0.1F, nan, kInfinity}) {
+    expect_refused("dt", "a time step is ", [dt](RobotRanges& r) { r.dt[1] = dt; });
+  }
+  for (const RobotRange& bad : {RobotRange{nan, 1}, RobotRange{1, nan}, RobotRange{1, -1}, RobotRange{-kInfinity, 1},
+                                RobotRange{0, kInfinity}, RobotRange{-3e38F, 3e38F}}) {
+    expect_refused("state", "the range of component 3 of the state is [", [&](RobotRanges& r) { r.state[3] = bad; });
+    expect_refused("control", "component 1 of the control is [", [&](RobotRanges& r) { r.control[1] = bad; });
+  }
+  for (const float bad : {-0.1F, nan, kInfinity}) {
+    expect_refused("leaving_share", "it must be from 0 to 1", [bad](RobotRanges& r) { r.leaving_share = bad; });
+    expect_refused("step_rate", "step_rate is ", [bad](RobotRanges& r) { r.step_rate = bad; });
+    expect_refused("step_error", "step_error is ", [bad](RobotRanges& r) { r.step_error = bad; });
+  }
+  expect_refused("leaving_share", "leaving_share is 1.5", [](RobotRanges& r) { r.leaving_share = 1.5F; });
+}
+
+TEST(RobotCheckRanges, MayBeOfASinglePoint) {
+  RobotRanges ranges = cart_ranges();
+  ranges.state[3] = {1, 1};
+  ranges.step_rate = 0.0F;
+  ranges.leaving_share = 1.0F;
+  EXPECT_EQ(report_of(Cart(), ranges, 20).text(), "");
+}
+
 TEST(RobotCheckRanges, HaveTheStepRateOfTheTree) { EXPECT_EQ(RobotRanges().step_rate, detail::kStepRate); }
 
 // Does not say how fast its motion changes, so that every time step counts as short enough.
