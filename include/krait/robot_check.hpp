@@ -44,6 +44,8 @@ struct RobotRange {
 
 /// Where a robot's states and controls lie, in its own units, and what holds of it. Where they do not fit the robot's
 /// sizes, or one of them is not as stated here, check_robot draws nothing and reports a fault of the function `ranges`.
+/// So it does where the motion was checked in fewer than a tenth of a time step's samples, since in the others no
+/// control that it drew ends the step within the limits.
 struct RobotRanges {
   std::vector<RobotRange> state;    ///< one a component; drawn evenly, but for the position now and then at the ends
   std::vector<RobotRange> control;  ///< one a component: the limits that steer keeps to; drawn in the same way

@@ -73,4 +73,18 @@ bool check_ranges(const Robot& robot, const RobotRanges& ranges, Findings& findi
   return true;
 }
 
+void check_driven(const std::map<float, DrivenSamples>& by_step, Findings& findings) {
+  constexpr int kLeastShare = 10;  // one in so many
+  for (const auto& [dt, samples] : by_step) {
+    if (kLeastShare * samples.checked >= samples.all) continue;
+    findings.add("ranges", "motion",
+                 "in " + std::to_string(samples.all - samples.checked) + " of " + std::to_string(samples.all) +
+                     " samples with a time step of " + number(static_cast<double>(dt)) + " s none of " +
+                     std::to_string(kControlsTried) +
+                     " controls ends it within the limits, so that travel, quick_bound and whether the robot moves "
+                     "alike everywhere were not checked there: shorten the time step, or narrow the ranges of the "
+                     "state or the control.");
+  }
+}
+
 }  // namespace krait::detail::checking

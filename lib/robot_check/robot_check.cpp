@@ -2,6 +2,7 @@
 #include "krait/robot_check.hpp"
 
 #include <cmath>
+#include <map>
 #include <optional>
 
 #include "krait/status.hpp"
@@ -41,6 +42,7 @@ class RobotCheck {
       check(*drawn);
     }
     check_leaving(findings_, ranges_, steered_);
+    check_driven(driven_, findings_);
   }
 
  private:
@@ -90,8 +92,7 @@ class RobotCheck {
   // Draws controls until one ends the step within the limits, as every step does that travel bounds. False, and the
   // motion is unknown, when none does.
   bool move(Case& c) {
-    constexpr int kTries = 20;
-    for (int i = 0; i < kTries; ++i) {
+    for (int i = 0; i < kControlsTried; ++i) {
       c.motion = fine_motion(robot_, c.sample, static_cast<double>(c.sample.dt));
       c.next = rounded(c.motion.end());
       if (robot_.within_limits(c.next.data())) return true;
@@ -118,7 +119,10 @@ class RobotCheck {
   void check_motion(Case& c) {
     constexpr double kAlmostPi = 3.1;
     const double angle = static_cast<double>(draws_.even({-1.0F, 1.0F})) * kAlmostPi;
+    DrivenSamples& driven = driven_[c.sample.dt];
+    ++driven.all;
     if (!move(c)) return;
+    ++driven.checked;
     if (!c.motion.resolved) {
       c.fault("derivative", "smooth", kInfinite, "2,048 Runge-Kutta steps do not tell where it leads",
               "It must be continuous, and not too fast for the time step.");
@@ -140,6 +144,7 @@ class RobotCheck {
   Findings findings_;
   Draws draws_;
   SteeredSteps steered_;
+  std::map<float, DrivenSamples> driven_;  // by time step
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "checked_robots.hpp"
 #include "robot_check/case.hpp"
 #include "robot_check/motion.hpp"
+#include "robot_check/ranges.hpp"
 
 namespace krait::test {
 namespace {
@@ -65,6 +66,18 @@ TEST(RobotCheckLimits, TheLastStateBeyondThemCounts) {
   EXPECT_EQ(beyond_limits(robot, motion), 21);
   motion.states[32][3] = 2;
   EXPECT_EQ(beyond_limits(robot, motion), 32);
+}
+
+TEST(RobotCheckDriven, ATenthOfTheSamplesOfEachTimeStepIsEnough) {
+  const auto text = [](const DrivenSamples& samples) {
+    RobotReport report;
+    Findings findings(report);
+    check_driven({{0.05F, {100, 100}}, {0.1F, samples}, {0.2F, {100, 100}}}, findings);
+    return report.text();
+  };
+  EXPECT_EQ(text({100, 10}), "");
+  EXPECT_EQ(text({0, 0}), "");
+  EXPECT_EQ(text({100, 9}).rfind("ranges (motion): in 91 of 100 samples with a time step of 0.1 s none of 20 ", 0), 0U);
 }
 
 }  // namespace

@@ -309,6 +309,37 @@ TEST(RobotCheckLeaving, MoreStepsThanAllowedAreNamed) {
   EXPECT_EQ(report_of(Cart(Wrong::steer_too_fast), ranges, 200).text(), "");
 }
 
+// Speeds up by more than its limits in a second, whatever its control, and says that it stays where it is.
+class Sprinter : public Cart {
+ public:
+  void derivative(StateView s, ControlView u, StateRef ds) const {
+    Cart::derivative(s, u, ds);
+    ds[3] += kAcceleration + 1.01F * kSpeed;
+  }
+  bool travel(StateView, ControlView, float, StateView, Travel* travel) const {
+    travel[0] = travel[1] = Travel{0.0F, 0.0F, 0.0F, 0.0F};
+    return true;
+  }
+};
+
+TEST(RobotCheckDriven, ATimeStepThatNoControlEndsWithinTheLimitsIsNamed) {
+  constexpr const char* kSays = "samples with a time step of 1 s none of 20 controls ends it within the limits";
+  RobotRanges ranges = cart_ranges();
+  ranges.leaving_share = 1.0F;
+  ranges.step_rate = 0.0F;
+  ranges.dt = {1.0F};
+  const RobotReport blind = report_of(Sprinter(), ranges, 50);
+  EXPECT_EQ(blind.faults.size(), 1U) << blind.text();
+  ASSERT_NE(find(blind, "ranges", "motion"), nullptr);
+  EXPECT_THAT(find(blind, "ranges", "motion")->message, HasSubstr(std::string("in 50 of 50 ") + kSays));
+
+  ranges.dt = {0.1F, 1.0F};
+  const RobotReport half = report_of(Sprinter(), ranges, 50);
+  expect_named(half, "travel", "path", "Raise path");
+  ASSERT_NE(find(half, "ranges", "motion"), nullptr) << half.text();
+  EXPECT_THAT(find(half, "ranges", "motion")->message, HasSubstr(kSays));
+}
+
 TEST(RobotCheckReport, TellsStateControlAndStepOfTheWorst) {
   const RobotReport report = report_of(Cart(Wrong::travel_bend_too_small), cart_ranges(), 300);
   const RobotFault* fault = find(report, "travel", "bend");
