@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robot_check/ranges.hpp"
 
+#include <algorithm>
+
 namespace krait::detail::checking {
 namespace {
 
@@ -44,9 +46,11 @@ Flaw flaw_of_steps(const std::vector<float>& dt) {
 
 Flaw flaw_of_headings(const Robot& robot, const std::vector<int>& headings) {
   for (const int i : headings) {
-    if (i >= 2 && i < robot.state_size()) continue;
-    return {"headings", "component " + std::to_string(i) + " of the state is named a heading; those from 2 to " +
-                            std::to_string(robot.state_size() - 1) + " may be one."};
+    const std::string component = "component " + std::to_string(i) + " of the state is named a heading";
+    if (i < 2 || i >= robot.state_size()) {
+      return {"headings", component + "; those from 2 to " + std::to_string(robot.state_size() - 1) + " may be one."};
+    }
+    if (std::count(headings.begin(), headings.end(), i) > 1) return {"headings", component + " twice."};
   }
   return {};
 }

@@ -13,6 +13,7 @@
 #include "robot_check/invariance.hpp"
 #include "robot_check/ranges.hpp"
 #include "robot_check/samples.hpp"
+#include "robot_check/speeds.hpp"
 #include "robot_check/steps.hpp"
 
 namespace krait {
@@ -35,6 +36,7 @@ class RobotCheck {
 
   void run(int samples) {
     if (!usable()) return;
+    if (samples < 1) findings_.add("ranges", "samples", "no sample was asked for, so that nothing was checked.");
     for (int i = 0; i < samples; ++i) {
       findings_.begin_sample();
       const std::optional<Case> drawn = draw();
@@ -113,6 +115,7 @@ class RobotCheck {
     check_leading(c);
     check_integration(c);
     check_fastest_rate(c);
+    check_speeds(c);
     check_motion(c);
   }
 

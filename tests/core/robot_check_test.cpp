@@ -4,6 +4,8 @@
 
 #include <gmock/gmock.h>
 
+#include <limits>
+
 #include "checked_robots.hpp"
 #include "motion/rk4.hpp"
 #include "robot_oracle.hpp"
@@ -172,6 +174,41 @@ INSTANTIATE_TEST_SUITE_P(
              expected.param.promise;
     });
 
+// Says how fast it is, how it stops and turns.
+struct PacedCart : Cart {
+  float now = 0.5F;
+  float way = -0.1F;
+  float radius = 0;
+  float top = 1;
+
+  float speed(StateView) const { return now; }
+  float stopping_way(StateView) const { return way; }
+  float turning_radius() const { return radius; }
+  float top_speed() const { return top; }
+};
+
+TEST(RobotCheckPacedCart, FindsNothingWrong) {
+  const RobotReport report = report_of(PacedCart(), cart_ranges(), 20);
+  EXPECT_TRUE(report.ok()) << report.text();
+}
+
+TEST(RobotCheckPacedCart, NamesNumbersThatNoSearchCanUse) {
+  const float nan = std::nanf("");
+  const float infinite = std::numeric_limits<float>::infinity();
+  const auto expect_wrong = [](float PacedCart::*number, const std::vector<float>& values, const char* function) {
+    for (const float value : values) {
+      PacedCart cart;
+      cart.*number = value;
+      const RobotReport report = report_of(cart, cart_ranges(), 20);
+      EXPECT_NE(find(report, function, "number"), nullptr) << function << " " << value << ": " << report.text();
+    }
+  };
+  expect_wrong(&PacedCart::now, {nan, -1, infinite}, "speed");
+  expect_wrong(&PacedCart::way, {nan, -infinite}, "stopping_way");
+  expect_wrong(&PacedCart::radius, {nan, -1}, "turning_radius");
+  expect_wrong(&PacedCart::top, {nan, 0, -1, infinite}, "top_speed");
+}
+
 struct ExpectedOfFront {
   WrongFront wrong;
   const char* function;
@@ -211,6 +248,9 @@ TEST(RobotCheckRanges, ThatDoNotFitAreNamed) {
     ranges.headings = {heading};
     EXPECT_THAT(report_of(Cart(), ranges).text(), HasSubstr("of the state is named a heading; those from 2 to 3"));
   }
+  ranges.headings = {2, 2};
+  EXPECT_THAT(report_of(Cart(), ranges).text(), HasSubstr("component 2 of the state is named a heading twice."));
+  EXPECT_THAT(report_of(Cart(), cart_ranges(), 0).text(), HasSubstr("no sample was asked for"));
   EXPECT_THAT(report_of(Cart(Wrong::limits_nowhere), cart_ranges()).text(),
               HasSubstr("narrow the ranges of the state"));
   EXPECT_THAT(report_of(Cart(Wrong::body_clockwise), cart_ranges()).text(), HasSubstr("robot_polygon"));
