@@ -128,7 +128,7 @@ TEST_F(CliHelp, InfoReportsTheLeastBlockAndItsPools) {
   const std::uint64_t bytes = number_after(least, "at least ");
   const auto plan = [&](std::uint64_t memory) {
     return krait({"plan", "room.krait", "--robot", "car", "--start", "west", "--goal", "east", "--memory",
-                  std::to_string(memory), "-o", "plan.json"});
+                  std::to_string(memory), "--iterations", "1000", "-o", "plan.json"});
   };
   EXPECT_THAT(krait({"info", "room.krait", "--robot", "car", "--memory", std::to_string(bytes)}).output,
               HasSubstr("; " + std::to_string(bytes) + " holds 2 vertices"));
