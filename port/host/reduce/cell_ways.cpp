@@ -60,6 +60,11 @@ CellWays::CellWays(const CellMap& map, const CellMask& marked, std::size_t from)
   }
 }
 
+double CellWays::length_to(std::size_t cell) const {
+  if (lengths_[cell] == kNever) return std::numeric_limits<double>::infinity();
+  return double(lengths_[cell]) / kStraight * map_.resolution;
+}
+
 std::size_t CellWays::nearest(const std::vector<std::size_t>& cells) const {
   std::size_t best = marked_.size();
   std::uint32_t least = kNever;

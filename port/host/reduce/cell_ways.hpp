@@ -15,6 +15,8 @@ class CellWays {
 
   // From the first cell to this one, straightened; empty where there is none.
   std::vector<std::size_t> way_to(std::size_t cell) const;
+  // Of the shortest way to this cell, in metres; infinite where there is none.
+  double length_to(std::size_t cell) const;
   // The nearest of these cells by way; the map's number of cells where none can be reached.
   std::size_t nearest(const std::vector<std::size_t>& cells) const;
 

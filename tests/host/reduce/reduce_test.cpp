@@ -518,6 +518,60 @@ TEST(Corridor, PassesNoGapThatTheDiscDoesNot) {
   EXPECT_TRUE(narrow.at(30, 46));
 }
 
+// In cells of 0.5 m: an aisle of 1 m, a wall, and a room, which the aisle's left end leads to.
+CellMap aisle_beside_room() {
+  std::vector<std::string> rows(12, std::string(40, '.'));
+  for (std::size_t i = 2; i < 40; ++i) rows[9][i] = '#';  // rows 10 and 11 are the aisle
+  return cells(rows, 0.5);
+}
+
+bool joined(const CellMap& map, Point from, Point to) {
+  CellMask free = map.occupied;
+  for (std::uint8_t& cell : free) cell = cell == 0;
+  const CellFrame frame(map);
+  return connected(map, free, {*cell_at(map, frame, from)})[*cell_at(map, frame, to)] != 0;
+}
+
+const Ring kInTheRoom{{16, 3}, {17, 3}, {17, 4}}, kInTheAisle{{16, 0.3}, {17, 0.3}, {17, 0.7}};
+
+// The disc is unsure in the aisle and sure in the room, 1 m from the start and behind the wall.
+TEST(Corridor, BeginsOnTheStartsSideOfAWall) {
+  Workspace w = room(aisle_beside_room());
+  w.starts = {{"s", {15, 0.5}, 0, {}}};
+  w.goals = {{"g", kInTheRoom}};
+  const CellMap result = *reduced(w, {{}, {}, {}, 2.0, Girth{0.2, 0.3, 0}}).cells;
+  EXPECT_TRUE(joined(result, {15, 0.5}, {16.9, 3.2}));
+  w.cells->occupied[cell_number(*w.cells, 3, 0)] = w.cells->occupied[cell_number(*w.cells, 3, 1)] = 1;
+  EXPECT_THAT(complaint(w, {{}, {}, {}, 2.0, Girth{0.2, 0.3, 0}}), testing::HasSubstr("no way from start 's'"));
+}
+
+// The middle of the disc cannot be in the start's own cell, which is at the border, but in one below it.
+TEST(Corridor, BeginsWhereTheDiscHasRoomNearTheStart) {
+  Workspace w = room(aisle_beside_room());
+  w.starts = {{"s", {5, 5.95}, 0, {}}};
+  w.goals = {{"g", kInTheRoom}};
+  EXPECT_TRUE(joined(*reduced(w, {{}, {}, {}, 2.0, Girth{0.9, 0.9, 0.9}}).cells, {5, 5.95}, {16.9, 3.2}));
+  w.starts = {{"s", {5, 1.25}, 0, {}}};  // in the wall
+  EXPECT_THAT(complaint(w, {{}, {}, {}, 2.0, Girth{0.2, 0.3, 0}}), testing::HasSubstr("no way from start 's'"));
+}
+
+TEST(Corridor, LeadsToAGoalInItsOwnAisleAndNotBehindTheWall) {
+  Workspace w = room(aisle_beside_room());
+  w.starts = {{"s", {15, 3.5}, 0, {}}};
+  w.goals = {{"g", kInTheAisle}};
+  EXPECT_TRUE(joined(*reduced(w, {{}, {}, {}, 2.0, Girth{0.2, 1.5, 0}}).cells, {15, 3.5}, {16.9, 0.5}));
+}
+
+TEST(Corridor, LeadsToEveryGoalAlsoWhereOnlySomeAreSurelyReached) {
+  Workspace w = room(aisle_beside_room());
+  w.starts = {{"s", {15, 3.5}, 0, {}}};
+  w.goals = {{"a", kInTheRoom}, {"b", kInTheAisle}};
+  const Workspace result = reduced(w, {{}, {}, {}, 2.0, Girth{0.2, 0.3, 0}});
+  EXPECT_TRUE(joined(*result.cells, {15, 3.5}, {16.9, 0.5}));
+  EXPECT_TRUE(joined(*result.cells, {15, 3.5}, {16.9, 3.2}));
+  EXPECT_THAT(result.warnings, testing::IsEmpty());
+}
+
 TEST(Corridor, IsRefusedWithoutAWay) {
   std::vector<std::string> rows(20, "..........#.........");
   Workspace w = room(cells(rows));
