@@ -118,7 +118,7 @@ CompiledScene compile(const Workspace& workspace, const CompileOptions& options)
   SceneParts parts;
   parts.frame = frame_of(workspace);
   const Growth growth = growth_of(workspace, options);
-  parts.growth = growth.most;
+  parts.growth = growth.most + options.grown;
   check_starts(workspace, result.warnings);
   parts.goals = place_goals(workspace, parts.frame);
   const GridBox& bounds = parts.frame.bounds;
@@ -128,7 +128,7 @@ CompiledScene compile(const Workspace& workspace, const CompileOptions& options)
   FreeSpace space = free_space(solid.boundary, bounds);
   tell("simplifying");
   space = simplified(space, bounds, growth);
-  const double shrink = parts.growth > 0 ? kShrink : 0;
+  const double shrink = growth.most > 0 ? kShrink : 0;
   parts.obstacle_error = (kRounding * (solid.roundings + space.roundings) + shrink) * kStep;
 
   tell("cutting obstacles into convex pieces");

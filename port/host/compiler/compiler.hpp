@@ -20,6 +20,7 @@ struct CompileOptions {
   // Triangles may be slender: some half as many, so that flash and memory are smaller, and the search is guided by
   // less.
   bool coarse = false;
+  double grown = 0;  // metres that the workspace's obstacles have grown before; the scene's tolerance holds them, too
 };
 
 struct CompiledScene {

@@ -19,14 +19,22 @@ namespace {
 
 constexpr double kRounding = 0.001;  // metres: the most that the compiler moves an outline of cells by
 
-constexpr double kHopeless = 4;  // times the budget: finer steps are not tried
+constexpr double kHopeless = 4;  // times the budget: steps that are finer in every way are not tried
 
 // One way to make the scene; metres.
 struct Step {
   bool coarse = false;
   double growth = 0;  // of outlines
   std::optional<double> cell, corridor;
+
+  // How far an obstacle may grow.
+  double error() const { return growth + (cell ? *cell * std::numbers::sqrt2 : 0); }
 };
+
+bool at_least_as_fine(const Step& a, const Step& b) {
+  const bool as_wide = !a.corridor || (b.corridor && *a.corridor >= *b.corridor);
+  return as_wide && (!a.cell || b.cell) && (!a.coarse || b.coarse) && a.error() <= b.error();
+}
 
 struct Outcome {
   CompiledScene scene;
@@ -51,6 +59,7 @@ class Fitter {
     const double cell = error_ / 2 / std::numbers::sqrt2;
     if (has_cells() && cell >= 2 * workspace_.cells->resolution) steps.push_back({true, error_ / 2, cell, {}});
     for (const bool coarse : {true, false}) {
+      if (budget_.coarse && !coarse) break;
       for (const double share : {1.0, 0.5, 0.0}) steps.push_back({coarse, share * error_, {}, {}});
     }
     return steps;
@@ -60,7 +69,11 @@ class Fitter {
     Reduction reduction{{}, step.cell, {}, step.corridor, girth_};
     if (step.cell) reduction.fill = girth_;
     const Workspace workspace = reduced(workspace_, reduction);
-    Outcome outcome{compile(workspace, {2 * step.growth, progress, step.coarse})};
+    Outcome outcome{compile(workspace, {2 * step.growth, progress, step.coarse, step.error() - step.growth})};
+    for (std::size_t i = workspace.warnings.size(); i > workspace_.warnings.size(); --i) {
+      std::vector<std::string>& warnings = outcome.scene.warnings;
+      warnings.insert(warnings.begin(), "to fit: " + workspace.warnings[i - 1]);
+    }
     const std::vector<std::uint8_t>& bytes = outcome.scene.bytes;
     krait::Scene scene;
     (void)krait::Scene::open(bytes.data(), bytes.size(), scene);
@@ -80,7 +93,7 @@ class Fitter {
   bool fits(const Outcome& outcome) const { return excess(outcome) <= 1; }
 
   std::string done(const Step& step) const {
-    const double error = error_of(step);
+    const double error = step.error();
     std::string text = error > 0 ? printed("obstacles grown by at most %.3g m", error) : "obstacles as they are";
     if (step.cell) text += printed(", cells of %.3g m", *step.cell);
     if (step.coarse) text += ", coarse regions";
@@ -99,8 +112,6 @@ class Fitter {
 
  private:
   bool has_cells() const { return workspace_.cells.has_value(); }
-
-  static double error_of(const Step& step) { return step.growth + (step.cell ? *step.cell * std::numbers::sqrt2 : 0); }
 
   // Of the robot's inner disc from the first start to the first goal; true where there is no such question.
   bool has_way(const krait::Scene& scene) const {
@@ -127,9 +138,12 @@ Fitted fit(const Workspace& workspace, const RobotSpec& robot, const Budget& bud
            const std::function<void(const std::string&)>& progress) {
   const Fitter fitter(workspace, robot, budget);
   std::optional<Fitted> best;
+  std::vector<Step> hopeless;
   std::string refusal, closed;
   double least = std::numeric_limits<double>::infinity();
   for (const Step& step : fitter.steps()) {
+    const auto is_finer = [&](const Step& other) { return at_least_as_fine(step, other); };
+    if (std::any_of(hopeless.begin(), hopeless.end(), is_finer)) continue;
     try {
       Outcome outcome = fitter.make(step, progress);
       const std::string bytes = fitter.bytes(outcome);
@@ -137,7 +151,7 @@ Fitted fit(const Workspace& workspace, const RobotSpec& robot, const Budget& bud
         const double excess = fitter.excess(outcome);
         if (excess < least) refusal = bytes + " (" + fitter.done(step) + ")";
         least = std::min(least, excess);
-        if (best || excess > kHopeless) break;
+        if (excess > kHopeless) hopeless.push_back(step);
         continue;
       }
       if (outcome.has_way) {

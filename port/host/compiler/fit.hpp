@@ -15,8 +15,9 @@ namespace krait::host {
 struct Budget {
   std::uint64_t flash = 0;  // bytes of the scene file; 0: any number
   std::uint64_t ram = 0;    // bytes of the planner's block, with room for kFitVertices vertices; 0: any number
-  double tolerance =
-      -1;  // metres that a passage may get narrower by; negative: as much as krait plan's usual clearance
+  // Metres that a passage may get narrower by; negative: as much as krait plan's usual clearance.
+  double tolerance = -1;
+  bool coarse = false;  // coarse regions in every step
 };
 
 inline constexpr std::uint32_t kFitVertices = 1000;
@@ -31,12 +32,12 @@ struct Fitted {
 //   2. the same with coarse regions;
 //   3. the same in larger cells, half of E for these and half for the outlines, where that makes cells twice as large;
 //   4. the same as the last of 2 within corridors around the ways from the starts to the goals, 32 to 2 times as wide
-//   as
-//      the robot's bodies reach from their middles.
-// Begins with the coarsest, since its compilation is the shortest, and returns the last one that fits before one that
-// does not; where none has fitted and one takes four times the budget, finer ones are not tried. Steps that leave the
-// robot's inner disc no way from the first start to the first goal are passed over. 3 and 4 need a map of cells, 4 a
-// start and a goal. Throws InputError with the bytes where no step fits.
+//      as the robot's bodies reach from their middles.
+// Begins with the coarsest, since its compilation is the shortest, and returns the last one that fits; where one takes
+// four times the budget, those that are finer in every way are not tried. Steps that leave the robot's inner disc no
+// way from the first start to the first goal are passed over. 3 and 4 need a map of cells, 4 a start and a goal. The
+// scene's warnings name the passages and goals that 3 and 4 close; its tolerance is the whole error of the step. Throws
+// InputError with the bytes where no step fits.
 Fitted fit(const Workspace& workspace, const RobotSpec& robot, const Budget& budget,
            const std::function<void(const std::string&)>& progress);
 

@@ -78,6 +78,7 @@ CompiledScene ReductionOptions::compiled(const Workspace& workspace, const std::
   if (!flash.empty()) budget.flash = parse_bytes("--flash", flash);
   if (!ram.empty()) budget.ram = parse_bytes("--ram", ram);
   budget.tolerance = options.tolerance;
+  budget.coarse = options.coarse;
   Fitted fitted = fit(workspace, *spec, budget, options.progress);
   report = std::move(fitted.report);
   return std::move(fitted.scene);

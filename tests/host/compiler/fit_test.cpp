@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 #include "host/reduce/cells.hpp"
@@ -39,7 +40,7 @@ Workspace clutter(int cells, int boxes, std::uint64_t seed) {
   return w;
 }
 
-Budget budget(std::uint64_t flash, std::uint64_t ram, double tolerance = -1) { return {flash, ram, tolerance}; }
+Budget budget(std::uint64_t flash, std::uint64_t ram, double tolerance = -1) { return {flash, ram, tolerance, false}; }
 
 std::string refusal(const Workspace& w, const Budget& b, const char* robot) {
   try {
@@ -89,6 +90,66 @@ TEST(Fit, ALargerErrorTakesLargerCells) {
   EXPECT_THAT(cells, testing::Not(testing::Eq(fine)));
   EXPECT_THAT(fine, testing::HasSubstr("shortest ways"));
   EXPECT_THAT(cells, testing::Not(testing::HasSubstr("shortest ways")));
+}
+
+// What fits into as little flash as fits anything.
+Fitted smallest(const Workspace& w, const char* robot, double tolerance) {
+  std::uint64_t flash = std::uint64_t{1} << 30U;
+  Fitted fitted;
+  while (refusal(w, budget(flash, 0, tolerance), robot).empty()) {
+    fitted = fit(w, parse_robot(robot), budget(flash, 0, tolerance), {});
+    flash = fitted.scene.bytes.size() - 1;
+  }
+  return fitted;
+}
+
+// Two rooms with clutter and a door of 0.55 m between them, without a start.
+TEST(Fit, NamesThePassagesThatItsCellsCloseAndTheirErrorInTheScene) {
+  Workspace w = clutter(400, 60, 6);
+  w.starts.clear();
+  w.goals.clear();
+  for (int column = 0; column < 400; ++column) {
+    for (int row = 170; row < 220; ++row) {
+      const bool wall = row >= 190 && row < 200 && (column < 300 || column > 310);
+      w.cells->occupied[cell_number(*w.cells, column, row)] = wall;
+    }
+  }
+  const Fitted fitted = smallest(w, "unicycle", 2.4);
+  EXPECT_THAT(fitted.report.at(0), testing::StartsWith("obstacles grown by at most 1.2 m, cells of 0.424 m"));
+  EXPECT_THAT(fitted.scene.warnings,
+              testing::Contains(testing::StartsWith("to fit: --cell 0.4242640687 closes a passage at 15.2")));
+  EXPECT_NEAR(Reader(fitted.scene.bytes).read().header.tolerance, 1.2, 1e-6);
+}
+
+// A wall of teeth, which is straight where it may grow: with coarse regions all of the teeth take more bytes than the
+// straight wall with fine ones.
+Workspace teeth() {
+  Workspace w;
+  w.max = {60, 20};
+  Ring wall{{0, 10}, {60, 10}};
+  for (int i = 300; i >= 0; --i) wall.push_back({0.2 * i, i % 2 == 0 ? 10.2 : 10.4});
+  w.obstacles = {{"wall", wall, {}}};
+  return w;
+}
+
+TEST(Fit, TriesFineRegionsAlsoWhereFinerOutlinesDoNotFit) {
+  const Workspace w = teeth();
+  const std::vector<std::uint8_t> grown = compile(w, {0.5, {}}).bytes;
+  ASSERT_GT(compile(w, {0, {}, true}).bytes.size(), grown.size());
+  ASSERT_LT(compile(w, {0.5, {}, true}).bytes.size(), grown.size());
+  EXPECT_EQ(fit(w, parse_robot("car"), budget(grown.size(), 0, 1), {}).scene.bytes, grown);
+}
+
+TEST(Fit, TriesNothingThatIsFinerThanWhatIsFarTooLarge) {
+  int compiled = 0;
+  const auto count = [&](const std::string& step) { compiled += step == "uniting obstacles"; };
+  EXPECT_THROW(fit(teeth(), parse_robot("car"), budget(4000, 0, 1), count), InputError);
+  EXPECT_EQ(compiled, 1);
+}
+
+TEST(Fit, KeepsToCoarseRegionsWhereTheseAreAskedFor) {
+  const Workspace w = teeth();
+  EXPECT_EQ(fit(w, parse_robot("car"), {0, 0, 1, true}, {}).scene.bytes, compile(w, {0, {}, true}).bytes);
 }
 
 TEST(Fit, RefusesWithTheBytes) {
