@@ -104,8 +104,16 @@ class Simplifier {
       const bool beside = along >= 0 && along <= dot(a, b, b);
       return beside || distance(p.x, p.y, a, b) <= shrink;  // a spike past an end would be cut off
     });
-    if (!sides) return false;
-    if (growth_ <= 0) return true;
+    return sides && (growth_ <= 0 || near_chain(n));
+  }
+
+  // Whether no point of the line that replaces a chain is further than the growth, and a thousandth of it, from the
+  // chain. No point that an edge of the chain is beside is further from this edge than straight across: the distance is
+  // sampled only where that is too far.
+  bool near_chain(const Node& n) const {
+    const double slack = growth_ / 1000, most = growth_ + slack;
+    const GridPoint a = points_[n.previous], b = points_[n.next];
+    const double length = std::hypot(double(b.x) - a.x, double(b.y) - a.y);
     const auto gap = [&](double t) {
       const double x = a.x + (double(b.x) - a.x) * t / length, y = a.y + (double(b.y) - a.y) * t / length;
       double nearest = 1e18;
@@ -115,7 +123,21 @@ class Simplifier {
       });
       return nearest;
     };
-    return never_exceeds(gap, 0, length, growth_, growth_ / 1000);
+    const auto near_between = [&](double from, double to) {
+      const auto [low, high] = std::minmax({std::clamp(from, 0.0, length), std::clamp(to, 0.0, length)});
+      return never_exceeds(gap, low, high, growth_, slack);
+    };
+    return all_of_chain(n.previous, n.next, [&](GridPoint p, GridPoint q) {
+      const double from = double(dot(a, b, p)) / length, to = double(dot(a, b, q)) / length;
+      for (const double side : {-1.0, 1.0}) {
+        const double at_p = side * double(cross(a, b, p)) / length - most;  // positive: too far on this side
+        const double at_q = side * double(cross(a, b, q)) / length - most;
+        if (at_p <= 0 && at_q <= 0) continue;
+        const double border = from + (to - from) * at_p / (at_p - at_q);
+        if (!near_between(at_p > 0 ? from : border, at_q > 0 ? to : border)) return false;
+      }
+      return true;
+    });
   }
 
   // Obstacles on both sides of a passage may grow: the passages' own edges are those that have not.

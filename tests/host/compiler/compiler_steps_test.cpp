@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ctime>
 #include <random>
 
 #include "host/compiler/rings.hpp"
@@ -103,6 +104,18 @@ TEST(Simplify, KeepsWhatStandsInTheWay) {
   const GridRing post{{500, -3}, {499, -2}, {500, -1}, {501, -2}};
   EXPECT_THAT(simplify({room, post}, 50)[0], testing::Contains(GridPoint{500, -10}));
   EXPECT_THAT(simplify({room}, 50)[0], testing::Not(testing::Contains(GridPoint{500, -10})));
+}
+
+// A wall of 2 km with a vertex in its middle, and one with a shallow notch all along, as deep as the wall may grow:
+// samples as dense as the growth, or a thousandth of it, would take a minute.
+TEST(Simplify, EndsSoonHoweverLittleItMayGrow) {
+  const GridRing straight{{0, 0}, {4000000, 0}, {8000000, 0}, {8000000, 1000}, {0, 1000}};
+  const GridRing notched{{0, 0},       {10, 0},      {10, -2},        {7999990, -2},
+                         {7999990, 0}, {8000000, 0}, {8000000, 1000}, {0, 1000}};
+  const std::clock_t begin = std::clock();
+  EXPECT_EQ(simplify({straight}, 0.002)[0].size(), 4U);
+  EXPECT_EQ(simplify({notched}, 2)[0].size(), 4U);
+  EXPECT_LT(double(std::clock() - begin) / CLOCKS_PER_SEC, 5);
 }
 
 TEST(Simplify, KeepsASpikeThatLeansAlongItsBase) {
