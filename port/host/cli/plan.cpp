@@ -439,7 +439,7 @@ void add_plan(CLI::App& app, const char* program) {
       ->add_option("--tolerance", o->tolerance,
                    "how much a map's passages may get narrower, in metres, as for krait compile\n"
                    "(default: one cell, but to no less than two; 0 where that leaves no plan)")
-      ->check(number_in(0, 1e6, "metres"));
+      ->check(number_in(0, kMostTolerance, "metres"));
   command
       ->add_option("--planner", o->planner,
                    "the search: adaptive (the paper's), prior ([18], its costs never change), rrt")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "host/compiler/compiler.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -33,13 +34,15 @@ struct Growth {
 };
 
 Growth growth_of(const Workspace& w, const CompileOptions& options) {
-  if (std::isnan(options.tolerance) || options.tolerance > 1e6)
-    throw InputError("the tolerance is not a length in metres");
+  if (std::isnan(options.tolerance) || options.tolerance > kMostTolerance)
+    throw InputError("the tolerance is not a length of at most " + std::to_string(int(kMostTolerance)) + " m");
   if (options.tolerance >= 0) return {options.tolerance / 2};
-  return w.cells ? Growth{w.cells->resolution / 2, 2 * w.cells->resolution} : Growth{};
+  if (!w.cells) return {};
+  return {std::min(w.cells->resolution, kMostTolerance) / 2, 2 * w.cells->resolution};
 }
 
 void check_starts(const Workspace& w, std::vector<std::string>& warnings) {
+  if (w.starts.size() > format::kNone16) throw InputError("more than 65535 starts: split the scene");
   for (const Start& start : w.starts) {
     const std::string label = "start '" + start.name + "'";
     bool usable = std::isfinite(start.position.x) && std::isfinite(start.position.y) && std::abs(start.heading) < 1e6;

@@ -56,7 +56,9 @@ Frame frame_of(const Workspace& w) {
   const Point low = frame.local(w.min), high = frame.local(w.max);
   const double limit = double(format::kMaxCoordinate) * kSteps;
   if (std::min(low.x, low.y) < -limit || std::max(high.x, high.y) > limit) {
-    throw InputError(text(w) + " are too large: a scene may measure at most 4000 m either way, centred");
+    throw InputError(
+        text(w) +
+        " are too large: a scene reaches at most 2000 m either way from the whole metre nearest to its middle");
   }
   frame.bounds = {{inwards_up(low.x), inwards_up(low.y)}, {inwards_down(high.x), inwards_down(high.y)}};
   if (frame.bounds.min.x >= frame.bounds.max.x || frame.bounds.min.y >= frame.bounds.max.y) {

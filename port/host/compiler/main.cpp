@@ -124,8 +124,8 @@ int main(int argc, char** argv) {
   app.add_option("--tolerance", arguments.tolerance,
                  "how much a passage may get narrower so that outlines need fewer corners; 0: not at all\n"
                  "(default: 0 for drawings; for maps one cell, but no passage gets narrower than two cells by it)")
-      ->check(number_in(0, 1e6, "metres"))
-      ->option_text("METRES, 0 to 1e6");
+      ->check(number_in(0, kMostTolerance, "metres"))
+      ->option_text("METRES, 0 to 4000");
   arguments.reduction.add(app);
   try {
     app.parse(argc, argv);

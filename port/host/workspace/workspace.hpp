@@ -72,6 +72,9 @@ struct CellMap {
   }
 };
 
+// Metres that a passage may be asked to get narrower by: twice what a scene file can say that obstacles grew.
+inline constexpr double kMostTolerance = 4000;
+
 struct Workspace {
   std::string name;
   Point min;  // the bounds, world coordinates

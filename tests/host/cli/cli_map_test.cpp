@@ -197,8 +197,8 @@ TEST_F(CliMap, OptionsForMapsAreRefusedWithACompiledScene) {
                                   "plan in the map itself\n");
   }
   expect_refused({"plan", "room.json", "--unknown", "maybe"}, "--unknown: give map, free or occupied, not maybe");
-  expect_refused({"plan", "room.json", "--tolerance", "-1"}, "--tolerance: give metres from 0 to 1000000, not -1");
-  expect_refused({"plan", "room.json", "--tolerance", "nan"}, "--tolerance: give metres from 0 to 1000000, not nan");
+  expect_refused({"plan", "room.json", "--tolerance", "-1"}, "--tolerance: give metres from 0 to 4000, not -1");
+  expect_refused({"plan", "room.json", "--tolerance", "nan"}, "--tolerance: give metres from 0 to 4000, not nan");
 }
 
 TEST_F(CliMap, WhatIsNeitherIsToldTheFormats) {

@@ -287,6 +287,25 @@ TEST(Scenes, BadNumbersAreRefused) {
   EXPECT_THAT(complaint(w), testing::HasSubstr("'home'"));
   w.starts.clear();
   EXPECT_THAT(complaint(w, std::nan("")), testing::HasSubstr("tolerance"));
+  EXPECT_THAT(complaint(w, 4000.01), testing::HasSubstr("the tolerance is not a length of at most 4000 m"));
+  EXPECT_EQ(complaint(w, 4000), "");
+  w.starts.assign(65535, {"home", {1, 1}, 0, {}});
+  EXPECT_EQ(complaint(w), "");
+  w.starts.push_back(w.starts[0]);
+  EXPECT_EQ(complaint(w), "more than 65535 starts: split the scene");
+}
+
+TEST(Scenes, WhatReachesTooFarIsRefused) {
+  Workspace w = empty_room(4000, 100);
+  EXPECT_EQ(complaint(w), "");
+  w.goals = {{"far", box(5000, 1, 5001, 2)}};
+  EXPECT_THAT(complaint(w), testing::HasSubstr("from the middle of the scene: move it or make it smaller"));
+  w.goals.clear();
+  w.min.x += 0.5;
+  w.max.x += 0.5;
+  EXPECT_THAT(
+      complaint(w),
+      testing::HasSubstr("a scene reaches at most 2000 m either way from the whole metre nearest to its middle"));
 }
 
 TEST(Scenes, SameInputSameBytes) {
@@ -386,6 +405,14 @@ TEST(Maps, Cropped) {
     const SceneView v = checked(part, 0);
     EXPECT_NEAR(double(v.header.bounds_max_x) + v.header.origin_x, part.max.x, 3e-4);
   }
+}
+
+TEST(Maps, OfCellsOfKilometresMayBeCropped) {
+  CellMap map = cells({"#.."}, 5000);
+  Workspace w;
+  w.max = {15000, 5000};
+  w.cells = map;
+  EXPECT_EQ(complaint(cropped(w, {4000, 0}, {6000, 1000})), "");
 }
 
 TEST(Maps, YawedAndFarAway) {
