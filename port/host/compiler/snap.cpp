@@ -104,22 +104,25 @@ class Pass {
         index.near(ends, [&](std::size_t cell) { emit(cell, i); });
       }
     });
-    std::vector<GridPoint> found;
+    std::vector<GridPoint> found, here;  // each in the cell that it lies in, which both of its edges are in
     for (std::size_t cell = 0; cell < lists.cells(); ++cell) {
       const auto items = lists.at(cell);
       for (std::size_t i = 0; i < items.size(); ++i) {
         for (std::size_t j = i + 1; j < items.size(); ++j) {
           const Edge &a = edges_[items[i]], &b = edges_[items[j]];
-          if (boxes_meet(a, b) && cross_properly(a, b)) found.push_back(crossing_of(a, b));
+          if (!boxes_meet(a, b) || !cross_properly(a, b)) continue;
+          const GridPoint crossing = crossing_of(a, b);
+          if (index.cell_of(crossing) == cell) here.push_back(crossing);
         }
       }
-      if (found.size() > 2 * kMaxCrossings) sort_unique(found);
+      sort_unique(here);
+      found.insert(found.end(), here.begin(), here.end());
+      here.clear();
       if (found.size() > kMaxCrossings) {
         throw InputError("the obstacles cross each other in more than " + std::to_string(kMaxCrossings) +
                          " places: simplify the drawing");
       }
     }
-    sort_unique(found);
     return found;
   }
 

@@ -74,6 +74,13 @@ TEST(Snap, TooManyCrossingsAreRefused) {
   EXPECT_THROW(snap(edges), InputError);
 }
 
+// Each pair crosses once, but shares a hundred cells of the index.
+TEST(Snap, CountsACrossingOnce) {
+  Edges edges;
+  for (std::int32_t i = 0; i < 200; ++i) edges.push_back({{0, 10 * i}, {200000, 1990 - 10 * i}});
+  EXPECT_LE(snap(edges).crossings, 19'900U);
+}
+
 // Free space on the left: a room, counter-clockwise, whose walls do the case at hand.
 TEST(Simplify, TakesOnlyStraightVerticesAtGrowthZero) {
   const GridRing room{{0, 0}, {500, 0}, {1000, 0}, {1000, 1000}, {500, 1001}, {0, 1000}};
