@@ -22,7 +22,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kMostLevels = 1'000'000;  // bytes of all frames
+constexpr std::size_t kMostLevels = 750'000;  // of all frames: a megabyte in Base64
 constexpr std::size_t kMostStates = 6'000;
 
 std::string base64(const std::string& bytes) {
@@ -88,13 +88,16 @@ std::string triangles(const Picture& picture) {
   return points.text();
 }
 
-// Every n-th frame and the last.
+// All frames, or every n-th and the last, so that there are no more levels than kMostLevels; at least the first and the
+// last.
 std::vector<const CostFrame*> chosen_frames(const Picture& picture) {
-  const std::size_t all = picture.frames.size() * picture.triangles.size();
-  const std::size_t stride = std::max<std::size_t>(1, (all + kMostLevels - 1) / kMostLevels);
   std::vector<const CostFrame*> chosen;
-  for (std::size_t i = 0; i + 1 < picture.frames.size(); i += stride) chosen.push_back(&picture.frames[i]);
-  if (!picture.frames.empty()) chosen.push_back(&picture.frames.back());
+  if (picture.frames.empty()) return chosen;
+  const std::size_t before_last = picture.frames.size() - 1;
+  const std::size_t most = std::max<std::size_t>(2, kMostLevels / std::max<std::size_t>(1, picture.triangles.size()));
+  const std::size_t stride = std::max<std::size_t>(1, (before_last + most - 2) / (most - 1));
+  for (std::size_t i = 0; i < before_last; i += stride) chosen.push_back(&picture.frames[i]);
+  chosen.push_back(&picture.frames.back());
   return chosen;
 }
 

@@ -56,7 +56,7 @@ std::string draw_svg(const Picture& picture);
 std::string draw_png(const Picture& picture);  // the bytes of the file
 
 // One file that needs no network. A tree vertex takes about 21 bytes of it, a state of a 15-link snake about 350;
-// frames are thinned so that they take at most a megabyte, states to at most 6,000.
+// frames are thinned so that they take at most a megabyte (the first and the last stay), states to at most 6,000.
 std::string draw_html(const Picture& picture);
 
 }  // namespace krait::host

@@ -38,7 +38,7 @@ const std::vector<SceneName>& scene_names();
 // InputError for an unknown name or a scale outside kMinSceneScale…kMaxSceneScale.
 Scene make_scene(const std::string& name, double scale);
 
-// The scene as native JSON (DESIGN, "Native scene").
+// The scene as native JSON (port/host/README.md, "Files").
 std::string scene_json(const std::string& name, double scale);
 
 }  // namespace krait::host

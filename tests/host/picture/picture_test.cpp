@@ -460,6 +460,14 @@ TEST(Page, ManyFramesAreThinnedToAMegabyteWithFirstAndLast) {
   EXPECT_LE(frames["iterations"].size(), 51U);
   EXPECT_EQ(frames["iterations"].front(), 0);
   EXPECT_EQ(frames["iterations"].back(), 199);
+  for (CostFrame& frame : picture.frames) frame.costs.resize(2000);
+  picture.triangles.resize(2000);
+  for (const std::size_t count : {200U, 375U, 376U, 500U}) {
+    picture.frames.resize(count, picture.frames.back());
+    const std::string levels = data_of(draw_html(picture))["frames"]["levels"];
+    EXPECT_LE(levels.size(), 1'000'000U);
+    EXPECT_GE(levels.size(), 1'000'000U / 2) << count;
+  }
 }
 
 TEST(Page, ManyStatesAreThinnedWithTheLast) {
