@@ -341,7 +341,8 @@ typedef struct krait_own {
 typedef struct krait_model krait_model;
 
 /** A robot is made by one of the functions below; change its parameters before krait_init. A program contains the
-    models whose functions it calls. It is a plain value, but for what it points to. */
+    models whose functions it calls. It is a plain value, but for what it points to. One that is NULL or all zeros has
+    sizes of 0 and no state at rest, and krait_init refuses it as KRAIT_BAD_ROBOT. */
 typedef struct krait_robot {
   const krait_model* model; /**< set by the function that made it; not to be changed */
   /** The one that the function that made it names. */
@@ -379,8 +380,9 @@ krait_robot krait_unicycle2(void);
     of the left and the right wheel. O(1). */
 krait_robot krait_diff_drive(void);
 
-/** `own`; functions and what lies at `self` must stay. krait_init refuses it as KRAIT_BAD_ROBOT where a function that
-    it needs is NULL or a size is out of range, and as KRAIT_BAD_ARITHMETIC where `exact` is not true. O(1). */
+/** `own`; functions and what lies at `self` must stay. krait_init refuses it as KRAIT_BAD_ROBOT where `functions` or
+    a function that it needs is NULL or a size is out of range, and as KRAIT_BAD_ARITHMETIC where `exact` is not true.
+    O(1). */
 krait_robot krait_own_robot(const krait_functions* functions, const void* self);
 
 /** Floats of a state, at most KRAIT_MAX_STATE; 0 where the robot's parameters cannot be used. O(bodies). */

@@ -87,7 +87,8 @@ enum class Argument : std::uint8_t {
   max_substeps,      ///< SearchTuning::max_substeps
   robot_dimensions,  ///< bad_robot: the robot's sound() is false
   robot_polygon,     ///< bad_robot: a body is not convex, counter-clockwise, of 3 to 8 vertices
-  robot_sizes        ///< bad_robot: a size is beyond the model's maximum, or self_collision_gap below 1
+  robot_sizes        ///< bad_robot: a size of your own robot is out of range, or a robot was never constructed; the
+                     ///< library's robots have robot_dimensions for too many trailers
 };
 
 /// Lower-case name as in the enum. The pointer is to static storage. O(1).

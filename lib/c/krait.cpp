@@ -51,6 +51,10 @@ krait_status status_of(Status status) { return static_cast<krait_status>(status)
 
 krait_failure failure_of(const krait::Failure& failure) { return convert<krait_failure>(failure); }
 
+krait_failure bad_argument(krait::Argument argument) {
+  return {KRAIT_BAD_ARGUMENT, 0, static_cast<std::uint32_t>(argument), 0, 0.0F};
+}
+
 const krait::Scene& view(const krait_scene* scene) {
   return *std::launder(reinterpret_cast<const krait::Scene*>(scene));
 }
@@ -78,6 +82,9 @@ constexpr std::uint64_t aligned(std::uint64_t bytes) {
 }
 
 static_assert(alignof(Front) <= krait::Setup::kAlignment);
+
+// Whether one of krait.h's functions has made the robot.
+bool is_made(const krait_robot* robot) { return robot != nullptr && robot->model != nullptr; }
 
 // Bytes before the pools.
 std::uint64_t front_bytes(const krait_robot& robot) {
@@ -115,12 +122,14 @@ const char* krait_goal_name(const krait_scene* scene, uint32_t goal) { return vi
 
 uint32_t krait_find_goal(const krait_scene* scene, const char* name) { return view(scene).find_goal(name); }
 
-uint32_t krait_state_size(const krait_robot* robot) { return robot->model->state_size(*robot); }
+uint32_t krait_state_size(const krait_robot* robot) { return is_made(robot) ? robot->model->state_size(*robot) : 0; }
 
-uint32_t krait_control_size(const krait_robot* robot) { return robot->model->control_size(*robot); }
+uint32_t krait_control_size(const krait_robot* robot) {
+  return is_made(robot) ? robot->model->control_size(*robot) : 0;
+}
 
 bool krait_rest(const krait_robot* robot, krait_pose pose, float* state) {
-  return robot->model->rest(*robot, pose, state);
+  return is_made(robot) && robot->model->rest(*robot, pose, state);
 }
 
 krait_parameters krait_default_parameters() {
@@ -131,6 +140,7 @@ krait_parameters krait_default_parameters() {
 }
 
 uint64_t krait_bytes_required(const krait_scene* scene, const krait_robot* robot, const krait_limits* limits) {
+  if (!is_made(robot)) return 0;
   return front_bytes(*robot) + robot->model->pools(view(scene), *robot, convert<krait::Limits>(*limits));
 }
 
@@ -140,6 +150,7 @@ krait_limits krait_limits_for(uint64_t bytes, const krait_scene* scene, const kr
 
 krait_limits krait_limits_to_improve(uint64_t bytes, const krait_scene* scene, const krait_robot* robot,
                                      uint32_t way_legs) {
+  if (!is_made(robot)) return {};
   const std::uint64_t front = front_bytes(*robot);
   const std::uint64_t pools = bytes < front ? 0 : bytes - front;
   return convert<krait_limits>(robot->model->limits_for(pools, view(scene), *robot, way_legs));
@@ -148,6 +159,10 @@ krait_limits krait_limits_to_improve(uint64_t bytes, const krait_scene* scene, c
 krait_failure krait_init(krait_planner** planner, const krait_setup* setup, const krait_parameters* parameters,
                          const krait_limits* limits) {
   *planner = nullptr;
+  if (!is_made(setup->robot)) {
+    return {KRAIT_BAD_ROBOT, 0, static_cast<std::uint32_t>(krait::Argument::robot_sizes), 0, 0.0F};
+  }
+  if (setup->scene == nullptr || view(setup->scene).bytes() == 0) return bad_argument(krait::Argument::scene);
   const krait_robot& robot = *setup->robot;
   const krait_limits used = limits != nullptr ? *limits : convert<krait_limits>(krait::Limits());
   const std::uint64_t front = front_bytes(robot);
@@ -157,7 +172,7 @@ krait_failure krait_init(krait_planner** planner, const krait_setup* setup, cons
     return {KRAIT_ARENA_TOO_SMALL, 0, 0, krait_bytes_required(setup->scene, &robot, &least), 0.0F};
   }
   if (setup->block == nullptr || reinterpret_cast<std::uintptr_t>(setup->block) % krait::Setup::kAlignment != 0) {
-    return {KRAIT_BAD_ARGUMENT, 0, static_cast<std::uint32_t>(krait::Argument::block), 0, 0.0F};
+    return bad_argument(krait::Argument::block);
   }
   auto* const place = static_cast<std::byte*>(setup->block);
   auto* const made = ::new (setup->block) Front;

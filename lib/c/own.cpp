@@ -119,6 +119,7 @@ static_assert(sizeof(krait_travel) == sizeof(krait::Travel) && alignof(krait_tra
 }  // namespace
 
 krait_robot krait_own_robot(const krait_functions* functions, const void* self) {
+  if (functions == nullptr) return {};
   const bool has_speed = functions->speed != nullptr;
   krait_robot robot{has_speed ? &krait::c::kModel<OwnRobotWithSpeed> : &krait::c::kModel<OwnRobot>, {}, nullptr};
   robot.parameters.own = {functions, self};

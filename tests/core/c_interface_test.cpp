@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 #include "c_program.h"
 #include "planner_fixture.hpp"
@@ -292,6 +293,42 @@ TEST(CInterface, BlocksThatAreNoneAreRefused) {
     const krait_failure failure = given.init(block, given.needed);
     EXPECT_EQ(failure.status, KRAIT_BAD_ARGUMENT);
     EXPECT_STREQ(krait_argument_name(failure.element), "block");
+  }
+}
+
+TEST(CInterface, ARobotThatIsNoneIsRefusedInABlockOfAnySize) {
+  Given given;
+  const krait_robot zeros{};
+  const krait_robot no_functions = krait_own_robot(nullptr, nullptr);
+  for (const krait_robot* robot : {static_cast<const krait_robot*>(nullptr), &zeros, &no_functions}) {
+    float state[KRAIT_MAX_STATE];
+    EXPECT_EQ(krait_state_size(robot), 0U);
+    EXPECT_EQ(krait_control_size(robot), 0U);
+    EXPECT_FALSE(krait_rest(robot, kPose, state));
+    EXPECT_EQ(krait_bytes_required(&given.scene, robot, &given.limits), 0U);
+    EXPECT_EQ(krait_limits_for(given.needed, &given.scene, robot).vertices, 0U);
+    for (const std::uint64_t size : {std::uint64_t{0}, given.needed}) {
+      const krait_setup setup{given.block.data(), size, &given.scene, robot};
+      const krait_failure failure = krait_init(&given.planner, &setup, nullptr, nullptr);
+      EXPECT_EQ(failure.status, KRAIT_BAD_ROBOT);
+      EXPECT_STREQ(krait_argument_name(failure.element), "robot_sizes");
+      EXPECT_EQ(failure.bytes_needed, 0U);
+      EXPECT_EQ(given.planner, nullptr);
+    }
+  }
+}
+
+TEST(CInterface, ASceneThatIsNoneIsRefusedInABlockOfAnySize) {
+  Given given;
+  krait_scene closed;
+  EXPECT_EQ(krait_open(&closed, given.bytes.data(), 4).status, KRAIT_BAD_SCENE);
+  for (const krait_scene* scene : {static_cast<const krait_scene*>(nullptr), &std::as_const(closed)}) {
+    for (const std::uint64_t size : {std::uint64_t{100}, given.needed}) {
+      const krait_setup setup{given.block.data(), size, scene, &given.robot};
+      const krait_failure failure = krait_init(&given.planner, &setup, &given.parameters, &given.limits);
+      EXPECT_EQ(failure.status, KRAIT_BAD_ARGUMENT);
+      EXPECT_STREQ(krait_argument_name(failure.element), "scene");
+    }
   }
 }
 
