@@ -7,12 +7,21 @@
 #include "host/cli/commands.hpp"
 #include "host/cli/options.hpp"
 #include "host/run/pools.hpp"
+#include "host/run/robot_facts.hpp"
 #include "host/run/robots.hpp"
-#include "host/run/run.hpp"
 #include "host/run/scene_names.hpp"
+#include "host/run/session.hpp"
+#include "host/workspace/printed.hpp"
 
 namespace krait::host {
 namespace {
+
+struct InfoOptions {
+  std::string scene;
+  std::string robot = "snake:15";
+  std::string memory = "128K";
+  double dt = decimal(Parameters().dt);
+};
 
 std::uint64_t print_row(const char* name, std::uint64_t bytes) {
   std::printf("%-26s %10llu\n", name, static_cast<unsigned long long>(bytes));
@@ -66,11 +75,23 @@ void print_pools(const Pools& pools) {
   print_row("total", total);
 }
 
-void print_info(const std::string& path, const std::string& robot, const std::string& memory) {
-  const SceneBytes bytes = SceneBytes::read(path);
-  const krait::Scene scene = open_scene(path, bytes);
-  const Parameters parameters;
-  const Work work = work_bound(scene, extent_of(parse_robot(robot), parameters), parameters);
+// Throws InputError for what no block helps.
+Pools usable_pools(const krait::Scene& scene, const SearchRequest& request, const Robot& robot) {
+  const Pools pools = pools_of(request.memory, scene, robot, request.parameters);
+  if (pools.failure.status != Status::arena_too_small) refuse(pools.failure, scene, request);
+  return pools;
+}
+
+void print_info(const InfoOptions& options) {
+  const SceneBytes bytes = SceneBytes::read(options.scene);
+  const krait::Scene scene = open_scene(options.scene, bytes);
+  SearchRequest request;
+  request.robot = parse_robot(options.robot);
+  request.memory = parse_memory(options.memory);
+  request.parameters.dt = static_cast<float>(options.dt);
+  require_usable(options.robot, request.robot);
+  const CoreRobot core(request.robot);
+  const Pools pools = usable_pools(scene, request, core.view());
   const format::Header& h = scene.header();
   const auto number = [](float x) { return static_cast<double>(x); };
   std::printf("%-10s%s\n", "scene", scene.name());
@@ -88,10 +109,8 @@ void print_info(const std::string& path, const std::string& robot, const std::st
   std::printf("%-10sbuckets of %.3g m (at most %u triangles, %u pieces in one), clearance cells of %.3g m\n", "look-up",
               number(h.bucket_size), h.most_bucket_triangles, h.most_bucket_pieces, number(h.clearance_cell));
   std::printf("%-10sversion %u, %u-byte indices\n", "format", h.version, h.index_width);
-  print_work(robot, work);
-  const CoreRobot core(parse_robot(robot));
-  const Pools pools = pools_of(parse_memory(memory), scene, core.view());
-  print_block(robot, memory, scene, core.view(), pools);
+  print_work(options.robot, work_bound(scene, extent_of(core, request.parameters), request.parameters));
+  print_block(options.robot, options.memory, scene, core.view(), pools);
   print_sections(h);
   print_pools(pools);
 }
@@ -99,15 +118,16 @@ void print_info(const std::string& path, const std::string& robot, const std::st
 }  // namespace
 
 void add_info(CLI::App& app) {
-  const auto path = std::make_shared<std::string>();
+  const auto o = std::make_shared<InfoOptions>();
   CLI::App* command =
       app.add_subcommand("info", "report what a scene file holds: regions, pieces, flash, RAM, narrowest portal, work");
-  command->add_option("SCENE", *path, "a .krait file")->required();
-  const auto robot = std::make_shared<std::string>("snake:15");
-  command->add_option("--robot", *robot, "whose work and memory are stated: as for plan")->capture_default_str();
-  const auto memory = std::make_shared<std::string>("128K");
-  command->add_option("--memory", *memory, "the block that is shared out: as for plan")->capture_default_str();
-  command->callback([path, robot, memory] { print_info(*path, *robot, *memory); });
+  command->add_option("SCENE", o->scene, "a .krait file")->required();
+  command->add_option("--robot", o->robot, "whose work and memory are stated: as for plan")->capture_default_str();
+  command->add_option("--memory", o->memory, "the block that is shared out: as for plan")->capture_default_str();
+  command->add_option("--dt", o->dt, with_range("the time step that it plans with, seconds", Argument::dt))
+      ->check(number_of(Argument::dt, "seconds"))
+      ->capture_default_str();
+  command->callback([o] { print_info(*o); });
 }
 
 }  // namespace krait::host

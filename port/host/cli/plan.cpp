@@ -78,6 +78,7 @@ SearchRequest request_of(const PlanOptions& options) {
   SearchRequest request;
   if (options.paper) request.parameters = Parameters::paper();
   options.query.read(request);
+  require_usable(options.query.robot, request.robot);
   request.planner = options.planner;
   request.seed = options.seed;
   request.memory = parse_memory(options.memory);

@@ -5,6 +5,7 @@
 #include "host/input/bytes.hpp"
 #include "host/input/json.hpp"
 #include "host/input/number_option.hpp"
+#include "host/run/robot_facts.hpp"
 
 namespace krait::host {
 
@@ -52,7 +53,9 @@ void ReductionOptions::add(CLI::App& app) {
 
 std::optional<RobotSpec> ReductionOptions::spec() const {
   if (robot.empty()) return std::nullopt;
-  return parse_robot(robot);
+  RobotSpec spec = parse_robot(robot);
+  require_usable(robot, spec);
+  return spec;
 }
 
 Workspace ReductionOptions::apply(Workspace workspace, const std::optional<RobotSpec>& spec) const {

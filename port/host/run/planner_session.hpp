@@ -12,11 +12,6 @@
 
 namespace krait::host {
 
-// Throws InputError with one line for every status that is not a result of a search; for a start in collision the line
-// names what it is too near to.
-void refuse(const Failure& failure, const krait::Scene& scene, const SearchRequest& request);
-[[noreturn]] void refuse(const Contact& at_start, const krait::Scene& scene, const SearchRequest& request);
-
 template <class P>
 class PlannerSession : public Session {
  public:

@@ -11,7 +11,8 @@
 namespace krait::host {
 
 struct Pools {
-  std::uint32_t vertices = 0;  // 0: the block is too small
+  Failure failure;  // ok, or why a planner refuses the block, the robot or the parameters: the rest is 0 then
+  std::uint32_t vertices = 0;
   std::uint32_t expansions = 0;
   std::array<std::uint64_t, detail::kPoolCount> bytes{};  // by Pool
 };
@@ -26,6 +27,6 @@ std::uint64_t block_for(const krait::Scene& scene, const Robot& robot, std::uint
 double bytes_a_vertex(const krait::Scene& scene, const Robot& robot);
 
 // Of a block of `bytes`.
-Pools pools_of(std::uint64_t bytes, const krait::Scene& scene, const Robot& robot);
+Pools pools_of(std::uint64_t bytes, const krait::Scene& scene, const Robot& robot, const Parameters& parameters);
 
 }  // namespace krait::host

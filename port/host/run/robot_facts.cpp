@@ -16,6 +16,8 @@
 namespace krait::host {
 namespace {
 
+constexpr double kMostReach = 100;  // metres, of a body from its axle: the core's
+
 double parameter(const RobotSpec& robot, const char* name) { return robot.parameters.at(name); }
 
 bool has_steering(const RobotSpec& robot) { return robot.parameters.count("max_steering") > 0; }
@@ -156,6 +158,29 @@ double front_axle_out(const RobotSpec& robot) {
   return std::max({0.0, axle - front->x, back->x - axle});
 }
 
+// "body_length 450 m", "body 1 reaches 450 m from its axle"
+std::string size_of_body(const RobotSpec& robot, int k, double reach) {
+  const auto body = static_cast<std::size_t>(k);
+  if (!same_ring(robot.bodies[body], default_bodies(robot)[body])) {
+    return printed("body %d reaches %.4g m from its axle", k, reach);
+  }
+  const char* const larger =
+      parameter(robot, "body_length") < parameter(robot, "body_width") ? "body_width" : "body_length";
+  return printed("%s %.7g m", larger, parameter(robot, larger));
+}
+
+// Of a robot with a body that the core cannot use.
+std::string why_no_body(const RobotSpec& robot, const Robot& core) {
+  int k = 0;
+  while (detail::usable_body(core.body(k))) ++k;
+  const Polygon body = core.body(k);
+  const auto reach = static_cast<double>(detail::farthest(body.vertices, body.count));
+  if (reach > kMostReach) {
+    return size_of_body(robot, k, reach) + ": bodies must lie within 100 m of their axles; were centimetres meant?";
+  }
+  return printed("body %d: a side is shorter than 0.1 mm, or a corner next to straight", k);
+}
+
 }  // namespace
 
 std::string axle_warning(const RobotSpec& robot) {
@@ -192,16 +217,20 @@ std::vector<Ring> bodies_in(const SteadyTurn& turn, const RobotSpec& robot) {
   return bodies;
 }
 
+void require_usable(const std::string& name, const RobotSpec& robot) {
+  const CoreRobot core(robot);
+  const Argument bad = detail::first_bad_of_robot(core.view());
+  if (bad == Argument::none) return;
+  throw InputError(name + ": " +
+                   (bad == Argument::robot_polygon ? why_no_body(robot, core.view())
+                                                   : std::string(krait::to_string(bad)) + " cannot be used"));
+}
+
 RobotFacts facts_of(const std::string& name, const RobotSpec& robot, const Parameters& parameters) {
+  require_usable(name, robot);
   RobotFacts facts;
   const CoreRobot core(robot);
   const Robot view = core.view();
-  if (const Argument bad = detail::first_bad_of_robot(view); bad != Argument::none) {
-    throw InputError("robot " + name + ": " + krait::to_string(bad) +
-                     (bad == Argument::robot_polygon
-                          ? " cannot be used: bodies must lie within 100 m of their axles, no side below 0.1 mm"
-                          : " cannot be used"));
-  }
   const RobotExtent extent = extent_of(core, parameters);
   facts.tree_parts = extent.tree_parts;
   facts.plan_parts = extent.plan_parts;

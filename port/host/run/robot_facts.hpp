@@ -37,6 +37,9 @@ struct RobotFacts {
   double step_error = 0;         // metres, that a body is off after a second at top speed and full lock in those steps
 };
 
+// Throws InputError, naming `name`, for a robot that the core refuses whatever the time step.
+void require_usable(const std::string& name, const RobotSpec& robot);
+
 // What is said of a robot whose longest_time_step is 0.
 inline constexpr const char* kNoTimeStep = "none of 0.001 s or more: the robot changes too fast to be planned for";
 
@@ -54,7 +57,7 @@ double lock_radius(const RobotSpec& robot);
 // The bodies in the turn, to the left around (0, radius), body 0 at the origin with heading 0.
 std::vector<Ring> bodies_in(const SteadyTurn& turn, const RobotSpec& robot);
 
-// The facts at the parameters' time step. Throws InputError, naming `name`, for a robot that the core refuses.
+// The facts at the parameters' time step. Throws as require_usable.
 RobotFacts facts_of(const std::string& name, const RobotSpec& robot, const Parameters& parameters);
 
 }  // namespace krait::host

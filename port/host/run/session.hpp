@@ -46,6 +46,11 @@ using Block = std::vector<std::uint64_t>;
 
 inline Block block_of(const SearchRequest& request) { return Block((request.memory + 7) / 8); }
 
+// Throws InputError with one line for every status that is not a result of a search; for a start in collision the line
+// names what it is too near to.
+void refuse(const Failure& failure, const krait::Scene& scene, const SearchRequest& request);
+[[noreturn]] void refuse(const Contact& at_start, const krait::Scene& scene, const SearchRequest& request);
+
 // Scene and block must outlive the session. Throws InputError for whatever cannot be used.
 std::unique_ptr<Session> start_session(const krait::Scene& scene, const SearchRequest& request, Block& block);
 

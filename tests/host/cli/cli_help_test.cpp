@@ -82,7 +82,7 @@ TEST_F(CliHelp, ListsTheDefaultsOfEveryRobot) {
 }
 
 TEST_F(CliHelp, TeachesInfoVerifyAndScene) {
-  expect_all(help({"info"}), {"SCENE", ".krait", "--robot", "--memory"});
+  expect_all(help({"info"}), {"SCENE", ".krait", "--robot", "--memory", "--dt"});
   expect_all(help({"verify"}), {"INPUT", "PLAN", "--robot", "--start", "--goal", "--unknown"});
   expect_all(help({"robot"}), {"ROBOT", "--svg", "--png", "ROBOT.json"});
   expect_all(help({"robots"}), {"shipped robots"});
@@ -146,6 +146,16 @@ TEST_F(CliHelp, InfoReportsTheLeastBlockAndItsPools) {
   const std::uint64_t vertices = number_after(info, "40000 holds ");
   const double each = static_cast<double>(number_after(info, "bytes, and "));
   EXPECT_NEAR(static_cast<double>(bytes) + each * static_cast<double>(vertices), 40'000.0, 200.0);
+}
+
+TEST_F(CliHelp, InfoSaysThatTheTimeStepIsTooLongAndNotTheBlockTooSmall) {
+  write("fast.json", R"({"model": "car", "parameters": {"max_speed": 50, "max_acceleration": 3, "min_speed": -1}})");
+  const std::vector<std::string> info = {"info", "room.krait", "--robot", "fast.json", "--memory", "1G"};
+  expect_refused(info, "krait: bad_argument: dt: at most 0.081 s for a robot so fast and so short: try --dt 0.081\n");
+  std::vector<std::string> shorter = info;
+  shorter.insert(shorter.end(), {"--dt", "0.08"});
+  EXPECT_THAT(krait(shorter).output, HasSubstr("1G holds "));
+  expect_refused({"info", "room.krait", "--dt", "2"}, "--dt");
 }
 
 TEST_F(CliHelp, DemoExplainsItself) {

@@ -161,8 +161,18 @@ TEST_F(CliRobot, WhatCannotBeUsedIsRefused) {
   expect_refused({"robot", "gone.json"}, "gone.json: cannot be read");
   expect_refused({"robot", "bad.json"}, "bad.json: parameters.wheelbase: must be metres from 0.001 to 1000, is -1");
   expect_refused({"robot", "broken.json"}, "broken.json");
-  expect_refused({"robot", "side.json"}, "robot side.json: robot_polygon cannot be used: bodies must lie within 100 m");
+  expect_refused({"robot", "side.json"}, "krait: side.json: body 0 reaches 500 m from its axle: bodies must lie");
   expect_refused({"robots", "car"}, "not expected here: car");
+}
+
+TEST_F(CliRobot, OneInCentimetresIsAskedAboutByEveryCommand) {
+  write("c.json", R"({"model": "car", "parameters": {"body_length": 450, "body_width": 180, "wheelbase": 270}})");
+  const std::string why =
+      "c.json: body_length 450 m: bodies must lie within 100 m of their axles; were centimetres meant?\n";
+  expect_refused({"robot", "c.json"}, "krait: " + why);
+  expect_refused({"info", "room.krait", "--robot", "c.json"}, "krait: " + why);
+  expect_refused({"plan", "room.json", "--robot", "c.json"}, "krait: " + why);
+  expect_refused({"compile", "room.json", "--for", "c.json", "-o", "small.krait"}, "krait-compile: " + why);
 }
 
 TEST_F(CliRobot, OutputsAreLookedAtFirst) {

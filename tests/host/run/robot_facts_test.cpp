@@ -10,6 +10,7 @@
 #include "../scratch.hpp"
 #include "host/robot_file/shipped.hpp"
 #include "host/run/robots.hpp"
+#include "host/workspace/printed.hpp"
 
 namespace krait::host {
 namespace {
@@ -179,7 +180,24 @@ TEST(RobotFacts, ASteeredAxleOutsideOfItsBodyIsMeasured) {
 TEST(RobotFacts, ARobotThatTheCoreRefusesIsRefused) {
   RobotSpec robot = parse_robot("car");
   robot.bodies[0] = {{0, 0}, {500, 0}, {500, 1}};
-  EXPECT_THAT(error_of([&] { facts(robot); }), HasSubstr("robot mine: robot_polygon cannot be used"));
+  EXPECT_EQ(error_of([&] { facts(robot); }),
+            "mine: body 0 reaches 500 m from its axle: bodies must lie within 100 m of their axles; were centimetres "
+            "meant?");
+  robot.bodies[0] = {{0, 0}, {1, 0}, {1, 1}, {1 - 1e-5, 1 + 5e-5}};
+  EXPECT_EQ(error_of([&] { facts(robot); }),
+            "mine: body 0: a side is shorter than 0.1 mm, or a corner next to straight");
+}
+
+TEST(RobotFacts, ARobotInCentimetresIsAskedAboutByItsSize) {
+  RobotSpec robot = parse_robot("truck:1");
+  for (const auto& [size, value] : {std::pair("body_width", 240.0), std::pair("body_length", 450.5)}) {
+    robot.parameters[size] = value;
+    robot.bodies = default_bodies(robot);
+    EXPECT_EQ(error_of([&] { require_usable("c.json", robot); }),
+              printed("c.json: %s %.7g m: bodies must lie within 100 m of their axles; were centimetres meant?", size,
+                      value));
+  }
+  EXPECT_NO_THROW(require_usable("truck:1", parse_robot("truck:1")));
 }
 
 }  // namespace
