@@ -13,7 +13,7 @@ void MapOptions::add(CLI::App& command) {
       ->check(one_of({"map", "free", "occupied"}))
       ->capture_default_str();
   command.add_option("--unit", unit, kAboutUnit)->check(number_in(kMinUnit, kMaxUnit, "metres"))->option_text("METRES");
-  command.add_option("--datum", datum, kAboutDatum)->option_text("LONGITUDE,LATITUDE");
+  command.add_option("--datum", datum, kAboutDatum)->check(not_empty())->option_text("LONGITUDE,LATITUDE");
 }
 
 ImportOptions MapOptions::read() const {

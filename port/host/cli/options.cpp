@@ -8,6 +8,8 @@
 #include <optional>
 
 #include "host/input/bytes.hpp"
+#include "host/input/word_option.hpp"
+#include "host/run/robot_facts.hpp"
 #include "host/workspace/heading.hpp"
 #include "host/workspace/printed.hpp"
 
@@ -98,10 +100,13 @@ void QueryOptions::add(CLI::App& command) {
                   model_forms(", ", "N trailers, 0 to " + std::to_string(kMaxLinks)) +
                       ", a shipped machine by its name\n(krait robots lists them), or a ROBOT.json")
       ->capture_default_str();
-  command.add_option("--start", start,
-                     "a start of the scene by NAME, or X,Y,HEADING in metres and radians (default: its first)");
-  command.add_option("--goal", goal,
-                     "a goal of the scene by NAME, or a disc X,Y,RADIUS in metres (default: its first)");
+  command
+      .add_option("--start", start,
+                  "a start of the scene by NAME, or X,Y,HEADING in metres and radians (default: its first)")
+      ->check(not_empty());
+  command
+      .add_option("--goal", goal, "a goal of the scene by NAME, or a disc X,Y,RADIUS in metres (default: its first)")
+      ->check(not_empty());
   command
       .add_option("--heading", heading,
                   "radians: the heading of the robot's first body at the end, with a goal X,Y,RADIUS or one that has\n"
@@ -118,8 +123,11 @@ void QueryOptions::add(CLI::App& command) {
                   "with a heading (default: as far as the hitches bend)")
       ->check(number_in(kLeastTolerance, std::numbers::pi, "radians"));
   command.add_flag("--any-heading", any_heading, "the heading of the map's goal is not asked for");
-  command.add_option("--end-speed", end_speed,
-                     "metres a second, 0 or more: how fast the plan may end, inf for any speed (default: 0, at rest)");
+  command
+      .add_option("--end-speed", end_speed,
+                  "metres a second, 0 or more: how fast the plan may end, inf for any speed (default: 0, at rest;\n"
+                  "inf with --paper; --planner prior and rrt do not brake, and take inf only)")
+      ->check(not_empty());
 }
 
 bool QueryOptions::robot_is_file() const { return is_robot_file(robot); }
@@ -169,6 +177,10 @@ void QueryOptions::read(SearchRequest& request) const {
   }
   if (!end_speed) return;
   if (!(*end_speed >= 0)) throw InputError("--end-speed: give metres a second, 0 or more, or inf");
+  if (const double least = least_speed(request.robot); *end_speed < least) {
+    throw InputError(
+        printed("--end-speed: the robot is never slower than %.7g m/s: give that or more, or leave it out", least));
+  }
   request.parameters.end_speed = static_cast<float>(*end_speed);
 }
 

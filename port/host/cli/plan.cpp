@@ -63,9 +63,20 @@ struct Ground {
   double grown = 0;  // metres a side, by which obstacles were grown and then were not, since nothing else left a way
 };
 
+// Says nothing where the text is empty.
+void warn(const std::string& text) {
+  if (!text.empty()) std::fprintf(stderr, "krait: warning: %s\n", text.c_str());
+}
+
 constexpr double kImprove = 10;               // times the first plan's collision checks
 constexpr double kLeastChecks = 300'000;      // of improvement, where nobody says how much
 constexpr const char* kRoomToImprove = "1M";  // of memory: a smaller block can spare none
+
+// What keeps the first plan.
+std::string kept_by(const PlanOptions& options) {
+  if (options.improve) return "--improve 0";
+  return options.paper ? "--paper" : "--planner " + options.planner;
+}
 
 // The default of --improve. Of the rivals and the paper's algorithm it is their own plan that is wanted.
 void improve_as_usual(SearchRequest& request, bool paper) {
@@ -74,10 +85,29 @@ void improve_as_usual(SearchRequest& request, bool paper) {
   request.improve_least = kLeastChecks;
 }
 
+// The rivals are not asked to brake.
+void refuse_braking(const PlanOptions& options) {
+  const std::optional<double>& speed = options.query.end_speed;
+  if (options.planner == "adaptive" || !speed || std::isinf(*speed)) return;
+  throw InputError("--end-speed: --planner " + options.planner +
+                   " does not brake, its plans end at any speed: leave it out, or give inf");
+}
+
+// Where nothing is improved, --stop-within ends nothing.
+void judge_stop_within(const PlanOptions& options, const SearchRequest& request) {
+  if (!(request.stop_within > 0) || request.improve > 0) return;
+  if (options.improve || options.paper || options.planner != "adaptive") {
+    throw InputError("--stop-within: " + kept_by(options) +
+                     " keeps the first plan: leave one of them out, or give --improve a number above 0");
+  }
+  warn(printed("--stop-within: a --memory under %s keeps the first plan, unless --improve is given", kRoomToImprove));
+}
+
 SearchRequest request_of(const PlanOptions& options) {
   SearchRequest request;
   if (options.paper) request.parameters = Parameters::paper();
   options.query.read(request);
+  refuse_braking(options);
   require_usable(options.query.robot, request.robot);
   request.planner = options.planner;
   request.seed = options.seed;
@@ -331,8 +361,7 @@ Ground read_ground(const PlanOptions& options, SearchRequest& request, Progress&
 void warn_of_axle(const PlanOptions& options, const RobotSpec& robot) {
   if (!options.query.robot_is_file() || !same_ring(robot.bodies[0], default_bodies(robot)[0])) return;
   const std::string warning = axle_warning(robot);
-  if (warning.empty()) return;
-  std::fprintf(stderr, "krait: warning: %s: %s\n", safe_to_print(options.query.robot).c_str(), warning.c_str());
+  if (!warning.empty()) warn(safe_to_print(options.query.robot) + ": " + warning);
 }
 
 // A search and the distance that it kept to obstacles, where --clearance was not set.
@@ -390,6 +419,7 @@ Answer search_for(Ground& ground, const PlanOptions& options, SearchRequest& req
 
 void plan(const PlanOptions& options) {
   SearchRequest request = request_of(options);
+  judge_stop_within(options, request);
   check_outputs(outputs_of(options), inputs_of(options));  // before work that may take long
   warn_of_axle(options, request.robot);
   Progress progress("krait");
@@ -471,7 +501,7 @@ void add_plan(CLI::App& app, const char* program) {
   command
       ->add_option("--stop-within", o->stop_within,
                    "improve no further where the plan is longer than the shortest way by this share at most, as 0.05\n"
-                   "(default: never)")
+                   "(default: never; refused where --improve 0, --paper or --planner prior or rrt keep the first plan)")
       ->check(number_in(1e-6, 1e6, "a share of the shortest way"));
   const auto search = [&](const char* name, auto& value, const char* text, Argument argument, auto normal) {
     const std::string about = printed("%s (default %.7g)", with_range(text, argument).c_str(), decimal(normal));

@@ -12,6 +12,7 @@
 #include "host/cli/map_options.hpp"
 #include "host/cli/options.hpp"
 #include "host/input/progress.hpp"
+#include "host/run/robot_facts.hpp"
 #include "host/workspace/printed.hpp"
 
 namespace krait::host {
@@ -58,17 +59,17 @@ void print_complaints(const Verdict& verdict, bool all) {
   if (more > 0) std::printf("%zu more, which the first may explain: --all prints them\n", more);
 }
 
-void print_verdict(const Verdict& verdict, bool all) {
+void print_verdict(const Verdict& verdict, const RobotSpec& robot, bool all) {
   print_complaints(verdict, all);
   if (std::isnan(verdict.goal_depth)) {  // the plan could not be driven, or not to its end
     std::printf("the plan does not hold\n");
     return;
   }
+  const std::string end = least_speed(robot) > 0 ? "never at rest" : printed("end speed %.2g m/s", verdict.end_speed);
   std::printf(
-      "%s: as driven, clearance %.4g m, goal depth %.4g m, end speed %.2g m/s; stored states differ by %.2g, in one "
-      "step by %.2g\n",
-      verdict.holds ? "the plan holds" : "the plan does not hold", verdict.clearance, verdict.goal_depth,
-      verdict.end_speed, verdict.drift, verdict.step_error);
+      "%s: as driven, clearance %.4g m, goal depth %.4g m, %s; stored states differ by %.2g, in one step by %.2g\n",
+      verdict.holds ? "the plan holds" : "the plan does not hold", verdict.clearance, verdict.goal_depth, end.c_str(),
+      verdict.drift, verdict.step_error);
   if (!std::isnan(verdict.heading_error))
     std::printf("as driven, it ends %.4g rad off the heading\n", verdict.heading_error);
 }
@@ -109,7 +110,7 @@ void judge(const VerifyOptions& options) {
   progress.show("verifying", std::to_string(plan.controls.size()) + " steps");
   const Verdict verdict = verify(workspace, plan, asked);
   progress.end();
-  print_verdict(verdict, options.all);
+  print_verdict(verdict, request.robot, options.all);
   if (verdict.holds) print_own(options, workspace, asked);
   if (!verdict.holds && !options.query.robot_given()) {
     std::printf("judged for %s, the default: --robot asks for another\n", options.query.robot.c_str());

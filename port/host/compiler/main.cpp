@@ -19,6 +19,7 @@
 #include "host/input/parse_error.hpp"
 #include "host/input/printed_out.hpp"
 #include "host/input/progress.hpp"
+#include "host/input/word_option.hpp"
 #include "host/workspace/heading.hpp"
 
 namespace {
@@ -106,8 +107,10 @@ int main(int argc, char** argv) {
   Arguments arguments;
   app.add_option("INPUT", arguments.input, map_formats())->required();
   app.add_option("-o,--output", arguments.output, "the scene file to write")->check(output_name())->required();
-  app.add_option("--start", arguments.start, "X,Y,HEADING: a start named 'start', in place of the file's");
-  app.add_option("--goal", arguments.goal, "X,Y,RADIUS: a further goal named 'goal', inside this disc");
+  app.add_option("--start", arguments.start, "X,Y,HEADING: a start named 'start', in place of the file's")
+      ->check(not_empty());
+  app.add_option("--goal", arguments.goal, "X,Y,RADIUS: a further goal named 'goal', inside this disc")
+      ->check(not_empty());
   app.add_flag("--any-heading", arguments.any_heading,
                "no warning of goals whose headings the map has and a scene file has no place for");
   app.add_flag("--quiet", arguments.quiet, "no warnings");
@@ -116,11 +119,12 @@ int main(int argc, char** argv) {
   app.add_option("--unknown", arguments.map.unknown,
                  "how a map's unknown cells count: free, occupied, or map (by its own thresholds)")
       ->transform(CLI::Transformer(names))
+      ->check(not_empty())
       ->option_text("free|occupied|map (default: map)");
   app.add_option("--unit", arguments.map.unit, kAboutUnit)
       ->check(number_in(kMinUnit, kMaxUnit, "metres"))
       ->option_text("METRES, 1e-6 to 1e6");
-  app.add_option("--datum", arguments.datum, kAboutDatum)->option_text("LONGITUDE,LATITUDE");
+  app.add_option("--datum", arguments.datum, kAboutDatum)->check(not_empty())->option_text("LONGITUDE,LATITUDE");
   app.add_option("--tolerance", arguments.tolerance,
                  "how much a passage may get narrower so that outlines need fewer corners; 0: not at all\n"
                  "(default: 0 for drawings; for maps one cell, but no passage gets narrower than two cells by it)")

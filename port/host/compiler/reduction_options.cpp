@@ -5,6 +5,7 @@
 #include "host/input/bytes.hpp"
 #include "host/input/json.hpp"
 #include "host/input/number_option.hpp"
+#include "host/input/word_option.hpp"
 #include "host/run/robot_facts.hpp"
 
 namespace krait::host {
@@ -22,6 +23,7 @@ void ReductionOptions::add(CLI::App& app) {
     app.add_option(name, value, about)->check(number_in(kLeast, kMost, "metres"))->option_text("METRES");
   };
   app.add_option("--crop", crop, "keeps only this box of the map; what lies outside is wall")
+      ->check(not_empty())
       ->option_text("X0,Y0,X1,Y1");
   metres("--cell", cell,
          "a map's cells become as large as this, or a drawing is drawn in such cells; a cell is\n"
@@ -35,6 +37,7 @@ void ReductionOptions::add(CLI::App& app) {
                  "ways for it:\n" +
                      model_forms(", ", "N trailers, 0 to " + std::to_string(kMaxLinks)) +
                      ", a shipped robot, or a ROBOT.json")
+      ->check(not_empty())
       ->option_text("ROBOT")
       ->excludes("--fill");
   app.add_flag("--coarse", coarse,
@@ -43,10 +46,12 @@ void ReductionOptions::add(CLI::App& app) {
                  "with --for: makes the finest scene file that is no larger, from fine to coarse:\n"
                  "outlines with the error that --tolerance allows (default: half of the clearance that\n"
                  "krait plan keeps), coarse regions, larger cells, corridors")
+      ->check(not_empty())
       ->option_text("BYTES, as 1M")
       ->needs("--for");
   app.add_option("--ram", ram,
                  "the same for the robot's block with room for " + std::to_string(kFitVertices) + " vertices")
+      ->check(not_empty())
       ->option_text("BYTES, as 256K")
       ->needs("--for");
 }

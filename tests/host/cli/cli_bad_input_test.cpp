@@ -118,6 +118,24 @@ TEST_F(CliBadInput, Goals) {
                       "or outside (the robot is snake:15: --robot asks for another)\n");
 }
 
+// As of a shell's variable that is not set: nothing is planned, judged or compiled with the default in its place.
+TEST_F(CliBadInput, EmptyValues) {
+  for (const char* option : {"--start", "--goal", "--datum", "--end-speed"}) {
+    const std::string why = std::string("krait: ") + option + ": give a value, this one is empty (see krait ";
+    expect_refused({"plan", "room.krait", option, ""}, why + "plan --help)\n");
+    expect_refused({"verify", "room.json", "plan.json", option, ""}, why + "verify --help)\n");
+  }
+  expect_refused({"export", "room.json", "--datum", "", "--svg", "room.svg"}, "--datum: give a value");
+  for (const char* option : {"--start", "--goal", "--datum", "--unknown", "--crop", "--for"}) {
+    expect_refused({"compile", "room.json", "-o", "x.krait", option, ""},
+                   std::string("krait-compile: ") + option + ": give a value, this one is empty (see --help)\n");
+  }
+  for (const char* option : {"--flash", "--ram"}) {
+    expect_refused({"compile", "room.json", "-o", "x.krait", "--for", "car", option, ""},
+                   std::string(option) + ": give a value");
+  }
+}
+
 TEST_F(CliBadInput, Numbers) {
   expect_plan_refused({"--alpha", "nan"}, "alpha");
   expect_plan_refused({"--alpha", "1e999"}, "alpha");

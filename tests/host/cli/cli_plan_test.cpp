@@ -212,6 +212,25 @@ TEST_F(CliPlan, ImprovesNoFurtherThanAsked) {
               HasSubstr("\nthe first plan was not improved\n  longer than the shortest way by less than 10000 %, as"));
 }
 
+TEST_F(CliPlan, AsksForNoShortPlanWhereTheFirstIsKept) {
+  const auto refused = [&](const Arguments& options, const std::string& keeper) {
+    Arguments all = {"plan", "room.krait", "--robot", "car", "--stop-within", "0.1"};
+    all.insert(all.end(), options.begin(), options.end());
+    expect_refused(all, "krait: --stop-within: " + keeper +
+                            " keeps the first plan: leave one of them out, or give --improve a number above 0\n");
+  };
+  refused({"--improve", "0"}, "--improve 0");
+  refused({"--paper"}, "--paper");
+  refused({"--planner", "prior"}, "--planner prior");
+  refused({"--planner", "rrt"}, "--planner rrt");
+  const Arguments small = {"plan", "room.krait", "--robot", "car", "--stop-within", "0.1", "--memory", "512K"};
+  EXPECT_EQ(krait(small).errors,
+            "krait: warning: --stop-within: a --memory under 1M keeps the first plan, unless --improve is given\n");
+  Arguments improved = small;
+  improved.insert(improved.end(), {"--improve", "1"});
+  expect_done(improved);
+}
+
 TEST_F(CliPlan, NothingIsImprovedWhereThereIsNoPlan) {
   const Outcome run = krait({"plan", "room.krait", "--robot", "car", "--iterations", "1", "--stop-within", "0.1"});
   EXPECT_EQ(run.code, 1);
@@ -537,7 +556,28 @@ TEST_F(CliPlan, EndsAtRestUnlessAskedOtherwise) {
   EXPECT_EQ(krait({"verify", "room.json", "plan.json", "--robot", "car"}).code, 1) << "at rest is the default";
   EXPECT_LT(end_speed({"--robot", "car", "--end-speed", "1"}), 1.005);
   EXPECT_GT(end_speed({"--robot", "car", "--paper"}), 0.1);
-  EXPECT_GT(end_speed({"--robot", "car", "--planner", "prior"}), 0.1);
+  EXPECT_GT(end_speed({"--robot", "car", "--planner", "prior", "--end-speed", "inf"}), 0.1);
+}
+
+TEST_F(CliPlan, AsksNoPlannerToBrakeThatDoesNot) {
+  for (const std::string planner : {"prior", "rrt"}) {
+    expect_refused({"plan", "room.krait", "--robot", "car", "--planner", planner, "--end-speed", "0"},
+                   "krait: --end-speed: --planner " + planner +
+                       " does not brake, its plans end at any speed: leave it out, or give inf\n");
+  }
+}
+
+TEST_F(CliPlan, OfARobotThatNeverStopsEndsAtNoSpeedBelowItsLeast) {
+  write("glider.json", R"({"model": "unicycle", "parameters": {"min_speed": 0.2}})");
+  (void)plan({"--robot", "glider.json"});
+  const Outcome held = krait({"verify", "room.json", "plan.json", "--robot", "glider.json"});
+  EXPECT_EQ(held.code, 0);
+  EXPECT_THAT(held.output, HasSubstr(" m, never at rest; stored states differ by "));
+  const std::string why =
+      "krait: --end-speed: the robot is never slower than 0.2 m/s: give that or more, or leave it out\n";
+  expect_refused({"plan", "room.krait", "--robot", "glider.json", "--end-speed", "0.1"}, why);
+  expect_refused({"verify", "room.json", "plan.json", "--robot", "glider.json", "--end-speed", "0"}, why);
+  expect_done({"verify", "room.json", "plan.json", "--robot", "glider.json", "--end-speed", "0.2"});
 }
 
 TEST_F(CliPlan, EndsWithTheHeadingAskedFor) {
