@@ -30,7 +30,7 @@ struct Counts {
 };
 
 bool recognise(const Source& source) {
-  if (source.path.ends_with(".json") || has_top_key(source.content, "environment")) return false;
+  if (has_top_key(source.content, "environment")) return false;
   return has_top_key(source.content, "image") || has_top_key(source.content, "occupied_thresh") ||
          has_top_key(source.content, "resolution");
 }

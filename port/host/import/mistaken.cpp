@@ -59,8 +59,15 @@ std::string head_of(const std::string& content) {
 // Whether the head of XML has the element, and no drawing before it.
 bool has_first(const std::string& head, std::string_view element) { return head.find(element) < head.find("<svg"); }
 
+// As krait's pictures begin, which name their one group.
+bool is_own_picture(const std::string& head, const std::string& content) {
+  return head.find("role=\"img\"><title>") != std::string::npos &&
+         content.find("<g id=\"figure\"") != std::string::npos;
+}
+
 std::optional<std::string> mistaken_xml(const std::string& content) {
   const std::string head = head_of(content);
+  if (is_own_picture(head, content)) return "is a picture that krait has drawn, not a map: give the map itself";
   for (const Kind& kind : kElements) {
     if (has_first(head, kind.mark)) return kind.advice;
   }

@@ -78,11 +78,13 @@ Affine read_transform(SvgScanner text) {
   return map;
 }
 
-// "goal", "goal2" and "goal-dock" are goals, "goalkeeper" is none.
-std::optional<Role> role_of_id(std::string_view id) {
-  const std::size_t letters = std::min(id.find_first_not_of("abcdefghijklmnopqrstuvwxyz"), id.size());
-  if (letters < id.size() && id[letters] >= 'A' && id[letters] <= 'Z') return std::nullopt;
-  return role_of(id.substr(0, letters));
+// "goal", "goals", "goal2" and "goal-dock" are goals, "goalkeeper" is none.
+std::optional<Role> role_of_name(std::string_view name) {
+  const std::size_t letters = std::min(name.find_first_not_of("abcdefghijklmnopqrstuvwxyz"), name.size());
+  if (letters < name.size() && name[letters] >= 'A' && name[letters] <= 'Z') return std::nullopt;
+  const std::string_view word = name.substr(0, letters);
+  const auto role = role_of(word);
+  return role || !word.ends_with('s') ? role : role_of(word.substr(0, word.size() - 1));
 }
 
 // By its classes, else by its id, else by Inkscape's label.
@@ -90,11 +92,11 @@ std::optional<Role> role_of_element(const pugi::xml_node& element) {
   std::string_view classes = element.attribute("class").value();
   while (!classes.empty()) {
     const std::size_t end = std::min(classes.find_first_of(kSpace), classes.size());
-    if (const auto role = role_of(classes.substr(0, end))) return role;
+    if (const auto role = role_of_name(classes.substr(0, end))) return role;
     classes.remove_prefix(std::min(end + 1, classes.size()));
   }
-  if (const auto role = role_of_id(element.attribute("id").value())) return role;
-  return role_of_id(element.attribute("inkscape:label").value());
+  if (const auto role = role_of_name(element.attribute("id").value())) return role;
+  return role_of_name(element.attribute("inkscape:label").value());
 }
 
 }  // namespace

@@ -201,6 +201,14 @@ TEST_F(CliMap, OptionsForMapsAreRefusedWithACompiledScene) {
   expect_refused({"plan", "room.json", "--tolerance", "nan"}, "--tolerance: give metres from 0 to 4000, not nan");
 }
 
+TEST_F(CliMap, APictureOfKraitsOwnIsNone) {
+  expect_done({"plan", "room.krait", "--robot", "car", "--improve", "0", "--svg", "plan.svg"});
+  expect_done({"robot", "car", "--svg", "car.svg"});
+  for (const std::string picture : {"plan.svg", "car.svg"}) {
+    expect_refused({"plan", picture}, picture + ": is a picture that krait has drawn, not a map: give the map itself");
+  }
+}
+
 TEST_F(CliMap, WhatIsNeitherIsToldTheFormats) {
   write("letter", "Dear robot,\n");
   expect_refused({"plan", "letter", "-o", "plan.json"},

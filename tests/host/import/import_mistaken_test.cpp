@@ -55,6 +55,14 @@ TEST_F(MistakenTest, OtherMapsAndPagesAreNamed) {
   EXPECT_THAT(error("r.xml", "<robot name=\"a\"/>"), HasSubstr("is a robot's URDF, not a map"));
 }
 
+// Other drawings for screen readers begin as krait's pictures do.
+TEST_F(MistakenTest, ADrawingWithATitleIsAMap) {
+  EXPECT_THAT(
+      warnings("icon.svg", R"(<svg width="9000mm" height="9000mm" viewBox="0 0 9 9" role="img"><title>a</title>)"
+                           R"(<circle r="1"/></svg>)"),
+      IsEmpty());
+}
+
 TEST_F(MistakenTest, AMapUnderAnotherNameIsReadAndSaysSo) {
   EXPECT_THAT(warnings("m.json", kDrawing),
               ElementsAre(path("m.json") + ": is read as SVG, which it is, whatever its name says"));
@@ -62,6 +70,11 @@ TEST_F(MistakenTest, AMapUnderAnotherNameIsReadAndSaysSo) {
   EXPECT_THAT(warnings("m.csv", "type octile\nheight 1\nwidth 1\nmap\n.\n"),
               ElementsAre(HasSubstr("is read as MovingAI .map")));
   EXPECT_THAT(warnings("m.map", kMap), ElementsAre(HasSubstr("is read as krait's JSON")));
+  write("m.pgm", std::string("P5 1 1 255\n\xFF"));
+  EXPECT_THAT(warnings("m.json",
+                       "image: m.pgm\nresolution: 1\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\n"
+                       "free_thresh: 0.196\n"),
+              ElementsAre(HasSubstr("m.json: is read as map_server YAML")));
   EXPECT_THAT(warnings("m.txt", kMap), IsEmpty());
   EXPECT_THAT(warnings("m.yaml", "environment:\n  min: [0, 0]\n  max: [1, 1]\n"), IsEmpty());
 }

@@ -220,6 +220,21 @@ TEST_F(SvgTest, RolesComeFromClassesIdsAndLabels) {
   EXPECT_EQ(w.obstacles[0].label, "goalkeeper");
 }
 
+TEST_F(SvgTest, AClassMayBeginWithTheRole) {
+  const Workspace w = shapes(R"(<rect class="bounds2" x="1" y="1" width="8" height="8" fill="none"/>
+    <rect class="wide goal2" x="1" y="1" width="2" height="2"/>
+    <rect class="goal_b" id="bay" x="1" y="1" width="2" height="2"/>
+    <g class="goals"><rect id="dock" x="1" y="1" width="2" height="2"/></g>
+    <line class="start-left" x1="2" y1="7" x2="2" y2="5"/>
+    <rect class="goalkeeper" x="1" y="1" width="2" height="2"/>)");
+  EXPECT_NEAR(w.min.x, 1, 1e-9);
+  ASSERT_EQ(w.goals.size(), 3U);
+  EXPECT_EQ(w.goals[1].name, "bay");
+  EXPECT_EQ(w.goals[2].name, "dock");
+  EXPECT_EQ(w.starts.size(), 1U);
+  EXPECT_EQ(w.obstacles.size(), 1U);
+}
+
 TEST_F(SvgTest, AStartIsALineToWhereTheRobotLooks) {
   const Workspace w = shapes(R"(<line class="start" x1="2" y1="7" x2="2" y2="5"/>
     <polyline class="start" points="1,4 1,5 2,5 3,5" fill="none"/>)");
