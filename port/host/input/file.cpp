@@ -99,13 +99,16 @@ void write_device(const std::string& path, const std::string& content) {
   write_all(file.number(), path, content);
 }
 
-void replace_file(const std::string& path, const std::string& target, const std::string& content) {
+// `replaced` is what there is at `target`; null: nothing.
+void replace_file(const std::string& path, const std::string& target, const struct stat* replaced,
+                  const std::string& content) {
   static unsigned serial = 0;
   const Undisturbed undisturbed;
   const std::string name = target + ".part" + std::to_string(::getpid()) + "-" + std::to_string(serial++);
   Descriptor file(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
   if (file.number() < 0) fail(path, "written", errno);
   Temporary temporary{name};
+  if (replaced != nullptr && ::fchmod(file.number(), replaced->st_mode & 0777U) != 0) fail(path, "written", errno);
   write_all(file.number(), path, content);
   if (::fsync(file.number()) != 0) fail(path, "written", errno);
   if (::close(file.release()) != 0) fail(path, "written", errno);
@@ -142,13 +145,24 @@ std::string read_file(const std::string& path, std::uint64_t most) {
   return content;
 }
 
+std::string led_to(const std::string& path) {
+  constexpr int kMostLinks = 40;  // of a system that follows them
+  std::filesystem::path target = path;
+  std::error_code none;
+  for (int i = 0; i < kMostLinks && std::filesystem::is_symlink(target, none); ++i) {
+    target = target.parent_path() / std::filesystem::read_symlink(target, none);
+  }
+  return target.string();
+}
+
 void check_writable(const std::string& path) {
   struct stat status = {};
   const bool exists = ::stat(path.c_str(), &status) == 0;
+  if (!exists && errno == ELOOP) fail(path, "written", ELOOP);
   if (exists && S_ISDIR(status.st_mode)) throw InputError(path + ": cannot be written: is a directory");
   if (exists) require_writable_kind(path, status.st_mode);
   std::error_code nowhere;  // then the folder is "", which cannot be written to
-  const std::string folder = std::filesystem::absolute(path, nowhere).parent_path().string();
+  const std::string folder = std::filesystem::absolute(led_to(path), nowhere).parent_path().string();
   const std::string& written = exists && !S_ISREG(status.st_mode) ? path : folder;
   if (::access(written.c_str(), W_OK) != 0) fail(path, "written", errno);
 }
@@ -158,7 +172,7 @@ void write_file(const std::string& path, const std::string& content) {
   struct stat status = {};
   const bool exists = ::stat(path.c_str(), &status) == 0;
   if (exists && !S_ISREG(status.st_mode)) return write_device(path, content);
-  replace_file(path, exists ? std::filesystem::canonical(path).string() : path, content);
+  replace_file(path, led_to(path), exists ? &status : nullptr, content);
 }
 
 }  // namespace krait::host

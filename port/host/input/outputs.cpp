@@ -32,7 +32,7 @@ std::optional<Place> place_of(const std::string& path) {
     return Place{status.st_dev, status.st_ino, {}};
   }
   std::error_code nowhere;  // then the folder is "", which there is not
-  const std::filesystem::path whole = std::filesystem::absolute(path, nowhere);
+  const std::filesystem::path whole = std::filesystem::absolute(led_to(path), nowhere);
   if (::stat(whole.parent_path().c_str(), &status) != 0) return std::nullopt;
   return Place{status.st_dev, status.st_ino, whole.filename().string()};
 }

@@ -66,6 +66,34 @@ TEST_F(FileTest, WritesThroughASymbolicLink) {
   EXPECT_EQ(content_of(path("target")), "new");
 }
 
+TEST_F(FileTest, ALinkToAFileThatThereIsNotYetIsFollowed) {
+  std::filesystem::create_directory(path("folder"));
+  std::filesystem::create_symlink("folder/next", path("link"));
+  std::filesystem::create_symlink("target", path("folder/next"));
+  write_file(path("link"), "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(path("link")));
+  EXPECT_EQ(content_of(path("folder/target")), "new");
+
+  std::filesystem::create_symlink("gone/target", path("lost"));
+  std::filesystem::create_symlink("loop", path("loop"));
+  for (const char* name : {"lost", "loop"}) {
+    EXPECT_THAT(error_of([&] { check_writable(path(name)); }), HasSubstr(": cannot be written: "));
+    EXPECT_THAT(error_of([&] { write_file(path(name), "x"); }), HasSubstr(": cannot be written: "));
+    EXPECT_TRUE(std::filesystem::is_symlink(path(name)));
+  }
+}
+
+TEST_F(FileTest, AFileThatIsReplacedKeepsItsPermissions) {
+  for (const mode_t mode : {0600U, 0664U, 0400U}) {
+    ASSERT_EQ(::chmod(write("f", "old").c_str(), mode), 0);
+    write_file(path("f"), "new");
+    struct stat status = {};
+    ASSERT_EQ(::stat(path("f").c_str(), &status), 0);
+    EXPECT_EQ(status.st_mode & 07777U, mode);
+    std::filesystem::remove(path("f"));
+  }
+}
+
 TEST_F(FileTest, WritesToADeviceWithoutReplacingIt) {
   write_file("/dev/null", "gone");
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));

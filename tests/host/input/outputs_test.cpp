@@ -46,11 +46,13 @@ TEST_F(OutputsTest, AnInputIsNotOverwrittenByAnyOfItsNames) {
 TEST_F(OutputsTest, TwoOutputsAreNotOneFile) {
   write("old", "content");
   std::filesystem::create_symlink("old", path("to_old"));
+  std::filesystem::create_symlink("new", path("to_new"));
   for (const auto& [one, other] : {std::pair{"new", "new"},
                                    {"new", "here/new"},
                                    {"new", "here/here/./new"},
                                    {"old", "old"},
                                    {"old", "to_old"},
+                                   {"new", "to_new"},
                                    {"here/old", "to_old"}}) {
     EXPECT_EQ(error({path(one), "", path(other)}),
               "--2 " + path(other) + ": would overwrite the output --0 " + path(one) + ": choose another file");
