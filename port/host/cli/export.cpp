@@ -44,7 +44,9 @@ void write(const ExportOptions& o) {
     throw InputError("export: nothing to write: give --geojson, --svg or --json with a file");
   }
   check_outputs(outputs, {o.map});
-  const Workspace workspace = import_workspace(o.map, o.options.read());
+  ImportOptions options = o.options.read();
+  options.undoes_shift = true;
+  const Workspace workspace = import_workspace(o.map, options);
   check_outputs(outputs, workspace.files);
   for (const std::string& warning : workspace.warnings) std::fprintf(stderr, "krait: warning: %s\n", warning.c_str());
   if (!o.json.empty()) write_file(o.json, native_json(workspace));

@@ -41,7 +41,8 @@ void parse_start(const std::string& text, SearchRequest& request) {
     request.start = StartPose{{(*pose)[0], (*pose)[1]}, (*pose)[2]};
   } else if (text.find(',') != std::string::npos) {
     throw InputError("--start " + text +
-                     ": give X,Y,HEADING (metres to 1e7, metres to 1e7, radians to 2 pi) or a start's name");
+                     ": give X,Y,HEADING (metres to 1e7, metres to 1e7, radians to 2 pi) or a start's name" +
+                     hint_of_far_place(text));
   } else {
     request.start_name = text;
   }
@@ -54,7 +55,8 @@ void parse_goal(const std::string& text, SearchRequest& request) {
   } else if (text.find(',') != std::string::npos) {
     throw InputError(
         "--goal " + text +
-        ": give X,Y,RADIUS (metres to 1e7, the radius 0.001 or more) or a goal's name; --heading takes a heading");
+        ": give X,Y,RADIUS (metres to 1e7, the radius 0.001 or more) or a goal's name; --heading takes a heading" +
+        hint_of_far_place(text));
   } else {
     request.goal_name = text;
   }

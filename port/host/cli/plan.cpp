@@ -345,6 +345,7 @@ Ground read_ground(const PlanOptions& options, SearchRequest& request, Progress&
   const std::string content = read_file(options.scene, UINT32_MAX);
   if (is_scene_file(content)) {
     options.query.read_pose({}, request);
+    warn(misnamed_scene(options.scene));
     if (options.map_options.empty()) return {SceneBytes::copy(content.data(), content.size()), std::nullopt};
     throw InputError(options.map_options.front() + " is for maps, but " + options.scene +
                      " is compiled already: use it with krait compile, or plan in the map itself");

@@ -13,7 +13,7 @@ namespace krait::host {
 std::vector<double> numbers(const std::string& option, const std::string& text, const std::vector<double>& bounds,
                             const std::string& form) {
   const std::optional<std::vector<double>> values = parse_numbers(text, bounds);
-  if (!values) throw InputError(option + " '" + text + "': give " + form);
+  if (!values) throw InputError(option + " '" + text + "': give " + form + hint_of_far_place(text));
   return *values;
 }
 

@@ -46,11 +46,11 @@ void refuse_useless(const Source& source, const Format& format, const ImportOpti
   judge("--datum", options.datum.has_value(), format.uses.datum);
 }
 
-// Two formats may have one extension.
-void warn_of_name(const Source& source, const Format& format, Workspace& workspace) {
-  const Format* named = by_name(source.path);
-  if (named == nullptr || source.path.ends_with(format.extension)) return;
-  workspace.warnings.push_back(source.path + ": is read as " + format.name + ", which it is, whatever its name says");
+// Empty where the name says the format, or none. Two formats may have one extension.
+std::string misnamed(const std::string& path, const Format& format) {
+  const Format* named = by_name(path);
+  if (named == nullptr || path.ends_with(format.extension)) return "";
+  return path + ": is read as " + format.name + ", which it is, whatever its name says";
 }
 
 // A map's author may have meant degrees; a map of others may also just count its turns.
@@ -76,6 +76,8 @@ std::string map_formats() {
   return names;
 }
 
+std::string misnamed_scene(const std::string& path) { return safe_to_print(misnamed(path, kSceneFile)); }
+
 bool is_map(const Source& source) { return by_content(source) != nullptr; }
 
 Workspace read_workspace(const Source& source, const ImportOptions& options) {
@@ -85,9 +87,11 @@ Workspace read_workspace(const Source& source, const ImportOptions& options) {
   if (format == nullptr) refuse(source);
   refuse_useless(source, *format, options);
   Workspace workspace = format->read(source, options);
-  warn_of_name(source, *format, workspace);
+  if (const std::string warning = misnamed(source.path, *format); !warning.empty()) {
+    workspace.warnings.push_back(warning);
+  }
   warn_of_degrees(source.path, workspace);
-  bring_near(source.path, workspace);
+  bring_near(source.path, workspace, !options.undoes_shift);
   workspace.files.push_back(source.path);
   for (std::string& warning : workspace.warnings) warning = safe_to_print(warning);
   return workspace;

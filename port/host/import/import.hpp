@@ -33,6 +33,7 @@ struct ImportOptions {
   Unknown unknown = Unknown::map;
   std::optional<double> unit = std::nullopt;   // metres, kMinUnit to kMaxUnit; goes before what a drawing says
   std::optional<LonLat> datum = std::nullopt;  // goes before what a GeoJSON says; not with a unit
+  bool undoes_shift = false;                   // who asks adds a far map's shift back: no warning of it
 };
 
 // "11.57,48.14", longitude before latitude. Throws InputError that names --datum.
@@ -40,6 +41,9 @@ LonLat parse_datum(const std::string& text);
 
 // The names of the formats of maps and drawings, for --help: "SVG, GeoJSON".
 std::string map_formats();
+
+// What import_workspace warns of where a compiled scene's name says that it is something else; empty where it does not.
+std::string misnamed_scene(const std::string& path);
 
 // Chooses the format by content, or by name where the content fits none: one of map_formats(), or a compiled scene.
 // Throws InputError.

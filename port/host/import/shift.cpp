@@ -42,13 +42,13 @@ std::string warning(const std::string& file, const Point& shift) {
 
 }  // namespace
 
-void bring_near(const std::string& file, Workspace& workspace) {
+void bring_near(const std::string& file, Workspace& workspace, bool warns) {
   if (std::max(reach(workspace.min), reach(workspace.max)) > kMaxCoordinate) {
     const Point shift = {std::round(workspace.min.x / 2 + workspace.max.x / 2),
                          std::round(workspace.min.y / 2 + workspace.max.y / 2)};
     for_each_point(workspace, [&](Point& p, const std::string&) { p = {p.x - shift.x, p.y - shift.y}; });
     workspace.shift = shift;
-    workspace.warnings.push_back(warning(file, shift));
+    if (warns) workspace.warnings.push_back(warning(file, shift));
   }
   for_each_point(workspace, [&](const Point& p, const std::string& label) {
     if (reach(p) <= kMaxReach) return;

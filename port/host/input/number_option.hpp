@@ -3,6 +3,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -36,6 +37,14 @@ inline std::optional<std::vector<double>> parse_numbers(std::string_view text, c
     if (!last) text.remove_prefix(comma + 1);
   }
   return values;
+}
+
+// Of an X,Y,… that is refused: "; a map beyond 1e7 m is moved to around 0: krait compile MAP says by how much" where it
+// is for being so far, else nothing.
+inline std::string hint_of_far_place(std::string_view text) {
+  const std::optional<std::vector<double>> place = parse_numbers(text, std::vector<double>(3, HUGE_VAL));
+  if (!place || !(std::max(std::abs((*place)[0]), std::abs((*place)[1])) > kMaxCoordinate)) return "";
+  return "; a map beyond 1e7 m is moved to around 0: krait compile MAP says by how much";
 }
 
 // Lets an option take finite numbers from `least` to `most` only; the refusal names the unit.

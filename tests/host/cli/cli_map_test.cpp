@@ -201,12 +201,39 @@ TEST_F(CliMap, OptionsForMapsAreRefusedWithACompiledScene) {
   expect_refused({"plan", "room.json", "--tolerance", "nan"}, "--tolerance: give metres from 0 to 4000, not nan");
 }
 
+TEST_F(CliMap, ACompiledSceneUnderAnotherNameIsSaid) {
+  std::filesystem::copy_file(path("room.krait"), path("room2.json"));
+  const std::string warning =
+      "krait: warning: room2.json: is read as compiled scene (.krait), which it is, whatever its name says\n";
+  const Outcome planned = krait({"plan", "room2.json", "--robot", "car", "-o", "plan.json"});
+  EXPECT_EQ(planned.code, 0);
+  EXPECT_EQ(planned.errors, warning);
+  EXPECT_EQ(krait({"verify", "room2.json", "plan.json", "--robot", "car"}).errors, warning);
+}
+
 TEST_F(CliMap, APictureOfKraitsOwnIsNone) {
   expect_done({"plan", "room.krait", "--robot", "car", "--improve", "0", "--svg", "plan.svg"});
   expect_done({"robot", "car", "--svg", "car.svg"});
   for (const std::string picture : {"plan.svg", "car.svg"}) {
     expect_refused({"plan", picture}, picture + ": is a picture that krait has drawn, not a map: give the map itself");
   }
+}
+
+// It is exported where its file has it.
+TEST_F(CliMap, AFarOneIsSaidToBeMovedWhereItIs) {
+  write("far.json", R"({"bounds": {"min": [12000000, 0], "max": [12000020, 10]},
+      "goals": [{"name": "east", "box": {"center": [12000017, 5], "size": [2, 2], "angle": 0}}],
+      "starts": [{"name": "west", "position": [12000003, 5], "heading": 0}]})");
+  expect_done({"export", "far.json", "--json", "same.json"});
+  EXPECT_EQ(json("same.json").at("bounds"), json("far.json").at("bounds"));
+  const std::string moved = "far.json: lies far from 0: x less 12000010 m and y less 5 m are the coordinates from here";
+  EXPECT_THAT(krait({"compile", "far.json", "-o", "far.krait"}).errors, HasSubstr(moved));
+  EXPECT_THAT(krait({"plan", "far.json", "--robot", "car"}).errors, HasSubstr(moved));
+  const std::string hint = "; a map beyond 1e7 m is moved to around 0: krait compile MAP says by how much\n";
+  expect_refused({"plan", "far.json", "--start", "12000003,5,0"}, hint);
+  expect_refused({"plan", "far.json", "--goal", "12000003,5,1"}, hint);
+  expect_refused({"compile", "far.json", "--start", "12000003,5,0", "-o", "x.krait"}, hint);
+  EXPECT_THAT(krait({"plan", "far.json", "--start", "3,5,7"}).errors, Not(HasSubstr("is moved")));
 }
 
 TEST_F(CliMap, WhatIsNeitherIsToldTheFormats) {
