@@ -334,6 +334,7 @@ std::vector<std::string> inputs_of(const PlanOptions& options) {
 SceneBytes compiled(const PlanOptions& options, const std::string& tolerance, bool again = false) {
   std::vector<std::string> arguments = options.map.arguments();
   arguments.emplace_back("--any-heading");  // the request has those of the goals
+  arguments.emplace_back("--any-start");    // and may begin elsewhere
   if (!tolerance.empty()) arguments.insert(arguments.end(), {"--tolerance", tolerance});
   if (again) arguments.emplace_back("--quiet");  // it has warned
   const std::string scene = run_compiler(options.compiler, options.scene, arguments);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Starts of a scene where a robot has no room.
+// Starts of a scene where a robot has no room, or none has.
 #pragma once
 
 #include <string>
@@ -12,5 +12,8 @@ namespace krait::host {
 
 // A line for each start where the robot does not stand free, with the clearance of the library, or cannot stand.
 std::vector<std::string> blocked_starts(const CompiledScene& scene, const RobotSpec& robot);
+
+// A line for each start within the bounds whose position lies in an obstacle.
+std::vector<std::string> starts_in_obstacles(const CompiledScene& scene);
 
 }  // namespace krait::host

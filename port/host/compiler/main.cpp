@@ -57,6 +57,7 @@ struct Arguments {
   ImportOptions map;
   double tolerance = -1;
   bool any_heading = false;
+  bool any_start = false;
   bool quiet = false;
   ReductionOptions reduction;
 };
@@ -78,8 +79,9 @@ void run(const Arguments& arguments, Progress& progress) {
                                arguments.reduction.coarse};
   std::vector<std::string> report;
   const CompiledScene scene = arguments.reduction.compiled(workspace, robot, options, report);
-  const std::vector<std::string> blocked = robot ? blocked_starts(scene, *robot) : std::vector<std::string>();
-  if (!blocked.empty() && !arguments.start.empty()) throw InputError("--start: " + blocked.front());
+  std::vector<std::string> blocked;
+  if (!arguments.any_start) blocked = robot ? blocked_starts(scene, *robot) : starts_in_obstacles(scene);
+  if (robot && !blocked.empty() && !arguments.start.empty()) throw InputError("--start: " + blocked.front());
   word.reset();
   const Interrupt too_late;  // the file becomes whole, and what is said of it is said
   write_file(arguments.output, std::string(scene.bytes.begin(), scene.bytes.end()));
@@ -113,6 +115,7 @@ int main(int argc, char** argv) {
       ->check(not_empty());
   app.add_flag("--any-heading", arguments.any_heading,
                "no warning of goals whose headings the map has and a scene file has no place for");
+  app.add_flag("--any-start", arguments.any_start, "no look at whether the starts lie in obstacles");
   app.add_flag("--quiet", arguments.quiet, "no warnings");
   const std::map<std::string, Unknown> names{
       {"free", Unknown::free}, {"occupied", Unknown::occupied}, {"map", Unknown::map}};

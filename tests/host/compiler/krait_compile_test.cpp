@@ -77,6 +77,17 @@ TEST_F(KraitCompile, AStartWhereTheRobotHasNoRoomIsNamed) {
   EXPECT_THAT(outcome.errors, testing::HasSubstr("warning: the robot of --for cannot begin at start 'home': "));
 }
 
+TEST_F(KraitCompile, AStartInAnObstacleIsNamed) {
+  const std::string to_file = " -o " + path("out.krait");
+  const std::string warning = "krait-compile: warning: start 'start' lies in an obstacle: no plan can begin there";
+  const std::string blocked = path("room.json") + " --start 10,10,0";
+  EXPECT_EQ(run(blocked + to_file).errors, warning + "\n");
+  EXPECT_EQ(run(blocked + " --tolerance 0.1" + to_file).errors,
+            warning + " (obstacles are grown by up to 0.05 m: --tolerance 0 leaves them as they are)\n");
+  compiled(blocked + " --any-start");
+  compiled(path("room.json") + " --start 5,5,0");
+}
+
 TEST_F(KraitCompile, StartReplacesAndGoalJoinsTheFiles) {
   const SceneView v = compiled(path("room.json") + " --start 4,4,0.5 --goal 15,15,1");
   EXPECT_THAT(v.names, testing::ElementsAre("room", "dock", "goal", "start"));
