@@ -8,6 +8,7 @@
 #include <set>
 
 #include "host/verify/pieces.hpp"
+#include "host/workspace/printed.hpp"
 
 namespace krait::host {
 namespace {
@@ -141,6 +142,22 @@ void check_disc(const Ring& planned, const Point& center, double radius, Complai
   if (!inside(planned, center)) complaints.add("goal: the plan's polygon misses the center of the disc asked for");
 }
 
+// " (it is a disc: --goal 18,8,0.1 asks for that)"; empty where it is none. Its corners are points of a circle.
+std::string remedy_for_disc(const Ring& planned) {
+  constexpr std::size_t kLeastCorners = 16;
+  constexpr double kRounding = 1e-6;  // m
+  Point center;
+  for (const Point& p : planned) center = {center.x + p.x, center.y + p.y};
+  const auto count = static_cast<double>(planned.size());
+  center = {center.x / count, center.y / count};
+  const double radius = distance(planned.front(), center);
+  const auto is_on = [&](const Point& p) { return std::abs(distance(p, center) - radius) <= kRounding; };
+  if (planned.size() < kLeastCorners || !std::all_of(planned.begin(), planned.end(), is_on)) return "";
+  const auto rounded = [](double x) { return std::round(x / kRounding) * kRounding; };
+  return printed(" (it is a disc: --goal %.10g,%.10g,%.6g asks for that)", rounded(center.x), rounded(center.y),
+                 radius);
+}
+
 bool same_angle(double planned, double asked) {
   return std::abs(std::remainder(planned - asked, 2 * std::numbers::pi)) <= kAngleTolerance;
 }
@@ -239,7 +256,8 @@ void check_goal(const PlanFile& plan, const Asked& asked, Complaints& complaints
   }
   const double difference = std::max(stray(planned, asked.goal), stray(asked.goal, planned));
   if (!(difference <= kGoalTolerance)) {
-    complaints.add("goal: the plan's polygon differs by " + text(difference) + " m from the one asked for");
+    complaints.add("goal: the plan's polygon differs by " + text(difference) + " m from the one asked for" +
+                   remedy_for_disc(planned));
   }
 }
 

@@ -432,6 +432,21 @@ TEST(GoalArea, AGoalOtherThanAskedIsCaught) {
   expect_complaint(c, "goal: the plan's polygon differs by 0.002 m");
 }
 
+// As of a plan for a disc that is judged by the polygon that a compiled scene has in its place.
+TEST(GoalArea, OfAGoalThatIsADiscTheOptionIsNamed) {
+  Case c = arc("car");
+  c.plan.origin = {100, 0};
+  c.plan.goal_polygon.clear();
+  for (int i = 0; i < 64; ++i) {
+    const double angle = 2 * std::numbers::pi * i / 64;
+    c.plan.goal_polygon.push_back({-82 + 0.1 * std::cos(angle), 8 + 0.1 * std::sin(angle)});
+  }
+  expect_complaint(c, " m from the one asked for (it is a disc: --goal 18,8,0.1 asks for that)");
+  c.plan.goal_polygon[5].x += 0.001;
+  for (const std::string& complaint : c.verdict().complaints)
+    EXPECT_THAT(complaint, ::testing::Not(HasSubstr("is a disc")));
+}
+
 TEST(GoalArea, AGoalWithASpikeIsNotTheOneAskedFor) {
   Case c = arc("car");
   Ring& goal = c.plan.goal_polygon;
