@@ -68,6 +68,8 @@ FILES = {
     "wide.json": room(goals=[dock(heading_tolerance=10)]),
     "tank.json": {"model": "tank", "links": 0, "parameters": {}},
     "short.json": {"model": "car", "links": 0, "parameters": {"wheelbase": -1}},
+    "centimetres.json": {"model": "car", "links": 0,
+                         "parameters": {"body_length": 450, "body_width": 180, "wheelbase": 270}},
     "wheels.json": {"model": "car", "links": 0, "parameters": {"wheels": 4}},
     "fast.json": {"model": "truck", "links": 3, "parameters": {"hitch_length": 0.02, "max_speed": 20}},
     "lines.geojson": {"type": "FeatureCollection", "features": []},
