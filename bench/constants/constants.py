@@ -140,7 +140,8 @@ ARGUED = {
     # As many trailers as the wheels can answer to (lib/robot/TRUCK.md, "Reverse").
     "lib/robot/pushing.hpp": ["kMostPushed"],
     # Promised to users: RobotModel, body(k).
-    "lib/robot/shape.cpp": ["kMaxExtent", "kLeastSide"],
+    "lib/robot/shape.cpp": ["kLeastSide"],
+    "lib/robot/shape.hpp": ["kMaxExtent"],
     # Keeps a division from zero.
     "lib/robot/truck.cpp": ["kLeast"],
 }

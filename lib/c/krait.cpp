@@ -25,6 +25,7 @@ using krait::c::Front;
 
 using krait::Status;
 using krait::c::convert;
+using krait::c::is_made;
 
 static_assert(sizeof(krait_scene) >= sizeof(krait::Scene) && alignof(krait_scene) >= alignof(krait::Scene));
 static_assert(KRAIT_MAX_TRAILERS == krait::kMaxTrailers && KRAIT_MAX_STATE == krait::kMaxState);
@@ -51,8 +52,8 @@ krait_status status_of(Status status) { return static_cast<krait_status>(status)
 
 krait_failure failure_of(const krait::Failure& failure) { return convert<krait_failure>(failure); }
 
-krait_failure bad_argument(krait::Argument argument) {
-  return {KRAIT_BAD_ARGUMENT, 0, static_cast<std::uint32_t>(argument), 0, 0.0F};
+krait_failure refusal(krait_status status, krait::Argument argument) {
+  return {status, 0, static_cast<std::uint32_t>(argument), 0, 0.0F};
 }
 
 const krait::Scene& view(const krait_scene* scene) {
@@ -82,9 +83,6 @@ constexpr std::uint64_t aligned(std::uint64_t bytes) {
 }
 
 static_assert(alignof(Front) <= krait::Setup::kAlignment);
-
-// Whether one of krait.h's functions has made the robot.
-bool is_made(const krait_robot* robot) { return robot != nullptr && robot->model != nullptr; }
 
 // Bytes before the pools.
 std::uint64_t front_bytes(const krait_robot& robot) {
@@ -159,10 +157,10 @@ krait_limits krait_limits_to_improve(uint64_t bytes, const krait_scene* scene, c
 krait_failure krait_init(krait_planner** planner, const krait_setup* setup, const krait_parameters* parameters,
                          const krait_limits* limits) {
   *planner = nullptr;
-  if (!is_made(setup->robot)) {
-    return {KRAIT_BAD_ROBOT, 0, static_cast<std::uint32_t>(krait::Argument::robot_sizes), 0, 0.0F};
+  if (!is_made(setup->robot)) return refusal(KRAIT_BAD_ROBOT, krait::Argument::robot_sizes);
+  if (setup->scene == nullptr || view(setup->scene).bytes() == 0) {
+    return refusal(KRAIT_BAD_ARGUMENT, krait::Argument::scene);
   }
-  if (setup->scene == nullptr || view(setup->scene).bytes() == 0) return bad_argument(krait::Argument::scene);
   const krait_robot& robot = *setup->robot;
   const krait_limits used = limits != nullptr ? *limits : convert<krait_limits>(krait::Limits());
   const std::uint64_t front = front_bytes(robot);
@@ -172,7 +170,7 @@ krait_failure krait_init(krait_planner** planner, const krait_setup* setup, cons
     return {KRAIT_ARENA_TOO_SMALL, 0, 0, krait_bytes_required(setup->scene, &robot, &least), 0.0F};
   }
   if (setup->block == nullptr || reinterpret_cast<std::uintptr_t>(setup->block) % krait::Setup::kAlignment != 0) {
-    return bad_argument(krait::Argument::block);
+    return refusal(KRAIT_BAD_ARGUMENT, krait::Argument::block);
   }
   auto* const place = static_cast<std::byte*>(setup->block);
   auto* const made = ::new (setup->block) Front;

@@ -25,6 +25,9 @@ struct krait_model {
 
 namespace krait::c {
 
+// Whether one of krait.h's functions has made the robot.
+inline bool is_made(const krait_robot* robot) { return robot != nullptr && robot->model != nullptr; }
+
 // A structure of C as the one of C++ with the same fields in the same order, or the other way round.
 template <class To, class From>
 To convert(const From& from) {

@@ -4,8 +4,7 @@
 namespace krait::detail {
 namespace {
 
-constexpr float kMaxExtent = 100.0F;  // metres
-constexpr float kLeastSide = 1e-4F;   // metres
+constexpr float kLeastSide = 1e-4F;  // metres
 
 // Distance of p to the left of the line from a to b; negative on its right.
 float distance_left(Vec2 a, Vec2 b, Vec2 p) { return cross(b - a, p - a) / length(b - a); }

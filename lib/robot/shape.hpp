@@ -8,7 +8,9 @@
 
 namespace krait::detail {
 
-// 3 to 8 finite vertices, strictly convex, counter-clockwise, no side shorter than 0.1 mm, within 100 m.
+inline constexpr float kMaxExtent = 100.0F;  // metres, of a vertex from its body's origin
+
+// 3 to 8 finite vertices, strictly convex, counter-clockwise, no side shorter than 0.1 mm, within kMaxExtent.
 bool usable_body(Polygon body);
 
 // Radius of the largest disc around `center` that lies in the body; 0 when the centre is outside.

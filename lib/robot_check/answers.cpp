@@ -98,6 +98,13 @@ void check_repeats(const Case& c, const char* function, const Ask& ask) {
           "It must depend on nothing but its arguments: no counter, no clock, no memory that was not written.");
 }
 
+bool check_number(const Case& c, const char* function, bool holds, float value, const char* unit, const char* rule) {
+  if (holds) return true;
+  c.fault(function, "number", kInfinite,
+          std::string(function) + " is " + number(static_cast<double>(value)) + " " + unit, rule);
+  return false;
+}
+
 bool check_derivative(const Case& c) {
   check_repeats(c, "derivative", [&](const std::vector<float>& state, float fill) {
     return derivative_of(c.robot, state, c.sample.control, fill);

@@ -28,6 +28,9 @@ using Ask = std::function<std::vector<float>(const std::vector<float>& state, fl
 // Asks twice, about the other state in between.
 void check_repeats(const Case& c, const char* function, const Ask& ask);
 
+// Whether a number that a function returns is what the rule asks for; where it is not, that is a fault.
+bool check_number(const Case& c, const char* function, bool holds, float value, const char* unit, const char* rule);
+
 // False where nothing else can be checked of the sample.
 bool check_derivative(const Case& c);
 bool check_place(const Case& c);

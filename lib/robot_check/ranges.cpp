@@ -30,8 +30,7 @@ Flaw flaw_of(const char* promise, const std::vector<RobotRange>& ranges) {
     if (range.low <= range.high && finite(range.high - range.low)) continue;
     return {promise, "the range of component " + std::to_string(i) + " of the " + promise + " is " +
                          list({range.low, range.high}) +
-                         "; both ends must be finite, and the first not above the "
-                         "second."};
+                         "; both ends must be finite, and the first not above the second."};
   }
   return {};
 }

@@ -123,11 +123,8 @@ void check_fastest_rate(const Case& c) {
     return std::vector<float>{c.robot.fastest_rate(c.sample.dt)};
   });
   const float rate = c.robot.fastest_rate(c.sample.dt);
-  if (!(rate >= 0) || !finite(rate)) {
-    c.fault("fastest_rate", "number", kInfinite, "fastest_rate is " + number(static_cast<double>(rate)) + " 1/s",
-            "It must be finite and not negative.");
-    return;
-  }
+  const bool holds = rate >= 0 && finite(rate);
+  if (!check_number(c, "fastest_rate", holds, rate, "1/s", "It must be finite and not negative.")) return;
   const float longest = c.ranges.step_rate / rate;  // infinite for a robot that does not say
   if (!(longest > 0) || !finite(longest)) return;
   check_step(c, rate, longest < c.sample.dt ? longest : c.sample.dt);

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
+#include <string>
 
 namespace krait::host {
 
@@ -15,6 +17,11 @@ inline constexpr int kOwnBug = 3;
 struct Exit {
   int code;
 };
+
+// On stderr; nothing where the text is empty.
+inline void warn(const std::string& text) {
+  if (!text.empty()) std::fprintf(stderr, "krait: warning: %s\n", text.c_str());
+}
 
 // `program` is the path of the running executable: krait-compile lies beside it.
 void add_compile(CLI::App& app, const char* program);

@@ -11,6 +11,7 @@
 #include "host/input/file.hpp"
 #include "host/input/output_option.hpp"
 #include "host/input/outputs.hpp"
+#include "host/workspace/printed.hpp"
 
 namespace krait::host {
 namespace {
@@ -31,10 +32,10 @@ void warn_of_lines(const Workspace& workspace) {
     const GoalFacing& facing = goal.pose->facing;
     const bool usual_tolerances = facing.tolerance == usual.tolerance && !facing.either_way && !facing.hitches;
     if (goal.pose->radius == kStateGoalRadius && usual_tolerances) continue;
-    std::fprintf(stderr,
-                 "krait: warning: goal '%s' becomes a line of the drawing, which is read as %.4g m and %.4g rad around "
-                 "it, not as the map has it\n",
-                 goal.name.c_str(), kStateGoalRadius, usual.tolerance);
+    warn("goal '" + goal.name +
+         printed(
+             "' becomes a line of the drawing, which is read as %.4g m and %.4g rad around it, not as the map has it",
+             kStateGoalRadius, usual.tolerance));
   }
 }
 
@@ -48,7 +49,7 @@ void write(const ExportOptions& o) {
   options.undoes_shift = true;
   const Workspace workspace = import_workspace(o.map, options);
   check_outputs(outputs, workspace.files);
-  for (const std::string& warning : workspace.warnings) std::fprintf(stderr, "krait: warning: %s\n", warning.c_str());
+  for (const std::string& warning : workspace.warnings) warn(warning);
   if (!o.json.empty()) write_file(o.json, native_json(workspace));
   if (!o.geojson.empty()) write_file(o.geojson, geojson(workspace));
   if (o.svg.empty()) return;

@@ -63,11 +63,6 @@ struct Ground {
   double grown = 0;  // metres a side, by which obstacles were grown and then were not, since nothing else left a way
 };
 
-// Says nothing where the text is empty.
-void warn(const std::string& text) {
-  if (!text.empty()) std::fprintf(stderr, "krait: warning: %s\n", text.c_str());
-}
-
 constexpr double kImprove = 10;               // times the first plan's collision checks
 constexpr double kLeastChecks = 300'000;      // of improvement, where nobody says how much
 constexpr const char* kRoomToImprove = "1M";  // of memory: a smaller block can spare none

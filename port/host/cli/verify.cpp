@@ -104,7 +104,7 @@ void judge(const VerifyOptions& options) {
   progress.show("reading the map");
   const Workspace workspace = import_workspace(options.input, options.map.read());
   progress.end();
-  for (const std::string& warning : workspace.warnings) std::fprintf(stderr, "krait: warning: %s\n", warning.c_str());
+  for (const std::string& warning : workspace.warnings) warn(warning);
   const PlanFile plan = read_plan(options.plan);
   const Asked asked = asked_of(workspace, request, options.query, plan);
   progress.show("verifying", std::to_string(plan.controls.size()) + " steps");

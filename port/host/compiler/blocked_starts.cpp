@@ -16,38 +16,44 @@ std::optional<std::string> why_blocked(const krait::Scene& scene, const SearchRe
   }
 }
 
-}  // namespace
-
-std::vector<std::string> starts_in_obstacles(const CompiledScene& compiled) {
+// A line for each start of which `why` tells one, of the scene and the start's number.
+template <class Why>
+std::vector<std::string> lines_of_starts(const CompiledScene& compiled, const Why& why) {
   const SceneBytes bytes = SceneBytes::copy(compiled.bytes.data(), compiled.bytes.size());
   const krait::Scene scene = open_scene("the compiled scene", bytes);
-  const float grown = scene.header().tolerance;
-  const std::string remedy =
-      grown > 0
-          ? printed(" (obstacles are grown by up to %.4g m: --tolerance 0 leaves them as they are)", decimal(grown))
-          : "";
   std::vector<std::string> lines;
   for (Index i = 0; i < scene.start_count(); ++i) {
-    const Vec2 at = scene.start(i).position;
-    if (!scene.inside_bounds(at) || detail::locate(scene, at) != kNone) continue;
-    lines.push_back("start '" + std::string(scene.start_name(i)) + "' lies in an obstacle: no plan can begin there" +
-                    remedy);
+    if (std::optional<std::string> line = why(scene, i)) lines.push_back(*std::move(line));
   }
   return lines;
 }
 
+std::optional<std::string> why_in_obstacle(const krait::Scene& scene, Index start) {
+  const Vec2 at = scene.start(start).position;
+  if (!scene.inside_bounds(at) || detail::locate(scene, at) != kNone) return std::nullopt;
+  const std::string line =
+      "start '" + std::string(scene.start_name(start)) + "' lies in an obstacle: no plan can begin there";
+  const float grown = scene.header().tolerance;
+  if (!(grown > 0)) return line;
+  return line +
+         printed(" (obstacles are grown by up to %.4g m: --tolerance 0 leaves them as they are)", decimal(grown));
+}
+
+}  // namespace
+
+std::vector<std::string> starts_in_obstacles(const CompiledScene& compiled) {
+  return lines_of_starts(compiled, why_in_obstacle);
+}
+
 std::vector<std::string> blocked_starts(const CompiledScene& compiled, const RobotSpec& robot) {
-  const SceneBytes bytes = SceneBytes::copy(compiled.bytes.data(), compiled.bytes.size());
-  const krait::Scene scene = open_scene("the compiled scene", bytes);
-  std::vector<std::string> lines;
   SearchRequest request;
   request.robot = robot;
-  for (Index i = 0; i < scene.start_count(); ++i) {
+  return lines_of_starts(compiled, [&](const krait::Scene& scene, Index i) -> std::optional<std::string> {
     request.start_name = scene.start_name(i);
     const std::optional<std::string> why = why_blocked(scene, request);
-    if (why) lines.push_back("the robot of --for cannot begin at start '" + request.start_name + "': " + *why);
-  }
-  return lines;
+    if (!why) return std::nullopt;
+    return "the robot of --for cannot begin at start '" + request.start_name + "': " + *why;
+  });
 }
 
 }  // namespace krait::host

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "host/reduce/cells.hpp"
+#include "host/reduce/disc.hpp"
 
 namespace krait::host {
 namespace {
@@ -61,7 +62,7 @@ bool simpler(const CellMap& map, const std::vector<std::size_t>& cells, const Ce
 
 CellMap occupied_where_simpler(const CellMap& map, const CellMask& wanted, const CellMask& always) {
   CellMask left = wanted;
-  for (std::size_t i = 0; i < left.size(); ++i) left[i] &= map.occupied[i] == 0;
+  leave_free(map, left);
   CellMap result = map;
   for (std::size_t i = 0; i < left.size(); ++i) {
     if (left[i] == 0) continue;

@@ -36,12 +36,6 @@ std::optional<std::size_t> marked_near(const CellMap& map, const CellMask& open,
   return best;
 }
 
-CellMask free_cells(const CellMap& map) {
-  CellMask free = map.occupied;
-  for (std::uint8_t& cell : free) cell = cell == 0;
-  return free;
-}
-
 // The cells of a goal that are marked; where none is, those within `reach` metres of it that free cells join to it.
 std::vector<std::size_t> marked_at(const CellMap& map, const CellMask& marked, const Goal& goal, double reach) {
   std::vector<std::size_t> cells = cells_of(map, goal);
@@ -50,7 +44,7 @@ std::vector<std::size_t> marked_at(const CellMap& map, const CellMask& marked, c
   CellMask inside(marked.size(), 0);
   for (const std::size_t cell : cells) inside[cell] = 1;
   CellMask near = within_reach(map, inside, reach);
-  for (std::size_t i = 0; i < near.size(); ++i) near[i] &= map.occupied[i] == 0;
+  leave_free(map, near);
   near = connected(map, near, cells);
   for (std::size_t i = 0; i < near.size(); ++i) {
     if (near[i] != 0) cells.push_back(i);

@@ -67,6 +67,16 @@ CellMask connected(const CellMap& map, const CellMask& marked, std::vector<std::
   return found;
 }
 
+CellMask free_cells(const CellMap& map) {
+  CellMask free(map.occupied.size(), 1);
+  leave_free(map, free);
+  return free;
+}
+
+void leave_free(const CellMap& map, CellMask& marked) {
+  for (std::size_t i = 0; i < marked.size(); ++i) marked[i] &= map.occupied[i] == 0;
+}
+
 CellMap without(const CellMap& map, const CellMask& kept) {
   CellMap result = map;
   for (std::size_t i = 0; i < kept.size(); ++i) {

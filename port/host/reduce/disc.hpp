@@ -28,6 +28,12 @@ CellMask within_reach(const CellMap& map, const CellMask& marked, double reach);
 CellMask connected(const CellMap& map, const CellMask& marked, std::vector<std::size_t> seeds,
                    std::size_t steps = std::numeric_limits<std::size_t>::max());
 
+// The cells of the map that are not occupied.
+CellMask free_cells(const CellMap& map);
+
+// Leaves of the marked cells those that are not occupied.
+void leave_free(const CellMap& map, CellMask& marked);
+
 // The map with those cells occupied, too, that are not kept.
 CellMap without(const CellMap& map, const CellMask& kept);
 

@@ -33,7 +33,7 @@ CellMap filled(const CellMap& map, const Girth& girth, const std::vector<Point>&
     centers = connected(map, centers, std::move(seeds));
   }
   CellMask near = within_reach(map, centers, girth.outer);
-  for (std::size_t i = 0; i < near.size(); ++i) near[i] &= map.occupied[i] == 0;
+  leave_free(map, near);
   const auto steps = static_cast<std::size_t>(std::numbers::sqrt2 * girth.outer / map.resolution + 2);
   CellMask untouched = connected(map, near, marked_cells(centers), steps);
   for (std::uint8_t& cell : untouched) cell = cell == 0;

@@ -31,9 +31,7 @@ bool has_way(const CellMap& map, const Workspace& w) {
   for (const Start& start : w.starts) {
     if (const auto cell = cell_at(map, frame, start.position)) seeds.push_back(*cell);
   }
-  CellMask free = map.occupied;
-  for (std::uint8_t& cell : free) cell = cell == 0;
-  const CellMask reached = connected(map, free, seeds);
+  const CellMask reached = connected(map, free_cells(map), seeds);
   return std::any_of(w.goals.begin(), w.goals.end(), [&](const Goal& goal) {
     const std::vector<std::size_t> cells = cells_of(map, goal);
     return std::any_of(cells.begin(), cells.end(), [&](std::size_t cell) { return reached[cell] != 0; });

@@ -16,8 +16,6 @@
 namespace krait::host {
 namespace {
 
-constexpr double kMostReach = 100;  // metres, of a body from its axle: the core's
-
 double parameter(const RobotSpec& robot, const char* name) { return robot.parameters.at(name); }
 
 bool has_steering(const RobotSpec& robot) { return robot.parameters.count("max_steering") > 0; }
@@ -174,9 +172,10 @@ std::string why_no_body(const RobotSpec& robot, const Robot& core) {
   int k = 0;
   while (detail::usable_body(core.body(k))) ++k;
   const Polygon body = core.body(k);
-  const auto reach = static_cast<double>(detail::farthest(body.vertices, body.count));
-  if (reach > kMostReach) {
-    return size_of_body(robot, k, reach) + ": bodies must lie within 100 m of their axles; were centimetres meant?";
+  const float reach = detail::farthest(body.vertices, body.count);
+  if (reach > detail::kMaxExtent) {
+    return size_of_body(robot, k, static_cast<double>(reach)) +
+           ": bodies must lie within 100 m of their axles; were centimetres meant?";
   }
   return printed("body %d: a side is shorter than 0.1 mm, or a corner next to straight", k);
 }

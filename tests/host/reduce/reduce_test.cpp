@@ -526,19 +526,22 @@ CellMap aisle_beside_room() {
 }
 
 bool joined(const CellMap& map, Point from, Point to) {
-  CellMask free = map.occupied;
-  for (std::uint8_t& cell : free) cell = cell == 0;
   const CellFrame frame(map);
-  return connected(map, free, {*cell_at(map, frame, from)})[*cell_at(map, frame, to)] != 0;
+  return connected(map, free_cells(map), {*cell_at(map, frame, from)})[*cell_at(map, frame, to)] != 0;
 }
 
 const Ring kInTheRoom{{16, 3}, {17, 3}, {17, 4}}, kInTheAisle{{16, 0.3}, {17, 0.3}, {17, 0.7}};
 
+Workspace aisle_query(Point start, const std::vector<Goal>& goals) {
+  Workspace w = room(aisle_beside_room());
+  w.starts = {{"s", start, 0, {}}};
+  w.goals = goals;
+  return w;
+}
+
 // The disc is unsure in the aisle and sure in the room, 1 m from the start and behind the wall.
 TEST(Corridor, BeginsOnTheStartsSideOfAWall) {
-  Workspace w = room(aisle_beside_room());
-  w.starts = {{"s", {15, 0.5}, 0, {}}};
-  w.goals = {{"g", kInTheRoom}};
+  Workspace w = aisle_query({15, 0.5}, {{"g", kInTheRoom}});
   const CellMap result = *reduced(w, {{}, {}, {}, 2.0, Girth{0.2, 0.3, 0}}).cells;
   EXPECT_TRUE(joined(result, {15, 0.5}, {16.9, 3.2}));
   w.cells->occupied[cell_number(*w.cells, 3, 0)] = w.cells->occupied[cell_number(*w.cells, 3, 1)] = 1;
@@ -547,25 +550,19 @@ TEST(Corridor, BeginsOnTheStartsSideOfAWall) {
 
 // The middle of the disc cannot be in the start's own cell, which is at the border, but in one below it.
 TEST(Corridor, BeginsWhereTheDiscHasRoomNearTheStart) {
-  Workspace w = room(aisle_beside_room());
-  w.starts = {{"s", {5, 5.95}, 0, {}}};
-  w.goals = {{"g", kInTheRoom}};
+  Workspace w = aisle_query({5, 5.95}, {{"g", kInTheRoom}});
   EXPECT_TRUE(joined(*reduced(w, {{}, {}, {}, 2.0, Girth{0.9, 0.9, 0.9}}).cells, {5, 5.95}, {16.9, 3.2}));
   w.starts = {{"s", {5, 1.25}, 0, {}}};  // in the wall
   EXPECT_THAT(complaint(w, {{}, {}, {}, 2.0, Girth{0.2, 0.3, 0}}), testing::HasSubstr("no way from start 's'"));
 }
 
 TEST(Corridor, LeadsToAGoalInItsOwnAisleAndNotBehindTheWall) {
-  Workspace w = room(aisle_beside_room());
-  w.starts = {{"s", {15, 3.5}, 0, {}}};
-  w.goals = {{"g", kInTheAisle}};
+  Workspace w = aisle_query({15, 3.5}, {{"g", kInTheAisle}});
   EXPECT_TRUE(joined(*reduced(w, {{}, {}, {}, 2.0, Girth{0.2, 1.5, 0}}).cells, {15, 3.5}, {16.9, 0.5}));
 }
 
 TEST(Corridor, LeadsToEveryGoalAlsoWhereOnlySomeAreSurelyReached) {
-  Workspace w = room(aisle_beside_room());
-  w.starts = {{"s", {15, 3.5}, 0, {}}};
-  w.goals = {{"a", kInTheRoom}, {"b", kInTheAisle}};
+  Workspace w = aisle_query({15, 3.5}, {{"a", kInTheRoom}, {"b", kInTheAisle}});
   const Workspace result = reduced(w, {{}, {}, {}, 2.0, Girth{0.2, 0.3, 0}});
   EXPECT_TRUE(joined(*result.cells, {15, 3.5}, {16.9, 0.5}));
   EXPECT_TRUE(joined(*result.cells, {15, 3.5}, {16.9, 3.2}));
