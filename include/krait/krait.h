@@ -342,7 +342,7 @@ typedef struct krait_model krait_model;
 
 /** A robot is made by one of the functions below; change its parameters before krait_init. A program contains the
     models whose functions it calls. It is a plain value, but for what it points to. One that is NULL or all zeros has
-    sizes of 0 and no state at rest, and krait_init refuses it as KRAIT_BAD_ROBOT. */
+    sizes of 0 and no state at rest; krait_init refuses it as KRAIT_BAD_ROBOT, and krait_check_robot names it. */
 typedef struct krait_robot {
   const krait_model* model; /**< set by the function that made it; not to be changed */
   /** The one that the function that made it names. */

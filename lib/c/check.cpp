@@ -51,8 +51,9 @@ krait_ranges krait_default_ranges(const krait_range* state, const krait_range* c
 
 uint32_t krait_check_robot(const krait_robot* robot, const krait_ranges* ranges, uint32_t samples, uint64_t seed,
                            char* text, size_t bytes) {
-  const auto place = std::make_unique<std::byte[]>(robot->model->robot_bytes);
-  const krait::Robot view = robot->model->make(place.get(), *robot);
+  const bool made = krait::c::is_made(robot);
+  const auto place = std::make_unique<std::byte[]>(made ? robot->model->robot_bytes : 0);
+  const krait::Robot view = made ? robot->model->make(place.get(), *robot) : krait::Robot();
   const auto most = static_cast<std::uint32_t>(std::numeric_limits<int>::max());
   const krait::RobotReport report =
       krait::check_robot(view, ranges_of(*ranges, view), static_cast<int>(std::min(samples, most)), seed);

@@ -440,6 +440,16 @@ TEST(OwnRobotInC, WhatKeepsTheCheckFromBeginningIsAFault) {
   EXPECT_EQ(negative.text(), "ranges (leaving_share): leaving_share is -1; it must be from 0 to 1.\n");
 }
 
+TEST(OwnRobotInC, ACheckOfNoRobotIsAFault) {
+  const krait_robot zeros{};
+  const krait_ranges ranges{};
+  for (const krait_robot* robot : {static_cast<const krait_robot*>(nullptr), &zeros}) {
+    char text[512];
+    EXPECT_EQ(krait_check_robot(robot, &ranges, 1, 1, text, sizeof text), 1U);
+    EXPECT_NE(std::string(text).find("init refuses the robot: robot_sizes"), std::string::npos) << text;
+  }
+}
+
 TEST(OwnRobotInC, ItsCheckWritesNoMoreThanThereIsRoomFor) {
   krait_functions f = whole(2);
   f.place = nullptr;
