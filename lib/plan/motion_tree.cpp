@@ -6,6 +6,7 @@
 namespace krait::detail {
 
 void MotionTree::allocate(Arena& arena, std::uint32_t vertices, std::uint32_t expansions, int state_size) {
+  forget();
   vertex_capacity_ = vertices;
   expansion_capacity_ = expansions;
   state_size_ = static_cast<std::size_t>(state_size);
@@ -15,11 +16,15 @@ void MotionTree::allocate(Arena& arena, std::uint32_t vertices, std::uint32_t ex
 }
 
 void MotionTree::reset(const Box& bounds, std::uint32_t spare) {
-  clear();
+  forget();
   spare_ = spare;
+  grid_ = TargetGrid(bounds);
+}
+
+void MotionTree::forget() {
+  clear();
   vertex_most_ = 0;
   expansion_most_ = 0;
-  grid_ = TargetGrid(bounds);
 }
 
 void MotionTree::clear() {

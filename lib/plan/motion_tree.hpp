@@ -86,6 +86,9 @@ class MotionTree {
     PackedTarget target;
   };
 
+  // Clears the tree, and how much of it was in use.
+  void forget();
+
   static constexpr std::uint32_t kUse = kMostSteps + 1;
   static constexpr std::uint32_t kNoBranch = 0xFFFFFFFF;
 

@@ -312,6 +312,20 @@ TEST_F(PlannerStatus, BeforeInitNothingIsCounted) {
   EXPECT_EQ(statistics.bytes_used, 0U);
 }
 
+TEST_F(PlannerStatus, ALaterInitCountsNothingOfTheSearchBefore) {
+  TestBench bench(two_rooms(), small_unicycle());
+  ASSERT_TRUE(bench.init().ok());
+  ASSERT_EQ(bench.solve({kStart}), Status::solved);
+  TestBench fresh(two_rooms(), small_unicycle());
+  for (const std::uint32_t vertices : {2U, 20'000U}) {
+    fresh.limits.vertices = bench.limits.vertices = vertices;
+    ASSERT_TRUE(fresh.init().ok());
+    ASSERT_TRUE(bench.init().ok());
+    EXPECT_EQ(bench.planner.statistics().bytes_used, fresh.planner.statistics().bytes_used) << vertices;
+    EXPECT_LE(bench.planner.statistics().bytes_used, bench.planner.statistics().bytes_given) << vertices;
+  }
+}
+
 TEST_F(PlannerStatus, StartAfterAFailedInitGivesItsAnswerAgain) {
   TestBench bench(two_rooms(), small_unicycle());
   ASSERT_EQ(bench.init(1000).status, Status::arena_too_small);
