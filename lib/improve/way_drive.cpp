@@ -174,7 +174,7 @@ WayDrive::Outcome WayDrive::begin_leg() {
 
 bool WayDrive::too_long(float remaining) const {
   const float rest = kLeastShare * (remaining - manner_.near) / manner_.stride;
-  return static_cast<float>(way_->steps()) + rest >= static_cast<float>(bound_);
+  return static_cast<float>(way_->steps()) + (rest > 1.0F ? rest : 1.0F) >= static_cast<float>(bound_);
 }
 
 }  // namespace krait::detail

@@ -95,7 +95,7 @@ class WayDrive {
 
   Outcome begin_leg();
 
-  // Whether the way would not have fewer steps than the limit, with `remaining` metres to drive.
+  // Whether the way would not have fewer steps than the limit, with `remaining` metres to drive, a step at least.
   bool too_long(float remaining) const;
 
   const WayTools* tools_;

@@ -216,6 +216,16 @@ TEST(ImproveMisuse, APlanWithoutStepsIsTheBest) {
   EXPECT_EQ(bench.planner.statistics().improvements, 0U);
 }
 
+TEST(ImproveMisuse, APlanOfOneStepIsTheBest) {
+  Solved<Unicycle> bench(small_unicycle());
+  ASSERT_EQ(bench.solve({bench.start.data(), Goal::disc({2.08F, 2}, 0.05F), 1}), Status::solved);
+  ASSERT_EQ(bench.planner.plan().steps(), 1U);
+  const std::uint64_t hash = bench.planner.plan().hash();
+  EXPECT_EQ(bench.planner.improve(1000), Status::solved);
+  EXPECT_EQ(bench.planner.plan().hash(), hash);
+  EXPECT_EQ(bench.planner.statistics().improvements, 0U);
+}
+
 TEST(ImproveMisuse, LegsHaveARange) {
   Bench<Car> bench(winding(), small_car());
   for (const std::uint32_t legs : {1U, 15U, 1'000'001U}) {
