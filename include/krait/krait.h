@@ -680,7 +680,7 @@ typedef struct krait_ranges {
   /** The components of the state that are headings, in radians: turning the robot adds to them and changes nothing else
       but the position. Whether it moves alike in every direction is checked where there are any. */
   const int* headings;
-  uint32_t heading_count;     /**< of them, or 0 */
+  uint32_t heading_count;     /**< of them, or 0; 0 with NULL */
   bool translation_invariant; /**< default true: whether it moves alike wherever it stands, which is checked then */
   float
       leaving_share, /**< 0 to 1, default 0: share of steered steps that may leave the limits, as where hitches fold */

@@ -35,6 +35,14 @@ krait::RobotRanges ranges_of(const krait_ranges& from, const krait::Robot& robot
   return ranges;
 }
 
+// Headings that are counted and do not lie anywhere are a fault of the ranges: without them no direction is checked.
+krait::RobotReport checked(const krait::Robot& robot, const krait_ranges& from, int samples, std::uint64_t seed) {
+  const bool missing = from.headings == nullptr && from.heading_count > 0;
+  if (!missing) return krait::check_robot(robot, ranges_of(from, robot), samples, seed);
+  const std::string what = "headings is NULL, where heading_count is " + std::to_string(from.heading_count) + ".";
+  return {{{"ranges", "headings", what, std::numeric_limits<double>::infinity(), 0}}, 0};
+}
+
 }  // namespace
 
 krait_ranges krait_default_ranges(const krait_range* state, const krait_range* control) {
@@ -55,8 +63,7 @@ uint32_t krait_check_robot(const krait_robot* robot, const krait_ranges* ranges,
   const auto place = std::make_unique<std::byte[]>(made ? robot->model->robot_bytes : 0);
   const krait::Robot view = made ? robot->model->make(place.get(), *robot) : krait::Robot();
   const auto most = static_cast<std::uint32_t>(std::numeric_limits<int>::max());
-  const krait::RobotReport report =
-      krait::check_robot(view, ranges_of(*ranges, view), static_cast<int>(std::min(samples, most)), seed);
+  const krait::RobotReport report = checked(view, *ranges, static_cast<int>(std::min(samples, most)), seed);
   if (bytes > 0) {
     const std::string lines = report.text();
     const std::size_t count = std::min(lines.size(), bytes - 1);

@@ -435,6 +435,11 @@ TEST(OwnRobotInC, WhatKeepsTheCheckFromBeginningIsAFault) {
   Checked checked(whole(2));
   checked.ranges().state = nullptr;
   EXPECT_NE(checked.text().find("there are 0 ranges of states"), std::string::npos);
+  Checked nowhere(whole(2));
+  nowhere.ranges().headings = nullptr;
+  EXPECT_EQ(nowhere.text(), "ranges (headings): headings is NULL, where heading_count is 3.\n");
+  nowhere.ranges().heading_count = 0;
+  EXPECT_EQ(nowhere.text(), "");
   Checked negative(whole(2));
   negative.ranges().leaving_share = -1;
   EXPECT_EQ(negative.text(), "ranges (leaving_share): leaving_share is -1; it must be from 0 to 1.\n");
