@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robot_check/control.hpp"
 
+#include "plan/ending.hpp"
 #include "robot_check/answers.hpp"
 
 namespace krait::detail::checking {
@@ -12,6 +13,11 @@ std::vector<float> steer_of(const Robot& robot, const std::vector<float>& state,
   std::vector<float> control(static_cast<std::size_t>(robot.control_size()), fill);
   robot.steer(state.data(), poses.data(), target, steering, control.data());
   return control;
+}
+
+// Where a step of the sample's ends, as the tree has it.
+std::vector<float> end_of(const Case& c, const Sample& at) {
+  return rounded(integrated(c.robot, at, static_cast<double>(at.dt), 1).back());
 }
 
 void check_control(const Case& c, const Sample& at) {
@@ -46,7 +52,7 @@ void check_steer(const Case& c, const Target& target, int steps, SteeredSteps& c
     at.control = steer_of(c.robot, at.state, target, steering, kFills[0]);
     check_control(c, at);
     check_steer_repeats(c, at, target, repeated);
-    const std::vector<float> next = rounded(integrated(c.robot, at, static_cast<double>(at.dt), 1).back());
+    const std::vector<float> next = end_of(c, at);
     ++counted.all;
     if (!c.robot.within_limits(next.data())) {
       ++counted.leaving;
@@ -57,6 +63,30 @@ void check_steer(const Case& c, const Target& target, int steps, SteeredSteps& c
     }
     at.state = next;
   }
+}
+
+void check_braking(const Case& c, Target target) {
+  constexpr int kSteps = 20;  // so that a robot may answer late
+  if (!c.robot.has_speed()) return;
+  Steering steering;
+  Sample at = c.sample;
+  target.speed = 0.0F;
+  const float before = c.robot.speed(at.state.data());
+  float after = before;
+  for (int step = 0; step < kSteps; ++step) {
+    if (!(after > kRestSpeed)) return;
+    at.control = steer_of(c.robot, at.state, target, steering, kFills[0]);
+    check_control(c, at);
+    const std::vector<float> next = end_of(c, at);
+    if (!c.robot.within_limits(next.data())) return;
+    after = c.robot.speed(next.data());
+    at.state = next;
+  }
+  if (after < before) return;
+  c.findings.add("steer", "brake", static_cast<double>(after - before),
+                 "toward a target whose speed is 0 it goes from " + number(static_cast<double>(before)) + " to " +
+                     number(static_cast<double>(after)) + " m/s within " + std::to_string(kSteps) + " steps",
+                 c.sample, "It must get slower, down to 0: a plan ends at rest, and there is none without.");
 }
 
 void check_leaving(Findings& findings, const RobotRanges& ranges, const SteeredSteps& counted) {

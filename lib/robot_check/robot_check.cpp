@@ -111,7 +111,9 @@ class RobotCheck {
     const bool places = check_place(c);
     if (!rates || !places) return;
     const Vec2 position{c.sample.state[0], c.sample.state[1]};
-    check_steer(c, draws_.target(position, robot_.reversible(), c.sample.dt), 10, steered_);
+    const Target target = draws_.target(position, robot_.reversible(), c.sample.dt);
+    check_steer(c, target, 10, steered_);
+    check_braking(c, target);
     check_leading(c);
     check_integration(c);
     check_fastest_rate(c);

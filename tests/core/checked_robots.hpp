@@ -50,6 +50,8 @@ enum class Wrong {
   steer_too_fast,
   steer_counts_its_calls,
   steer_remembers_its_calls,
+  steer_never_brakes,
+  speed_is_never_0,
   rate_too_small,
   rate_nan
 };
@@ -88,7 +90,8 @@ class Cart {
     const float most = is(Wrong::steer_beyond_its_limits) ? 2.0F * kTurnRate : kTurnRate;
     const float least = is(Wrong::steer_below_its_limits) ? -2.0F * kTurnRate : -most;
     u[1] = math::clamp(turn, least, most);
-    const float speed = target.speed * kSpeed * (is(Wrong::steer_too_fast) ? 1.1F : 0.999F);
+    const float share = is(Wrong::steer_never_brakes) ? math::clamp(target.speed, 0.5F, 1.0F) : target.speed;
+    const float speed = share * kSpeed * (is(Wrong::steer_too_fast) ? 1.1F : 0.999F);
     u[0] = math::clamp((speed - s[3]) / target.dt, -kAcceleration, kAcceleration);
     if (is(Wrong::steer_nan_at_the_target)) u[1] = 0.1F * to.x / length(to);
     if (is(Wrong::steer_counts_its_calls)) u[1] = 0.001F * static_cast<float>(++calls_ % 3);
@@ -154,6 +157,8 @@ class Cart {
     if (is(Wrong::quick_separation_nan)) bound.separation = std::nanf("");
     return bound;
   }
+
+  float speed(StateView s) const { return is(Wrong::speed_is_never_0) ? 0.1F : s[3]; }
 
   float fastest_rate(float) const {
     return is(Wrong::rate_nan) ? std::nanf("") : is(Wrong::rate_too_small) ? 0.1F : 2.0F;

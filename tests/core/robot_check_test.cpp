@@ -167,6 +167,8 @@ INSTANTIATE_TEST_SUITE_P(
         Expected{Wrong::steer_too_fast, "steer", "limits", "it leads beyond the limits, to ["},
         Expected{Wrong::steer_counts_its_calls, "steer", "pure", "called again it returns"},
         Expected{Wrong::steer_remembers_its_calls, "steer", "pure", "what it leaves in its Steering"},
+        Expected{Wrong::steer_never_brakes, "steer", "brake", "toward a target whose speed is 0 it goes from "},
+        Expected{Wrong::speed_is_never_0, "steer", "brake", "it goes from 0.1 to 0.1 m/s"},
         Expected{Wrong::rate_too_small, "fastest_rate", "step", "at 0.1 1/s a Runge-Kutta step of 0.4 s"},
         Expected{Wrong::rate_nan, "fastest_rate", "number", "fastest_rate is"}),
     [](const auto& expected) {
@@ -176,12 +178,12 @@ INSTANTIATE_TEST_SUITE_P(
 
 // Says how fast it is, how it stops and turns.
 struct PacedCart : Cart {
-  float now = 0.5F;
+  float share = 1;
   float way = -0.1F;
   float radius = 0;
   float top = 1;
 
-  float speed(StateView) const { return now; }
+  float speed(StateView s) const { return share * s[3]; }
   float stopping_way(StateView) const { return way; }
   float turning_radius() const { return radius; }
   float top_speed() const { return top; }
@@ -203,7 +205,7 @@ TEST(RobotCheckPacedCart, NamesNumbersThatNoSearchCanUse) {
       EXPECT_NE(find(report, function, "number"), nullptr) << function << " " << value << ": " << report.text();
     }
   };
-  expect_wrong(&PacedCart::now, {nan, -1, infinite}, "speed");
+  expect_wrong(&PacedCart::share, {nan, -1, infinite}, "speed");
   expect_wrong(&PacedCart::way, {nan, -infinite}, "stopping_way");
   expect_wrong(&PacedCart::radius, {nan, -1}, "turning_radius");
   expect_wrong(&PacedCart::top, {nan, 0, -1, infinite}, "top_speed");
