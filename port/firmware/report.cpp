@@ -20,9 +20,22 @@ const char* hint(Argument argument, const Request& request) {
       if (request.has_start) return ": --start is out of range for this robot";
       return ": the scene has no start for this robot: compile with --start X,Y,HEADING, or ask with it";
     case Argument::goal:
-      if (request.has_goal)
-        return ": --goal lies outside of the scene, or its radius, heading or tolerance is out of range";
+      if (request.has_goal) return ": --goal lies outside of the scene, or its heading or tolerance is out of range";
       return ": the scene has no goal: compile with --goal X,Y,RADIUS, or ask with it";
+    default:
+      return "";
+  }
+}
+
+// What is wrong with a start or a goal that can be used in other scenes, and what to do.
+const char* advice(Status status) {
+  switch (status) {
+    case Status::start_outside:
+      return ": the start lies outside of the scene: ask with another --start";
+    case Status::start_in_collision:
+      return ": the robot has no room at the start: ask with another --start, or with less --clearance";
+    case Status::goal_in_obstacle:
+      return ": no free part of the goal is left: ask with another --goal";
     default:
       return "";
   }
@@ -49,7 +62,7 @@ void put_reason(Line& line, const Board& board, const Request& request, const Fa
         line.put(", less than ").put_decimal(failure.most).put(" for a robot so fast and so short");
       break;
     default:
-      break;
+      line.put(advice(failure.status));
   }
 }
 

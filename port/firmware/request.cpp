@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kDefaultTrailers = 15;
 constexpr double kMostImprove = 1e6;
+constexpr double kLeastRadius = 0.001;       // metres: a smaller one is most likely a slip, as on the workstation
 constexpr double kTurn = 6.283185307179586;  // radians: a larger heading was meant in degrees
 
 bool same(const char* a, const char* b) { return std::strcmp(a, b) == 0; }
@@ -60,7 +61,8 @@ const char* parse_query(const char* option, const char* value, Request& request)
   }
   if (same(option, "--goal")) {
     request.has_goal = true;
-    return parse_triple(value, request.goal) ? nullptr : "--goal: give X,Y,RADIUS in metres, as 28,13,0.5";
+    if (!parse_triple(value, request.goal)) return "--goal: give X,Y,RADIUS in metres, as 28,13,0.5";
+    return request.goal.third >= kLeastRadius ? nullptr : "--goal: the radius is 0.001 metres or more";
   }
   if (same(option, "--heading")) {
     request.has_heading = true;

@@ -101,6 +101,14 @@ TEST_F(CompiledFirmware, NamesWhatIsOutOfItsRange) {
   expect_firmware_refuses({"--dt", "1.5"}, "bad_argument: dt: --dt is " + range(Argument::dt) + "seconds");
 }
 
+TEST_F(CompiledFirmware, SaysWhatToDoAboutAStartOrAGoalThatCannotBeUsed) {
+  expect_firmware_refuses({"--start", "-40,5,0"},
+                          "start_outside: the start lies outside of the scene: ask with another --start");
+  expect_firmware_refuses({"--start", "0,0,0"},
+                          "start_in_collision: the robot has no room at the start: ask with another --start, or with "
+                          "less --clearance");
+}
+
 TEST_F(CompiledFirmware, SaysWhereAStartComesFrom) {
   auto room = nlohmann::json::parse(read_text(path("room.json")));
   room["starts"] = nlohmann::json::array();

@@ -114,6 +114,10 @@ TEST(FirmwareRequest, RefusesWithTheOptionsName) {
     EXPECT_EQ(complaint({"--start", text}).rfind("--start: give X,Y,HEADING", 0), 0U) << text;
     EXPECT_EQ(complaint({"--goal", text}).rfind("--goal: give X,Y,RADIUS", 0), 0U) << text;
   }
+  for (const char* text : {"2,3,0", "2,3,-1", "2,3,0.0009999"}) {
+    EXPECT_EQ(complaint({"--goal", text}), "--goal: the radius is 0.001 metres or more") << text;
+  }
+  EXPECT_EQ(complaint({"--goal", "2,3,0.001"}), "");
   EXPECT_EQ(complaint({"--heading", "north"}).rfind("--heading: give radians", 0), 0U);
   EXPECT_EQ(complaint({"--heading", "1"}), "--heading: give --goal X,Y,RADIUS with it");
   EXPECT_EQ(complaint({"--heading-tolerance", "0.2", "--goal", "2,3,1"}),
