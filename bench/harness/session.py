@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Measures cells round by round, with real programs and a real journal."""
 
+import hashlib
 from dataclasses import asdict
+from pathlib import Path
 
 from harness import machine, problems
 from harness.journal import JournalError
@@ -63,6 +65,7 @@ class Session:
         there = [cell for cell in cells if self.is_there(cell)]
         for cell in there:
             self.problem(cell.problem)
+        self._refuse_other_inputs([cell for cell in there if cell.problem.startswith(problems.OWN)])
         limits = self._limits(there)
         rounds = self._rounds(there, rounds_of or {})
         known = self.journal.runs()
@@ -74,6 +77,20 @@ class Session:
             if made:
                 self.journal.append({"kind": "round", "session": self._number, "round": round_, **activity.since()})
                 self.progress.end_round(round_ + 1)
+
+    def _refuse_other_inputs(self, own):
+        """A user's map, by what it compiles to, and robot may be others now than those of the runs that are there."""
+        files = {cell.problem.removeprefix(problems.OWN): self.problem(cell.problem).scene for cell in own}
+        files |= {cell.robot: Path(cell.robot) for cell in own if Path(cell.robot).is_file()}
+        known = {record["name"]: record["sha256"] for record in self.journal.of_kind("input")}
+        for name, path in files.items():
+            digest = hashlib.sha256(path.read_bytes()).hexdigest()
+            if name not in known:
+                self.journal.append({"kind": "input", "name": name, "sha256": digest})
+            elif known[name] != digest:
+                raise JournalError(
+                    f"{self.journal.path}: was measured before {name} was changed; move it away to measure again"
+                )
 
     def is_there(self, cell):
         if problems.available(cell.problem):

@@ -358,8 +358,9 @@ class Sessions(unittest.TestCase):
 
     def prepare(self, name, folder):
         self.compiled.append(name)
-        scene = folder / f"{name}.krait"
-        scene.write_text(name)
+        source = problems.foreign_input(name)
+        scene = folder / f"{Path(name).name}.krait"
+        scene.write_text(source.read_text() if source else name)
         return Problem(name, scene, scene, 0.1)
 
     def measure(self, cells, seeds=3, stream=None, shard=Shard(), rounds_of=None):
@@ -428,6 +429,20 @@ class Sessions(unittest.TestCase):
         for name in self.described:
             with mock.patch.dict(self.described, {name: "another"}), self.assertRaisesRegex(JournalError, "abc"):
                 self.measure(self.cells("rooms"))
+
+    def test_do_not_go_on_with_another_map_or_robot_of_a_users(self):
+        files = [self.folder / name for name in ("map.json", "robot.json")]
+        for file in files:
+            file.write_text("one")
+        own = [Cell(f"own:{files[0]}", str(files[1]), "prior")]
+        self.measure(own, seeds=2)
+        self.assertEqual(len(self.runs(self.measure(own, seeds=3))), 3)
+        for file in files:
+            file.write_text("another")
+            with self.assertRaisesRegex(JournalError, f"before {file} was changed"):
+                self.measure(own)
+            file.write_text("one")
+        self.assertEqual(len(self.runs(self.measure(own, seeds=4))), 4)
 
     def test_measure_the_rounds_of_their_shard(self):
         runs = self.runs(self.measure(self.cells("rooms"), 5, shard=Shard(2, 2)))
