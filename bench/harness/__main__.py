@@ -12,7 +12,7 @@ from harness import experiments, readme
 from harness.arguments import QUICK, parse
 from harness.instructions import measure_instructions
 from harness.journal import Journal, JournalError, merged
-from harness.page import refuse_mixture, write_page
+from harness.page import refuse_mixture, refuse_none, write_page
 from harness.parts import measure_parts
 from harness.problems import ROOT
 from harness.progress import Progress
@@ -86,6 +86,7 @@ def publish(options):
     records = merged([Journal(file, writable=False) for file in files])
     results = Results(records)
     refuse_mixture(results)
+    refuse_none(results)
     write_page(results, ROOT / "bench", records)
     missing = readme.missing(results)
     if missing:

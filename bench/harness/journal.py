@@ -40,8 +40,13 @@ class Journal:
             self._file = None
 
     def _open(self):
-        self.path.parent.mkdir(parents=True, exist_ok=True)
-        self._file = open(self.path, "ab")
+        if self.path.suffix == ".xz":
+            raise JournalError(f"{self.path}: is a compressed journal, to which nothing can be added")
+        try:
+            self.path.parent.mkdir(parents=True, exist_ok=True)
+            self._file = open(self.path, "ab")
+        except OSError as error:
+            raise JournalError(f"{self.path}: cannot be written: {error.strerror}") from None
         try:
             fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError:
@@ -49,17 +54,23 @@ class Journal:
             raise JournalError(f"{self.path}: another bench/run is measuring; two would disturb each other") from None
 
     def _read(self):
-        data = self.path.read_bytes()
-        if self.path.suffix == ".xz":
-            data = lzma.decompress(data)
+        try:
+            data = self.path.read_bytes()
+            if self.path.suffix == ".xz":
+                data = lzma.decompress(data)
+        except (OSError, lzma.LZMAError) as error:
+            raise JournalError(f"{self.path}: cannot be read: {error}") from None
         whole = data.rfind(b"\n") + 1
         if whole < len(data) and self._file:
             os.truncate(self.path, whole)
         for number, line in enumerate(data[:whole].splitlines(), 1):
             try:
-                self.records.append(json.loads(line))
+                record = json.loads(line)
             except ValueError:
                 raise JournalError(f"{self.path}: line {number} is no JSON; remove it") from None
+            if not isinstance(record, dict) or "kind" not in record:
+                raise JournalError(f"{self.path}: line {number} is no record of a journal; remove it")
+            self.records.append(record)
 
     def append(self, record):
         """On disk when this returns."""

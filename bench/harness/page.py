@@ -99,6 +99,12 @@ def refuse_mixture(results):
         raise JournalError(f"the runs are of {', '.join(commits)}: a page is of one clean commit")
 
 
+def refuse_none(results):
+    """Without a run of any of its experiments a page would be empty, and take the place of one that is not."""
+    if not any(results.runs(cell) for cell in experiments.cells_of("all")):
+        raise JournalError("there is no run of the pages' experiments, to which own and tuning do not belong")
+
+
 def write_page(results, folder, records=None):
     """RESULTS.md in the folder; tables and pictures, and the runs themselves if given, in the folder's results."""
     rows = results.rows(experiments.cells_of("all"))

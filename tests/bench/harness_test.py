@@ -205,9 +205,22 @@ class JournalFile(unittest.TestCase):
             Journal(self.path)
 
     def test_names_a_broken_line(self):
-        self.path.write_text("{}\nnonsense\n")
-        with self.assertRaisesRegex(JournalError, "line 2"):
-            Journal(self.path, writable=False)
+        for line in ("nonsense", "{}", "5"):
+            self.path.write_text(f'{{"kind": "run"}}\n{line}\n')
+            with self.assertRaisesRegex(JournalError, "line 2 is no "):
+                Journal(self.path, writable=False)
+
+    def test_names_a_file_that_is_none(self):
+        packed = self.path.with_suffix(".jsonl.xz")
+        packed.write_text("nonsense")
+        for path in (packed, self.path.parent):
+            with self.assertRaisesRegex(JournalError, f"^{path}: cannot be read: "):
+                Journal(path, writable=False)
+        with self.assertRaisesRegex(JournalError, f"^{self.path.parent}: cannot be written: Is a directory$"):
+            Journal(self.path.parent)
+        with self.assertRaisesRegex(JournalError, "compressed"):
+            Journal(packed)
+        self.assertEqual(packed.read_text(), "nonsense")
 
     def test_the_last_run_of_a_trial_counts(self):
         with Journal(self.path) as journal:
@@ -541,6 +554,14 @@ class CommandLine(unittest.TestCase):
         for commits in (("abc", "def"), ("abc-dirty",)):
             with self.assertRaisesRegex(JournalError, "one clean commit"):
                 refuse_mixture(Results([session_of(commit=commit) for commit in commits]))
+
+    def test_publishes_no_page_without_runs(self):
+        from harness.page import refuse_none
+
+        refuse_none(Results([session_of(), run_of(OURS, solved(1.0))]))
+        for cells in ([], [Cell("own:map.json", "car", "adaptive")]):
+            with self.assertRaisesRegex(JournalError, "no run of the pages' experiments"):
+                refuse_none(Results([session_of()] + [run_of(cell, solved(1.0)) for cell in cells]))
 
 
 class Queries(unittest.TestCase):
