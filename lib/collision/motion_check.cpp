@@ -20,6 +20,7 @@ void MotionCheck::allocate(Arena& arena, const Robot& robot) {
   }
   for (float*& state : middle_)
     state = arena.allocate<float>(Pool::work, static_cast<std::uint64_t>(robot.state_size()));
+  checks_ = 0;
 }
 
 void MotionCheck::assign(const Robot& robot, const Scene& scene, float clearance, int max_substeps, bool shortcuts) {

@@ -323,6 +323,7 @@ TEST_F(PlannerStatus, ALaterInitCountsNothingOfTheSearchBefore) {
     ASSERT_TRUE(bench.init().ok());
     EXPECT_EQ(bench.planner.statistics().bytes_used, fresh.planner.statistics().bytes_used) << vertices;
     EXPECT_LE(bench.planner.statistics().bytes_used, bench.planner.statistics().bytes_given) << vertices;
+    EXPECT_EQ(bench.planner.statistics().collision_checks, 0U) << vertices;
   }
 }
 
