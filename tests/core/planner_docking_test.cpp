@@ -156,7 +156,7 @@ TEST(PlannerDocking, ASemitrailerIsPushedIntoItsDock) {
 // A user's robot that does not say which body it backs with.
 struct Silent : Truck {
   using Truck::Truck;
-  void backing_body() const {}
+  void backing_body() const = delete;
 };
 static_assert(RobotModel<Silent>);
 

@@ -28,8 +28,8 @@ ChainParameters reversing() {
 // A robot that says nothing of its turns and speed.
 struct Silent : Unicycle {
   Silent() : Unicycle(small_unicycle()) {}
-  void turning_radius() const {}
-  void top_speed() const {}
+  void turning_radius() const = delete;
+  void top_speed() const = delete;
 };
 static_assert(RobotModel<Silent>);
 

@@ -57,7 +57,7 @@ void expect_rest(const R& robot) {
 TEST(PlannerRest, EveryModelEndsAtRestByDefault) {
   AllRobots<Each>::call([]<class R>() {
     SCOPED_TRACE(ModelNames::GetName<R>(0));
-    if constexpr (detail::kHasSpeed<R>) expect_rest(default_robot<R>(2));
+    if constexpr (detail::HasSpeed<R>) expect_rest(default_robot<R>(2));
   });
 }
 

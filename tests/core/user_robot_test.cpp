@@ -46,6 +46,17 @@ TEST(UserRobot, ThatStatesRatesPlansAsOneThatStatesItsTravel) {
   }
 }
 
+// Members that are none of the optional functions: one of two may be meant for others, and numbers are not called.
+struct Overloaded : Slider {
+  float speed(StateView) const { return 0.0F; }
+  double speed() const { return 0.0; }
+};
+struct WithNumbers : Slider {
+  float top_speed = 1.0F;
+  bool reversible = true;
+};
+static_assert(detail::types_match<Overloaded>() && detail::types_match<WithNumbers>());
+
 // Travel's own words: A dt^2 / 8, (W + (turn / dt)^2) dt^2 / 8, and never more than half of path and turn.
 TEST(UserRobotDefaults, TravelFollowsFromRates) {
   const Travel slow = detail::travel_of({2.0F, 0.5F, 4.0F, 1.0F}, 0.5F);

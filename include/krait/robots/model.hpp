@@ -125,7 +125,8 @@ concept StatesRates = requires(const R& robot, StateView s, ControlView u, float
 /// - `rates(s, u, dt, next, rates)`: replaces travel where the robot has none: writes the BodyRates of every body while
 ///   u is held for dt seconds from s to next, and returns what travel returns
 ///
-/// The following members are optional:
+/// The following members are optional. A function that has the name of one, and is not const or has other arguments or
+/// another result, would not be called, and does not compile; one that is deleted counts as none:
 /// - `sound()`: whether its dimensions and limits can be used; init refuses the robot as bad_robot where they cannot.
 ///   Without it, they count as usable
 /// - `reversible()`: whether it can drive backwards, at a target's speed below 0. Without it, it cannot

@@ -4,9 +4,119 @@
 /// installed since functions.hpp includes it.
 #pragma once
 
+#include <type_traits>
+
 #include "krait/robots/model.hpp"
 
 namespace krait::detail {
+
+// Whether a robot has the optional function, const and of the type that model.hpp says.
+template <class R>
+concept HasCarryErrors = requires(const R& robot, StateView s, const Pose* poses, ControlView u, float dt,
+                                  float* errors) {
+  { robot.carry_errors(s, poses, u, dt, errors) } -> std::same_as<float>;
+};
+template <class R>
+concept HasKeepsReserve = requires(const R& robot, StateView s) {
+  { robot.keeps_reserve(s) } -> std::same_as<bool>;
+};
+template <class R>
+concept HasLeadingSize = requires(const R& robot) {
+  { robot.leading_size() } -> std::same_as<int>;
+};
+template <class R>
+concept HasSelfCollisionGap = requires(const R& robot) {
+  { robot.self_collision_gap() } -> std::same_as<int>;
+};
+template <class R>
+concept HasExact = requires(const R& robot) {
+  { robot.exact() } -> std::same_as<bool>;
+};
+template <class R>
+concept HasSound = requires(const R& robot) {
+  { robot.sound() } -> std::same_as<bool>;
+};
+template <class R>
+concept HasQuickBound = requires(const R& robot, StateView s, ControlView u, float dt, StateView next) {
+  { robot.quick_bound(s, u, dt, next) } -> std::same_as<QuickBound>;
+};
+template <class R>
+concept HasFastestRate = requires(const R& robot, float dt) {
+  { robot.fastest_rate(dt) } -> std::same_as<float>;
+};
+template <class R>
+concept HasStoppingWay = requires(const R& robot, StateView s) {
+  { robot.stopping_way(s) } -> std::same_as<float>;
+};
+template <class R>
+concept HasTurningRadius = requires(const R& robot) {
+  { robot.turning_radius() } -> std::same_as<float>;
+};
+template <class R>
+concept HasTopSpeed = requires(const R& robot) {
+  { robot.top_speed() } -> std::same_as<float>;
+};
+template <class R>
+concept HasReversible = requires(const R& robot) {
+  { robot.reversible() } -> std::same_as<bool>;
+};
+template <class R>
+concept HasBackingBody = requires(const R& robot) {
+  { robot.backing_body() } -> std::same_as<int>;
+};
+template <class R>
+concept HasSpeed = requires(const R& robot, StateView s) {
+  { robot.speed(s) } -> std::same_as<float>;
+};
+template <class R>
+concept HasSketch = requires(const R& robot, StateRef s, Pose* poses, ControlView u, float dt) {
+  { robot.sketch(s, poses, u, dt) } -> std::same_as<bool>;
+};
+template <class R>
+concept HasTrack = requires(const R& robot, StateView s, StateView reference, float dt, ControlRef u) {
+  robot.track(s, reference, dt, u);
+};
+template <class R>
+concept HasRest = requires(const R& robot, Vec2 position, float heading, float* s) {
+  robot.rest(position, heading, s);
+};
+template <class R>
+concept HasRestOfAll = requires(const R& robot, Vec2 position, float heading, const float* angles, float* s) {
+  robot.rest(position, heading, angles, s);
+};
+
+/// For types_match alone: whether the member function of that name is what Has says, or there is none.
+#define KRAIT_TYPED(name, Has)                                                                          \
+  static_assert((Has) || !requires { requires std::is_member_function_pointer_v<decltype(&R::name)>; }, \
+                "krait: " #name                                                                         \
+                " of the robot would not be called: RobotModel has it const, with other arguments or another result");
+
+// Does not compile for a robot with a member function that has an optional one's name and another type, which would not
+// be called. One that is overloaded may be meant for others.
+template <class R>
+constexpr bool types_match() {
+  KRAIT_TYPED(carry_errors, HasCarryErrors<R>)
+  KRAIT_TYPED(keeps_reserve, HasKeepsReserve<R>)
+  KRAIT_TYPED(leading_size, HasLeadingSize<R>)
+  KRAIT_TYPED(self_collision_gap, HasSelfCollisionGap<R>)
+  KRAIT_TYPED(exact, HasExact<R>)
+  KRAIT_TYPED(sound, HasSound<R>)
+  KRAIT_TYPED(quick_bound, HasQuickBound<R>)
+  KRAIT_TYPED(fastest_rate, HasFastestRate<R>)
+  KRAIT_TYPED(stopping_way, HasStoppingWay<R>)
+  KRAIT_TYPED(turning_radius, HasTurningRadius<R>)
+  KRAIT_TYPED(top_speed, HasTopSpeed<R>)
+  KRAIT_TYPED(reversible, HasReversible<R>)
+  KRAIT_TYPED(backing_body, HasBackingBody<R>)
+  KRAIT_TYPED(speed, HasSpeed<R>)
+  KRAIT_TYPED(sketch, HasSketch<R>)
+  KRAIT_TYPED(track, HasTrack<R>)
+  KRAIT_TYPED(rest, HasRest<R> || HasRestOfAll<R>)
+  KRAIT_TYPED(integrate_lead, LeadingRobot<R>)
+  KRAIT_TYPED(integrate_rest, LeadingRobot<R>)
+  return true;
+}
+#undef KRAIT_TYPED
 
 // The control that steers s, whose frames are `poses`, toward the target.
 template <RobotModel R>
@@ -46,130 +156,91 @@ bool travel(const R& robot, StateView s, ControlView u, float dt, StateView next
 // Changes u, the reference's control, so that the robot comes back from s to the reference. Default: u stays.
 template <RobotModel R>
 void track(const R& robot, StateView s, StateView reference, float dt, ControlRef u) {
-  if constexpr (requires { robot.track(s, reference, dt, u); }) robot.track(s, reference, dt, u);
+  if constexpr (HasTrack<R>) robot.track(s, reference, dt, u);
 }
 
 // Updates the errors of a state's components over a time step, and returns the metres that a body may be off then.
 // Default: 0, and the errors stay.
 template <RobotModel R>
 float carry_errors(const R& robot, StateView s, const Pose* poses, ControlView u, float dt, float* errors) {
-  if constexpr (requires {
-                  { robot.carry_errors(s, poses, u, dt, errors) } -> std::same_as<float>;
-                })
-    return robot.carry_errors(s, poses, u, dt, errors);
+  if constexpr (HasCarryErrors<R>) return robot.carry_errors(s, poses, u, dt, errors);
   return 0.0F;
 }
 
 // Whether the state is within the limits, and far enough for the tree. Default: within_limits.
 template <RobotModel R>
 bool keeps_reserve(const R& robot, StateView s) {
-  if constexpr (requires {
-                  { robot.keeps_reserve(s) } -> std::same_as<bool>;
-                })
-    return (kAnswersProven<R> || robot.within_limits(s)) && robot.keeps_reserve(s);
+  if constexpr (HasKeepsReserve<R>) return (kAnswersProven<R> || robot.within_limits(s)) && robot.keeps_reserve(s);
   return robot.within_limits(s);
 }
 
 // How many of the state's first components depend on no others. Default: all.
 template <RobotModel R>
 int leading_size(const R& robot) {
-  if constexpr (requires {
-                  { robot.leading_size() } -> std::same_as<int>;
-                })
-    return robot.leading_size();
+  if constexpr (HasLeadingSize<R>) return robot.leading_size();
   return robot.state_size();
 }
 
 // Bodies i and j are tested against each other when |i - j| is at least this. Default: 2.
 template <RobotModel R>
 int self_collision_gap(const R& robot) {
-  if constexpr (requires {
-                  { robot.self_collision_gap() } -> std::same_as<int>;
-                })
-    return robot.self_collision_gap();
+  if constexpr (HasSelfCollisionGap<R>) return robot.self_collision_gap();
   return 2;
 }
 
 // Whether its functions compute floats as written. Default: true.
 template <RobotModel R>
 bool exact(const R& robot) {
-  if constexpr (requires {
-                  { robot.exact() } -> std::same_as<bool>;
-                })
-    return robot.exact();
+  if constexpr (HasExact<R>) return robot.exact();
   return true;
 }
 
 // Whether the dimensions and limits can be used. Default: true.
 template <RobotModel R>
 bool sound(const R& robot) {
-  if constexpr (requires {
-                  { robot.sound() } -> std::same_as<bool>;
-                })
-    return robot.sound();
+  if constexpr (HasSound<R>) return robot.sound();
   return true;
 }
 
 // A cheap bound on a step of the whole robot. Default: one that proves nothing.
 template <RobotModel R>
 QuickBound quick_bound(const R& robot, StateView s, ControlView u, float dt, StateView next) {
-  if constexpr (requires {
-                  { robot.quick_bound(s, u, dt, next) } -> std::same_as<QuickBound>;
-                })
-    return robot.quick_bound(s, u, dt, next);
+  if constexpr (HasQuickBound<R>) return robot.quick_bound(s, u, dt, next);
   return {};
 }
 
 // How fast the dynamics can change within a time step of dt seconds, 1/s. Default: 0.
 template <RobotModel R>
 float fastest_rate(const R& robot, float dt) {
-  if constexpr (requires {
-                  { robot.fastest_rate(dt) } -> std::same_as<float>;
-                })
-    return robot.fastest_rate(dt);
+  if constexpr (HasFastestRate<R>) return robot.fastest_rate(dt);
   return 0.0F;
 }
-
-// Whether the robot has the function `speed`.
-template <class R>
-inline constexpr bool kHasSpeed = requires(const R& robot, StateView s) {
-  { robot.speed(s) } -> std::same_as<float>;
-};
 
 // How fast it moves in a state, m/s. Default: 0.
 template <RobotModel R>
 float speed_of(const R& robot, StateView s) {
-  if constexpr (kHasSpeed<R>) return robot.speed(s);
+  if constexpr (HasSpeed<R>) return robot.speed(s);
   return 0.0F;
 }
 
 // How far ahead, along body 0, braking would end, metres. Default: 0.
 template <RobotModel R>
 float stopping_way(const R& robot, StateView s) {
-  if constexpr (requires {
-                  { robot.stopping_way(s) } -> std::same_as<float>;
-                })
-    return robot.stopping_way(s);
+  if constexpr (HasStoppingWay<R>) return robot.stopping_way(s);
   return 0.0F;
 }
 
 // Metres, of the sharpest turn that the robot drives for long. Default: `length`.
 template <RobotModel R>
 float turning_radius(const R& robot, float length) {
-  if constexpr (requires {
-                  { robot.turning_radius() } -> std::same_as<float>;
-                })
-    return robot.turning_radius();
+  if constexpr (HasTurningRadius<R>) return robot.turning_radius();
   return length;
 }
 
 // m/s, straight ahead. Default: `length` metres a second.
 template <RobotModel R>
 float top_speed(const R& robot, float length) {
-  if constexpr (requires {
-                  { robot.top_speed() } -> std::same_as<float>;
-                })
-    return robot.top_speed();
+  if constexpr (HasTopSpeed<R>) return robot.top_speed();
   return length;
 }
 
@@ -177,13 +248,13 @@ float top_speed(const R& robot, float length) {
 // first where there are none. False, and nothing is written, where it has no such function or another number of bodies.
 template <RobotModel R>
 bool rest(const R& robot, Vec2 position, float heading, const float* angles, std::uint32_t count, float* s) {
-  if constexpr (requires { robot.rest(position, heading, angles, s); }) {
+  if constexpr (HasRestOfAll<R>) {
     const auto followers = static_cast<std::uint32_t>(robot.body_count() - 1);
     const bool straight = count == 0 || followers == 0;
     if (!straight && count != followers) return false;
     robot.rest(position, heading, straight ? nullptr : angles, s);
     return true;
-  } else if constexpr (requires { robot.rest(position, heading, s); }) {
+  } else if constexpr (HasRest<R>) {
     robot.rest(position, heading, s);
     return true;
   }
@@ -193,20 +264,14 @@ bool rest(const R& robot, Vec2 position, float heading, const float* angles, std
 // Whether the robot can drive backwards. Default: false.
 template <RobotModel R>
 bool reversible(const R& robot) {
-  if constexpr (requires {
-                  { robot.reversible() } -> std::same_as<bool>;
-                })
-    return robot.reversible();
+  if constexpr (HasReversible<R>) return robot.reversible();
   return false;
 }
 
 // The body that steer brings to the target's point when it drives backwards. Default: 0.
 template <RobotModel R>
 int backing_body(const R& robot) {
-  if constexpr (requires {
-                  { robot.backing_body() } -> std::same_as<int>;
-                })
-    return robot.backing_body();
+  if constexpr (HasBackingBody<R>) return robot.backing_body();
   return 0;
 }
 
@@ -239,9 +304,7 @@ void runge_kutta(const R& robot, StateView state, ControlView u, float dt, float
 // step by the midpoint rule.
 template <RobotModel R>
 bool sketch(const R& robot, StateRef s, Pose* poses, ControlView u, float dt) {
-  if constexpr (requires {
-                  { robot.sketch(s, poses, u, dt) } -> std::same_as<bool>;
-                }) {
+  if constexpr (HasSketch<R>) {
     return robot.sketch(s, poses, u, dt);
   } else {
     const int n = robot.state_size();

@@ -75,6 +75,7 @@ struct RobotFunctions {
 // The functions of the model R.
 template <RobotModel R>
 class FunctionsOf {
+  static_assert(types_match<R>());
   static_assert(R::kMaxState <= kMaxState && R::kMaxControl <= kMaxControl && R::kMaxBodies <= kMaxBodies);
 
   static const R& of(const void* self) { return *static_cast<const R*>(self); }
@@ -160,7 +161,7 @@ class FunctionsOf {
                                             R::kMaxControl,
                                             R::kMaxBodies,
                                             LeadingRobot<R>,
-                                            kHasSpeed<R>,
+                                            HasSpeed<R>,
                                             kAnswersProven<R>,
                                             kParks<R> ? &kParking : nullptr,
                                             kDocks<R> ? &kDocking : nullptr,
