@@ -15,7 +15,15 @@ std::uint64_t clock(void*) { return nanoseconds(ticks()); }
 void log(void*, const char* text) { console_write(text); }
 void fault(void*, const char* what) { report_fault(what, nullptr, 0); }
 
-// Cuts the line at its spaces, in place. Returns the number of words, at most kMaxWords.
+// Copies the text. False where it is longer than a line.
+bool take_line(const char* text, char* line) {
+  std::size_t i = 0;
+  for (; text[i] != '\0' && i + 1 < kMaxLine; ++i) line[i] = text[i];
+  line[i] = '\0';
+  return text[i] == '\0';
+}
+
+// Cuts the line at its spaces, in place. Returns the number of words; those beyond kMaxWords are not kept.
 int split(char* line, const char** words) {
   int count = 0;
   bool in_word = false;
@@ -23,8 +31,9 @@ int split(char* line, const char** words) {
     if (*c == ' ') {
       *c = '\0';
       in_word = false;
-    } else if (!in_word && count < kMaxWords) {
-      words[count++] = c;
+    } else if (!in_word) {
+      if (count < kMaxWords) words[count] = c;
+      ++count;
       in_word = true;
     }
   }
@@ -46,8 +55,14 @@ int run_application() {
   board.name = KRAIT_BOARD;
   board.port = {nullptr, clock, log, fault};
   describe_memory(board);
-  console_command_line(line, sizeof line);
+  auto* const text = static_cast<char*>(board.arena);  // which nobody uses yet: a console may have more than a line
+  console_command_line(text, board.arena_room);
+  const bool whole = take_line(text, line);
   const int count = split(line, words);
+  if (!whole || count > kMaxWords) {
+    console_write("krait: the command line has more than 255 characters or 24 words: leave out what is a default\n");
+    return firmware::kBadInput;
+  }
   return count == 0 ? firmware::run(board, 0, words) : firmware::run(board, count - 1, words + 1);
 }
 
