@@ -88,6 +88,20 @@ void refuse_braking(const PlanOptions& options) {
                    " does not brake, its plans end at any speed: leave it out, or give inf");
 }
 
+// Of the tuning, prior reads alpha and beta, and rrt nothing.
+void refuse_unread(const PlanOptions& options) {
+  if (options.planner == "adaptive") return;
+  const bool has_groups = options.planner == "prior";
+  const std::pair<const char*, bool> unread[] = {{"--alpha", options.alpha && !has_groups},
+                                                 {"--beta", options.beta && !has_groups},
+                                                 {"--gamma", options.gamma.has_value()},
+                                                 {"--kappa", options.kappa.has_value()}};
+  for (const auto& [name, is_given] : unread) {
+    if (!is_given) continue;
+    throw InputError(std::string(name) + ": --planner " + options.planner + " does not read it: leave it out");
+  }
+}
+
 // Where nothing is improved, --stop-within ends nothing.
 void judge_stop_within(const PlanOptions& options, const SearchRequest& request) {
   if (!(request.stop_within > 0) || request.improve > 0) return;
@@ -103,6 +117,7 @@ SearchRequest request_of(const PlanOptions& options) {
   if (options.paper) request.parameters = Parameters::paper();
   options.query.read(request);
   refuse_braking(options);
+  refuse_unread(options);
   require_usable(options.query.robot, request.robot);
   request.planner = options.planner;
   request.seed = options.seed;
@@ -506,13 +521,15 @@ void add_plan(CLI::App& app, const char* program) {
   };
   constexpr const char* kPlain = "a number without unit";
   const SearchTuning& tuning = defaults.tuning;
-  search("--alpha", o->alpha, "strength of the heuristic", Argument::alpha, tuning.alpha)
+  search("--alpha", o->alpha, "strength of the heuristic, not with rrt", Argument::alpha, tuning.alpha)
       ->check(number_of(Argument::alpha, kPlain));
-  search("--beta", o->beta, "penalty of a selection", Argument::beta, tuning.beta)
+  search("--beta", o->beta, "penalty of a selection, not with rrt", Argument::beta, tuning.beta)
       ->check(number_of(Argument::beta, kPlain));
-  search("--gamma", o->gamma, "how much failures raise edge costs (0: never)", Argument::gamma, tuning.gamma)
+  search("--gamma", o->gamma, "how much failures raise edge costs (0: never), with adaptive only", Argument::gamma,
+         tuning.gamma)
       ->check(number_of(Argument::gamma, kPlain));
-  search("--kappa", o->kappa, "expansions between updates of the costs", Argument::kappa, float(tuning.kappa))
+  search("--kappa", o->kappa, "expansions between updates of the costs, with adaptive only", Argument::kappa,
+         float(tuning.kappa))
       ->check(whole_number_of(Argument::kappa, "expansions"));
   command
       ->add_option(

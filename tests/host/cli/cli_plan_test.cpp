@@ -567,6 +567,23 @@ TEST_F(CliPlan, AsksNoPlannerToBrakeThatDoesNot) {
   }
 }
 
+TEST_F(CliPlan, TakesNoNumberThatThePlannerDoesNotRead) {
+  const auto with = [](const std::string& planner, const std::string& option) {
+    return Arguments{"plan", "room.krait", "--robot", "car", "--planner", planner, option, "1", "--iterations", "1"};
+  };
+  const std::vector<std::pair<std::string, std::vector<std::string>>> unread = {
+      {"rrt", {"--alpha", "--beta", "--gamma", "--kappa"}}, {"prior", {"--gamma", "--kappa"}}};
+  for (const auto& [planner, options] : unread) {
+    for (const std::string& option : options) {
+      Arguments arguments = with(planner, option);
+      if (option == "--beta") arguments[7] = "0.5";
+      expect_refused(arguments, "krait: " + option + ": --planner " + planner + " does not read it: leave it out\n");
+    }
+  }
+  EXPECT_EQ(krait(with("prior", "--alpha")).code, 1);
+  EXPECT_EQ(krait(with("adaptive", "--gamma")).code, 1);
+}
+
 TEST_F(CliPlan, OfARobotThatNeverStopsEndsAtNoSpeedBelowItsLeast) {
   write("glider.json", R"({"model": "unicycle", "parameters": {"min_speed": 0.2}})");
   (void)plan({"--robot", "glider.json"});
