@@ -116,6 +116,7 @@ class Reader {
     if (name == "use") return read_use(element, style, depth);
     if (name == "svg") places_.fail(element, "a drawing in the drawing is not read: ungroup it");
     if (name == "style") has_sheet_ = true;
+    if (!style.is_visible) return;
     if (name == "text" || name == "image" || name == "foreignObject") others_ += 1;
     if (is_shape(name)) read_shape(element, name, style);
   }

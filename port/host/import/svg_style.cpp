@@ -149,8 +149,9 @@ SvgStyle SvgStyle::of(const pugi::xml_node& element, const SvgPlaces& places) co
   const std::string_view own_rule = property(element, "fill-rule");
   if (!own_rule.empty() && own_rule != "inherit")
     style.rule = own_rule == "evenodd" ? FillRule::even_odd : FillRule::nonzero;
+  if (property(element, "display") == "none") style.is_shown = false;
   const std::string_view visibility = property(element, "visibility");
-  if (property(element, "display") == "none" || visibility == "hidden") style.is_shown = false;
+  if (!visibility.empty() && visibility != "inherit") style.is_visible = visibility == "visible";
   if (const auto own = role_of_element(element)) style.role = *own;
   return style;
 }

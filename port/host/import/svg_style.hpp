@@ -36,7 +36,8 @@ struct SvgStyle {
   Affine place;           // of the element's coordinates, in metres
   bool is_filled = true;  // also where nothing says so
   FillRule rule = FillRule::nonzero;
-  bool is_shown = true;
+  bool is_shown = true;    // nothing in what is not shown is seen
+  bool is_visible = true;  // what is in it may be, where it says so
   Role role = Role::obstacle;
 
   SvgStyle of(const pugi::xml_node& element, const SvgPlaces& places) const;

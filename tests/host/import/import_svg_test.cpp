@@ -278,6 +278,15 @@ TEST_F(SvgTest, OnlyWhatIsFilledAndSeenIsAnObstacle) {
   EXPECT_THAT(shapes("<style>rect{fill:none}</style>").warnings, ElementsAre(HasSubstr("style sheets are not read")));
 }
 
+TEST_F(SvgTest, WhatSaysThatItIsVisibleIsSeenInAHiddenGroup) {
+  const std::string square = "<path d=\"M1 1H3V3H1Z\"";
+  const std::string hidden = "<g visibility=\"hidden\">" + square + "/>";
+  expect_ring(outline(hidden + square + " visibility=\"visible\"/></g>"), kSquare);
+  expect_ring(outline(hidden + square + " style=\"visibility: visible\"/></g>"), kSquare);
+  EXPECT_THAT(shapes(hidden + square + " visibility=\"inherit\"/></g>").obstacles, IsEmpty());
+  EXPECT_THAT(shapes("<g display=\"none\">" + square + " visibility=\"visible\"/></g>").obstacles, IsEmpty());
+}
+
 TEST_F(SvgTest, InnerOutlinesAreHolesByTheFillRule) {
   const std::string outer = "M0 0H8V8H0Z";
   const std::string same = "M2 2H6V6H2Z";
