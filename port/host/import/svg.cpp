@@ -60,7 +60,19 @@ bool is_physical(const pugi::xml_node& svg) {
   return !width.empty() && (width.back() < '0' || width.back() > '9') && !width.ends_with("px");
 }
 
-// The page fits into width and height as a whole, as without preserveAspectRatio.
+// The pixels of a unit: the view fits into width and height as a whole.
+double fit(const pugi::xml_node& svg, const SvgPlaces& places, double across, double up) {
+  constexpr double kRounding = 1e-4;  // of widths and heights, relative
+  const std::string_view ratio = svg.attribute("preserveAspectRatio").value();
+  const bool fits = ratio.find("none") == std::string_view::npos && ratio.find("slice") == std::string_view::npos;
+  if (!fits && std::abs(across - up) > kRounding * up) {
+    places.fail(svg,
+                "preserveAspectRatio: none and slice are read only where the viewBox is as wide for its height as "
+                "the page: leave it out, or give width and height the viewBox's proportions");
+  }
+  return std::min(across, up);
+}
+
 Page read_page(const pugi::xml_node& svg, const SvgPlaces& places, const ImportOptions& options) {
   Page page;
   page.view = read_view(svg, places);
@@ -69,7 +81,7 @@ Page read_page(const pugi::xml_node& svg, const SvgPlaces& places, const ImportO
     const double height = places.length(svg, "height");
     if (!(width > 0 && height > 0)) places.fail(svg, "width and height must be above 0");
     if (page.view) {
-      page.unit = kPixel * std::min(width / page.view->width, height / page.view->height);
+      page.unit = kPixel * fit(svg, places, width / page.view->width, height / page.view->height);
       page.has_scale = is_physical(svg);
     } else {
       page.view = {0, 0, width, height};
@@ -112,7 +124,9 @@ class Reader {
     const std::string_view name = element.name();
     const SvgStyle style = style_of(element, outer);
     if (style.role == Role::none || !style.is_shown) return;
-    if (name == "g" || name == "a" || name == "switch") return read_children(element, style, depth + 1);
+    const bool groups = name == "g" || name == "a" || name == "switch";
+    if (groups || name == "use" || is_shape(name)) check_placing(element, places_);
+    if (groups) return read_children(element, style, depth + 1);
     if (name == "use") return read_use(element, style, depth);
     if (name == "svg") places_.fail(element, "a drawing in the drawing is not read: ungroup it");
     if (name == "style") has_sheet_ = true;
@@ -142,8 +156,13 @@ class Reader {
     if (!element) places_.fail(use, "href: there is no element " + cleaned_name(target));
     SvgStyle moved = style;
     moved.place = style.place.after({1, 0, 0, 1, places_.length(use, "x"), places_.length(use, "y")});
-    if (std::strcmp(element.name(), "symbol") == 0) return read_children(element, style_of(element, moved), depth + 1);
+    if (std::strcmp(element.name(), "symbol") == 0) return read_symbol(element, moved, depth);
     read_element(element, moved, depth + 1);
+  }
+
+  void read_symbol(const pugi::xml_node& symbol, const SvgStyle& outer, int depth) {
+    if (symbol.attribute("viewBox")) places_.fail(symbol, "a symbol with a viewBox is not read: make it a group");
+    read_children(symbol, style_of(symbol, outer), depth + 1);
   }
 
   pugi::xml_node by_id(const pugi::xml_node& any, const std::string& id) {

@@ -19,10 +19,10 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(0, text.find_last_not_of(kSpace) + 1);
 }
 
-// A property of the style attribute, which goes before the attribute of that name.
-std::string_view property(const pugi::xml_node& element, std::string_view name) {
+// A property of the style attribute; empty where it says nothing of it.
+std::string_view declared(const pugi::xml_node& element, std::string_view name) {
   std::string_view style = element.attribute("style").value();
-  std::string_view found = trimmed(element.attribute(std::string(name).c_str()).value());
+  std::string_view found;
   while (!style.empty()) {
     const std::size_t end = std::min(style.find(';'), style.size());
     const std::string_view declaration = style.substr(0, end);
@@ -34,6 +34,16 @@ std::string_view property(const pugi::xml_node& element, std::string_view name) 
   }
   return found;
 }
+
+// A property, of which the style attribute goes before the attribute of that name.
+std::string_view property(const pugi::xml_node& element, const char* name) {
+  const std::string_view found = declared(element, name);
+  return found.empty() ? trimmed(element.attribute(name).value()) : found;
+}
+
+// What CSS may say of where and how large a shape is, which this reader knows from attributes alone.
+constexpr std::string_view kPlacing[] = {"transform", "translate", "rotate", "scale", "offset-path", "x",  "y", "width",
+                                         "height",    "cx",        "cy",     "r",     "rx",          "ry", "d"};
 
 Affine rotation(double degrees) {
   const double angle = degrees * std::numbers::pi / 180;
@@ -154,6 +164,19 @@ SvgStyle SvgStyle::of(const pugi::xml_node& element, const SvgPlaces& places) co
   if (!visibility.empty() && visibility != "inherit") style.is_visible = visibility == "visible";
   if (const auto own = role_of_element(element)) style.role = *own;
   return style;
+}
+
+void check_placing(const pugi::xml_node& element, const SvgPlaces& places) {
+  for (const std::string_view name : kPlacing) {
+    const std::string_view value = declared(element, name);
+    if (value.empty() || value == "none" || value == "auto") continue;
+    places.fail(element, "style: " + std::string(name) + " is not read there: give it as an attribute of its own");
+  }
+  if (!element.attribute("transform")) return;
+  for (const char* name : {"transform-origin", "transform-box"}) {
+    if (property(element, name).empty()) continue;
+    places.fail(element, std::string(name) + " is not read: put it into the transform, or ungroup the element");
+  }
 }
 
 std::string svg_name(const pugi::xml_node& element) {

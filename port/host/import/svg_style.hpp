@@ -43,6 +43,9 @@ struct SvgStyle {
   SvgStyle of(const pugi::xml_node& element, const SvgPlaces& places) const;
 };
 
+// Refuses what CSS says of a shape's or a group's place and size, and what moves its transform elsewhere.
+void check_placing(const pugi::xml_node& element, const SvgPlaces& places);
+
 // The element's <title>, else its id, else nothing; safe to print.
 std::string svg_name(const pugi::xml_node& element);
 

@@ -327,6 +327,37 @@ TEST_F(SvgTest, CopiesStandWhereTheyAreUsed) {
   expect_ring(w.obstacles[1].outer, {{0, 0}, {2, 0}, {2, -2}, {0, -2}});
 }
 
+TEST_F(SvgTest, WhatMovesOrStretchesShapesIsReadOrRefused) {
+  const auto placed = [&](const std::string& attributes) {
+    return shape_error("<path d=\"M1 1H3V3H1Z\" " + attributes + "/>");
+  };
+  EXPECT_THAT(placed("style=\"fill:red;transform:translate(5px)\""),
+              HasSubstr("<path>: style: transform is not read there: give it as an attribute of its own"));
+  EXPECT_THAT(shape_error("<rect style=\"width:2px;height:1px\"/>"), HasSubstr("style: width is not read there"));
+  EXPECT_THAT(placed("transform=\"rotate(90)\" transform-origin=\"2 2\""),
+              HasSubstr("transform-origin is not read: put it into the transform"));
+  EXPECT_THAT(placed("transform=\"rotate(90)\" style=\"transform-box: fill-box\""), HasSubstr("transform-box is not"));
+  expect_ring(outline("<path d=\"M1 1H3V3H1Z\" transform-origin=\"2 2\" style=\"transform:none\"/>"), kSquare);
+  EXPECT_THAT(shape_error("<g style=\"transform:scale(2)\"><path d=\"M1 1H3V3H1Z\"/></g>"), HasSubstr("<g>: style: "));
+  expect_ring(outline("<image style=\"width:2px\"/><g display=\"none\" style=\"scale:2\"/><path d=\"M1 1H3V3H1Z\"/>"),
+              kSquare);
+  EXPECT_THAT(shape_error("<symbol id=\"s\" viewBox=\"0 0 1 1\"/><use href=\"#s\" width=\"4\" height=\"4\"/>"),
+              HasSubstr("<symbol id=\"s\">: a symbol with a viewBox is not read: make it a group"));
+}
+
+TEST_F(SvgTest, AStretchedPageIsRefused) {
+  const auto page = [](const std::string& height, const std::string& ratio) {
+    return "<svg width=\"20000mm\" height=\"" + height + "mm\" viewBox=\"0 0 20 10\" preserveAspectRatio=\"" + ratio +
+           "\"><path d=\"M1 1H3V3H1Z\"/></svg>";
+  };
+  for (const char* ratio : {"none", "xMidYMid slice"}) {
+    EXPECT_THAT(error(page("20000", ratio)),
+                HasSubstr("<svg>: preserveAspectRatio: none and slice are read only where"));
+    expect_ring(read(page("10000.3", ratio)).obstacles.at(0).outer, kSquare);
+  }
+  expect_ring(read(page("20000", "xMidYMid meet")).obstacles.at(0).outer, kSquare);
+}
+
 TEST_F(SvgTest, WrongAttributesAreNamedWithTheirLine) {
   EXPECT_EQ(shape_error("\n<path id=\"p\" d=\"M1 1 L2 x\"/>"),
             path("map.svg") + ": line 2: <path id=\"p\">: d: a number must stand here, not \"x\"");
