@@ -77,6 +77,14 @@ void print_verdict(const Verdict& verdict, const RobotSpec& robot, bool all) {
 // To a micrometre or microradian, since the plan's own numbers are floats: -4.34, not -4.340000153.
 double to_micro(double number) { return std::round(number * 1e6) / 1e6; }
 
+// "heading 2.5 to 0.1 rad either way, hitches to 0.2 rad"
+std::string text(const GoalFacing& facing) {
+  std::string all = printed("heading %.10g to %.10g rad", facing.heading, facing.tolerance);
+  if (facing.either_way) all += " either way";
+  if (facing.hitches) all += printed(", hitches to %.10g rad", *facing.hitches);
+  return all;
+}
+
 // What the plan was judged by though it was not asked for.
 void print_own(const VerifyOptions& options, const Workspace& workspace, const Asked& asked) {
   const Start& start = asked.start;
@@ -86,14 +94,14 @@ void print_own(const VerifyOptions& options, const Workspace& workspace, const A
   const QueryOptions& query = options.query;
   if (query.asks_heading() || query.any_heading) return;
   const Goal* goal = asked.disc_center ? find_goal(workspace, query.goal) : nullptr;
-  if (!asked.facing && goal != nullptr && goal->pose) {
-    std::printf("to any heading, the plan's own: the map's goal has the heading %.10g, for which --heading asks\n",
-                goal->pose->facing.heading);
+  const std::string own = asked.facing ? "the " + text(*asked.facing) : "any heading";
+  const std::string wanted = goal != nullptr && goal->pose ? "the " + text(goal->pose->facing) : own;
+  if (own != wanted) {
+    std::printf("to %s, the plan's own: the map's goal has %s, for which --heading asks\n", own.c_str(),
+                wanted.c_str());
+  } else if (asked.facing) {
+    std::printf("to %s, the plan's own: --heading asks for another\n", own.c_str());
   }
-  if (!asked.facing) return;
-  const GoalFacing& facing = *asked.facing;
-  std::printf("to the heading %.10g to %.10g rad%s, the plan's own: --heading asks for another\n", facing.heading,
-              facing.tolerance, facing.either_way ? " either way" : "");
 }
 
 void judge(const VerifyOptions& options) {

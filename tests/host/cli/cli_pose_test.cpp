@@ -116,10 +116,18 @@ TEST_F(CliPose, VerifySaysThatAPlanLeavesTheMapsHeadingOut) {
   ASSERT_EQ(plan({"--any-heading"}).code, 0);
   const Outcome own = verify();
   EXPECT_EQ(own.code, 0) << own.output;
-  EXPECT_THAT(own.output, HasSubstr("to any heading, the plan's own: the map's goal has the heading 2.5, for which "
-                                    "--heading asks"));
+  EXPECT_THAT(own.output, HasSubstr("to any heading, the plan's own: the map's goal has the heading 2.5 to 0.2 "
+                                    "rad, for which --heading asks"));
   EXPECT_THAT(verify({"--any-heading"}).output, Not(HasSubstr("to any heading")));
   EXPECT_EQ(verify({"--heading", "2.5"}).code, 1);
+}
+
+TEST_F(CliPose, VerifySaysThatAPlanHasAnotherHeadingThanTheMap) {
+  ASSERT_EQ(plan({"--heading", "-1", "--hitch-tolerance", "0.4"}).code, 0);
+  EXPECT_THAT(verify().output, HasSubstr("to the heading -1 to 0.2 rad, hitches to 0.4 rad, the plan's own: the map's "
+                                         "goal has the heading 2.5 to 0.2 rad, for which --heading asks"));
+  ASSERT_EQ(plan({"--heading-tolerance", "3"}).code, 0);
+  EXPECT_THAT(verify().output, HasSubstr("2.5 to 3 rad, the plan's own: the map's goal has the heading 2.5 to 0.2"));
 }
 
 TEST_F(CliPose, CompilingSaysHowToAskForTheHeadings) {
