@@ -76,6 +76,11 @@ Workspace ReductionOptions::apply(Workspace workspace, const std::optional<Robot
   if (spec) reduction.disc = girth_of(*spec);
   const bool has_cells = workspace.cells || cell;
   if (fill || (has_cells && spec)) reduction.fill = reduction.disc;
+  if (spec && !has_cells && flash.empty() && ram.empty()) {
+    workspace.warnings.emplace_back(
+        "--for: closes nothing, since it works on cells and the map is a drawing: give "
+        "--cell METRES with it");
+  }
   return reduced(std::move(workspace), reduction);
 }
 

@@ -126,7 +126,15 @@ TEST_F(KraitCompile, ARoomThatTheRobotCannotEnterIsClosedWhereThereAreCells) {
   };
   EXPECT_TRUE(is_open(" --cell 0.05"));
   EXPECT_FALSE(is_open(" --cell 0.05 --for husky"));
-  EXPECT_TRUE(is_open(" --for husky")) << "a drawing";
+  EXPECT_TRUE(is_open(" --for husky --quiet")) << "a drawing";
+  const auto warned = [&](const std::string& options) {
+    return run(path("door.json") + " --for husky" + options + " -o " + path("out.krait")).errors;
+  };
+  EXPECT_EQ(warned(""),
+            "krait-compile: warning: --for: closes nothing, since it works on cells and the map is a "
+            "drawing: give --cell METRES with it\n");
+  EXPECT_EQ(warned(" --cell 0.05"), "");
+  EXPECT_THAT(warned(" --flash 1M"), testing::Not(testing::HasSubstr("warning")));
 }
 
 TEST_F(KraitCompile, ABudgetIsThatOfItsOption) {
