@@ -80,6 +80,8 @@ void fail_keys(const std::string& file) {
 std::string shown(double number) { return printed("%.8g", number); }
 
 Json parse_json(const std::string& text, const std::string& file) {
+  // The parser would take the first one for the text's end.
+  if (text.find('\0') != std::string::npos) throw InputError(file + ": is not JSON: it has zero bytes");
   try {
     Guard guard(file);
     return Json::parse(

@@ -83,6 +83,9 @@ TEST_F(BadInputTest, BrokenYamlEndsInALine) {
     EXPECT_NE(error("a.yaml", text), "") << text;
   }
   EXPECT_THAT(error("a.yaml", std::string("image: a\0b", 10)), HasSubstr("zero bytes"));
+  const std::string room = R"({"bounds": {"min": [0, 0], "max": [20, 10]}})";
+  EXPECT_EQ(error("a.json", room), "");
+  EXPECT_THAT(error("a.json", room + std::string("\0, {", 4)), HasSubstr("a.json: is not JSON: it has zero bytes"));
 }
 
 TEST_F(BadInputTest, JunkOfAnyKindEndsInALine) {
