@@ -199,7 +199,9 @@ class Reader {
     }
     std::vector<Ring> rings = rings_of(element, name, style);
     if (style.role == Role::obstacle) {
+      const bool drawn = std::any_of(rings.begin(), rings.end(), [](const Ring& ring) { return !ring.empty(); });
       std::vector<Obstacle> obstacles = filled(label(element, name), std::move(rings), style.rule, fill_work_);
+      if (drawn && obstacles.empty()) hollow_ += 1;
       for (Obstacle& obstacle : obstacles) drawing_.add_obstacle(std::move(obstacle));
       return;
     }
@@ -338,7 +340,8 @@ class Reader {
       if (number > 0) warnings.push_back(file_ + ": " + std::to_string(number) + what);
     };
     count(hollow_,
-          " shapes without a fill are no obstacles, also where they have a stroke: draw walls as filled shapes");
+          " shapes without a fill or an area are no obstacles, also where they have a stroke: draw walls as filled "
+          "shapes");
     count(others_, " texts and images are not read");
     if (has_sheet_)
       warnings.push_back(file_ + ": style sheets are not read: shapes count as filled unless they say not");

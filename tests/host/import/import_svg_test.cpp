@@ -272,10 +272,18 @@ TEST_F(SvgTest, OnlyWhatIsFilledAndSeenIsAnObstacle) {
     <rect width="1" height="1" display="none"/><g visibility="hidden"><rect width="1" height="1"/></g>
     <defs><rect width="1" height="1"/></defs><text>a</text><rect width="0" height="1"/><circle r="0"/>)");
   EXPECT_EQ(w.obstacles.size(), 1U);
-  EXPECT_THAT(w.warnings,
-              ElementsAre(HasSubstr("2 shapes without a fill are no obstacles, also where they have a stroke"),
-                          HasSubstr("1 texts and images are not read")));
+  EXPECT_THAT(
+      w.warnings,
+      ElementsAre(HasSubstr("2 shapes without a fill or an area are no obstacles, also where they have a stroke"),
+                  HasSubstr("1 texts and images are not read")));
   EXPECT_THAT(shapes("<style>rect{fill:none}</style>").warnings, ElementsAre(HasSubstr("style sheets are not read")));
+}
+
+TEST_F(SvgTest, WallsThatAreLinesAreCounted) {
+  const Workspace w = shapes(R"(<path d="M1 1H5" stroke="black"/><polyline points="1,1 3,1" stroke="black"/>
+    <line x2="1" stroke="black"/><path d=""/><rect width="0" height="1"/>)");
+  EXPECT_THAT(w.obstacles, IsEmpty());
+  EXPECT_THAT(w.warnings, ElementsAre(HasSubstr("3 shapes without a fill or an area are no obstacles")));
 }
 
 TEST_F(SvgTest, WhatSaysThatItIsVisibleIsSeenInAHiddenGroup) {
