@@ -41,6 +41,8 @@ Image decode_jpeg(const std::string& content, const std::string& file) {
   if (tjDecompressHeader3(handle.get(), bytes, content.size(), &columns, &rows, &subsampling, &colors) != 0) {
     fail(handle, file);
   }
+  const bool inked = colors == TJCS_CMYK || colors == TJCS_YCCK;
+  if (inked) throw InputError(file + ": is a JPEG in CMYK: save it in grey or RGB");
   if (columns < 1 || rows < 1) throw InputError(file + ": is not a sound JPEG: it ends before its picture begins");
   require_plausible(static_cast<std::uint64_t>(columns), static_cast<std::uint64_t>(rows), content.size(), file);
   const std::size_t count = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);

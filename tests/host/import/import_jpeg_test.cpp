@@ -51,6 +51,11 @@ TEST(Jpeg, ColoursKeepTheirOrder) {
   EXPECT_NEAR(image.at(3, 3).blue / 257, 50, 2);
 }
 
+TEST(Jpeg, InCmykIsNamed) {
+  EXPECT_EQ(error(jpeg(8, 8, TJSAMP_444, 100, repeated("\xC8\x64\x32\x10", 64), 0, TJPF_CMYK)),
+            "m.jpg: is a JPEG in CMYK: save it in grey or RGB");
+}
+
 TEST(Jpeg, TruncatedAtAnyLengthIsRefused) {
   const std::string whole = halves();
   for (std::size_t length = 3; length + 2 < whole.size(); ++length) {

@@ -8,12 +8,13 @@
 
 namespace krait::host {
 
-// Of red, green, blue in bytes, the top row first.
-inline std::string jpeg(int columns, int rows, int subsampling, int quality, const std::string& rgb, int flags = 0) {
+// Of red, green, blue in bytes, or of what `format` says, the top row first.
+inline std::string jpeg(int columns, int rows, int subsampling, int quality, const std::string& pixels, int flags = 0,
+                        int format = TJPF_RGB) {
   void* handle = tjInitCompress();
   unsigned char* bytes = nullptr;
   unsigned long size = 0;
-  tjCompress2(handle, reinterpret_cast<const unsigned char*>(rgb.data()), columns, 0, rows, TJPF_RGB, &bytes, &size,
+  tjCompress2(handle, reinterpret_cast<const unsigned char*>(pixels.data()), columns, 0, rows, format, &bytes, &size,
               subsampling, quality, flags);
   std::string content(reinterpret_cast<char*>(bytes), size);
   tjFree(bytes);
