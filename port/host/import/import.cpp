@@ -66,6 +66,13 @@ void warn_of_degrees(const std::string& file, Workspace& workspace) {
   if (workspace.cells) judge("the origin's yaw", workspace.cells->yaw);
 }
 
+// Some editors and spreadsheets begin a text with a byte order mark, which no format has a use for.
+std::string without_mark(std::string content) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  if (content.starts_with(kMark)) content.erase(0, kMark.size());
+  return content;
+}
+
 }  // namespace
 
 std::string map_formats() {
@@ -98,7 +105,7 @@ Workspace read_workspace(const Source& source, const ImportOptions& options) {
 }
 
 Workspace import_workspace(const std::string& path, const ImportOptions& options) {
-  Workspace workspace = read_workspace({path, read_file(path, kMaxMapBytes)}, options);
+  Workspace workspace = read_workspace({path, without_mark(read_file(path, kMaxMapBytes))}, options);
   if (workspace.name.empty()) workspace.name = cleaned_name(std::filesystem::path(path).stem().string());
   return workspace;
 }

@@ -88,6 +88,19 @@ TEST_F(BadInputTest, BrokenYamlEndsInALine) {
   EXPECT_THAT(error("a.json", room + std::string("\0, {", 4)), HasSubstr("a.json: is not JSON: it has zero bytes"));
 }
 
+TEST_F(BadInputTest, AByteOrderMarkIsPassedOver) {
+  const std::string mark = "\xEF\xBB\xBF";
+  for (const auto& [name, content] :
+       std::vector<std::pair<std::string, std::string>>{{"a.map", "type octile\nheight 1\nwidth 2\nmap\n..\n"},
+                                                        {"a.csv", "1,2,0,4,2,0,0"},
+                                                        {"a.json", R"({"bounds": {"min": [0, 0], "max": [20, 10]}})"},
+                                                        {"a.yaml", "environment:\n  min: [0, 0]\n  max: [1, 1]\n"},
+                                                        {"a.svg", "<svg width=\"9m\"/>"}}) {
+    EXPECT_EQ(error(name, mark + content), error(name, content)) << name;
+  }
+  EXPECT_EQ(error("a.map", mark + "type octile\nheight 1\nwidth 2\nmap\n..\n"), "");
+}
+
 TEST_F(BadInputTest, JunkOfAnyKindEndsInALine) {
   std::mt19937 random(7);
   const std::vector<std::string> starts = {
