@@ -108,7 +108,9 @@ class Reader {
     read_children(svg, style, 0);
     if (!drawing_.has_bounds() && page_.view) bound_by_page(*page_.view);
     warn();
-    return drawing_.take();
+    Workspace workspace = drawing_.take();
+    warn_of_size(workspace);
+    return workspace;
   }
 
  private:
@@ -233,6 +235,10 @@ class Reader {
       places_.fail(element, "a start must be a line from its position to where the robot looks");
     }
     const Ring& points = lines[0];
+    const auto same = [](const Point& a, const Point& b) { return a.x == b.x && a.y == b.y; };
+    if (std::adjacent_find(points.begin(), points.end(), same) != points.end()) {
+      places_.fail(element, "a start's line has a part without length, which says no heading");
+    }
     const std::size_t last = points.size() - 2;
     Start start{{}, points[last], heading(points, last), {}};
     for (std::size_t i = last; i > 0; --i) start.angles.push_back(heading(points, i - 1));
@@ -345,12 +351,16 @@ class Reader {
     count(others_, " texts and images are not read");
     if (has_sheet_)
       warnings.push_back(file_ + ": style sheets are not read: shapes count as filled unless they say not");
-    if (!page_.view) return;
-    const double width = page_.unit * page_.view->width;
-    const double height = page_.unit * page_.view->height;
+  }
+
+  // Of the page, or where there is none, of what bounds the map.
+  void warn_of_size(Workspace& workspace) const {
+    const bool paged = page_.view.has_value();
+    const double width = paged ? page_.unit * page_.view->width : workspace.max.x - workspace.min.x;
+    const double height = paged ? page_.unit * page_.view->height : workspace.max.y - workspace.min.y;
     if (page_.has_scale && std::max(width, height) >= kSmall) return;
-    warnings.push_back(file_ + ": the page measures " + shown(width) + " m x " + shown(height) +
-                       " m; --unit 1 makes one unit of the drawing a metre");
+    workspace.warnings.push_back(file_ + ": the " + (paged ? "page" : "drawing") + " measures " + shown(width) +
+                                 " m x " + shown(height) + " m; --unit 1 makes one unit of the drawing a metre");
   }
 
   const std::string& file_;

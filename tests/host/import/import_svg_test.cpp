@@ -353,6 +353,20 @@ TEST_F(SvgTest, WhatMovesOrStretchesShapesIsReadOrRefused) {
               HasSubstr("<symbol id=\"s\">: a symbol with a viewBox is not read: make it a group"));
 }
 
+TEST_F(SvgTest, ADrawingWithoutAPageSaysHowLargeItIs) {
+  const std::string drawn = "<svg width=\"100%\"><rect width=\"200\" height=\"100\"/></svg>";
+  EXPECT_THAT(read(drawn).warnings,
+              ElementsAre(HasSubstr("has no bounds"),
+                          HasSubstr("the drawing measures 0.052916667 m x 0.026458333 m; --unit 1 makes one unit")));
+  EXPECT_THAT(read(drawn, {.unit = 1}).warnings, ElementsAre(HasSubstr("has no bounds")));
+}
+
+TEST_F(SvgTest, AStartWithoutLengthIsRefused) {
+  EXPECT_THAT(shape_error("<line class=\"start\" x1=\"1\" x2=\"1\" y1=\"2\" y2=\"2\"/>"),
+              HasSubstr("<line>: a start's line has a part without length, which says no heading"));
+  EXPECT_THAT(shape_error("<polyline class=\"start\" points=\"1,1 1,1 2,1\"/>"), HasSubstr("a part without length"));
+}
+
 TEST_F(SvgTest, AStretchedPageIsRefused) {
   const auto page = [](const std::string& height, const std::string& ratio) {
     return "<svg width=\"20000mm\" height=\"" + height + "mm\" viewBox=\"0 0 20 10\" preserveAspectRatio=\"" + ratio +
