@@ -95,7 +95,7 @@ std::string with_range(const std::string& text, Argument argument) {
   return text + printed(", %.7g to %.7g", least, most);
 }
 
-void QueryOptions::add(CLI::App& command) {
+void QueryOptions::add(CLI::App& command, const QueryDefaults& defaults) {
   command_ = &command;
   command
       .add_option("--robot", robot,
@@ -103,16 +103,19 @@ void QueryOptions::add(CLI::App& command) {
                       ", a shipped machine by its name\n(krait robots lists them), or a ROBOT.json")
       ->capture_default_str();
   command
-      .add_option("--start", start,
-                  "a start of the scene by NAME, or X,Y,HEADING in metres and radians (default: its first)")
+      .add_option(
+          "--start", start,
+          printed("a start of the scene by NAME, or X,Y,HEADING in metres and radians (default: %s)", defaults.start))
       ->check(not_empty());
   command
       .add_option("--goal", goal, "a goal of the scene by NAME, or a disc X,Y,RADIUS in metres (default: its first)")
       ->check(not_empty());
   command
-      .add_option("--heading", heading,
-                  "radians: the heading of the robot's first body at the end, with a goal X,Y,RADIUS or one that has\n"
-                  "a heading in the map (default: that of the map's goal, else any)")
+      .add_option(
+          "--heading", heading,
+          printed("radians: the heading of the robot's first body at the end, with a goal X,Y,RADIUS or one that "
+                  "has\na heading in the map (default: %s)",
+                  defaults.heading))
       ->check(heading_number());
   command
       .add_option("--heading-tolerance", heading_tolerance, "radians, 0.0001 to pi: how far off the heading it may end")
@@ -126,9 +129,11 @@ void QueryOptions::add(CLI::App& command) {
       ->check(number_in(kLeastTolerance, std::numbers::pi, "radians"));
   command.add_flag("--any-heading", any_heading, "the heading of the map's goal is not asked for");
   command
-      .add_option("--end-speed", end_speed,
-                  "metres a second, 0 or more: how fast the plan may end, inf for any speed (default: 0, at rest;\n"
-                  "inf with --paper; --planner prior and rrt do not brake, and take inf only)")
+      .add_option(
+          "--end-speed", end_speed,
+          printed("metres a second, 0 or more: how fast the plan may end, inf for any speed (default: 0, at rest;\n"
+                  "%s)",
+                  defaults.end_speed))
       ->check(not_empty());
 }
 

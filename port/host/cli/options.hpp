@@ -35,6 +35,13 @@ std::string with_range(const std::string& text, Argument argument);
 // The goal of that name, or the first one where the name is empty; null: there is none such.
 const Goal* find_goal(const Workspace& map, const std::string& name);
 
+// What --help says of what holds where an option is not given.
+struct QueryDefaults {
+  const char* start;
+  const char* heading;
+  const char* end_speed;
+};
+
 // The texts of what plan and verify both ask: robot, start and goal.
 struct QueryOptions {
   std::string robot = "snake:15";
@@ -47,7 +54,7 @@ struct QueryOptions {
   bool any_heading = false;
   std::optional<double> end_speed;
 
-  void add(CLI::App& command);
+  void add(CLI::App& command, const QueryDefaults& defaults);
   bool robot_is_file() const;  // and not a model's name
   bool robot_given() const;    // and not the default
   bool asks_heading() const;   // or one of its tolerances

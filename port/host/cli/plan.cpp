@@ -476,7 +476,9 @@ void add_plan(CLI::App& app, const char* program) {
                    "checked against:\n" +
                        map_formats())
       ->required();
-  o->query.add(*command);
+  o->query.add(*command, {.start = "its first",
+                          .heading = "that of the map's goal, else any",
+                          .end_speed = "inf with --paper; --planner prior and rrt do not brake, and take inf only"});
   o->map.add(*command);
   command
       ->add_option("--tolerance", o->tolerance,

@@ -133,7 +133,9 @@ void add_verify(CLI::App& app) {
   CLI::App* command = app.add_subcommand("verify", "drive a plan's controls and judge the motion against the map");
   command->add_option("INPUT", o->input, "the map or drawing, or a .krait file")->required();
   command->add_option("PLAN", o->plan, "a plan's JSON")->required();
-  o->query.add(*command);
+  o->query.add(*command, {.start = "where the plan begins",
+                          .heading = "the plan's own, or any where it has none",
+                          .end_speed = "plans of --paper, prior and rrt do not brake, and need inf"});
   o->map.add(*command);
   command->add_option("--dt", o->dt, with_range("the plan's time step, seconds", Argument::dt))
       ->check(number_of(Argument::dt, "seconds"))

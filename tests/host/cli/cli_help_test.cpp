@@ -70,6 +70,15 @@ TEST_F(CliHelp, SaysWhatIsImprovedUnasked) {
               HasSubstr("(default: 10, or more where those make fewer than 300000 checks; 0, the first plan, with "));
 }
 
+TEST_F(CliHelp, SaysWhatHoldsUnasked) {
+  expect_all(help({"plan"}),
+             {"in metres and radians (default: its first)", "(default: that of the map's goal, else any)",
+              "(default: 0, at rest;\n                              inf with --paper;"});
+  expect_all(help({"verify"}),
+             {"in metres and radians (default: where the plan begins)",
+              "(default: the plan's own, or any where it has none)", "prior and rrt do not brake, and need inf)"});
+}
+
 TEST_F(CliHelp, ListsTheDefaultsOfEveryRobot) {
   const std::string text = help({"plan"});
   for (const std::string& model : robot_models()) {
