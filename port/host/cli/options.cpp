@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "host/cli/commands.hpp"
 #include "host/input/bytes.hpp"
 #include "host/input/word_option.hpp"
 #include "host/run/robot_facts.hpp"
@@ -181,6 +182,9 @@ void QueryOptions::read(SearchRequest& request) const {
   if (heading) check_heading("--heading " + shown(*heading), *heading);
   if (any_heading && asks_heading()) {
     throw InputError("--any-heading: excludes --heading, its tolerances and --either-way: drop it or them");
+  }
+  if (hitch_tolerance && request.robot.links == 0) {
+    warn("--hitch-tolerance: the robot has no trailers, of which it could say anything");
   }
   if (!end_speed) return;
   if (!(*end_speed >= 0)) throw InputError("--end-speed: give metres a second, 0 or more, or inf");

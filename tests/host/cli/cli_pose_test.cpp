@@ -89,6 +89,17 @@ TEST_F(CliPose, AnyHeadingLeavesThePlaceAlone) {
   }
 }
 
+TEST_F(CliPose, AHitchToleranceWithoutTrailersIsNamed) {
+  const std::string warning =
+      "krait: warning: --hitch-tolerance: the robot has no trailers, of which it could say "
+      "anything\n";
+  const auto errors = [&](const std::string& robot) {
+    return krait({"plan", "yard.json", "--robot", robot, "--hitch-tolerance", "0.5", "--iterations", "1"}).errors;
+  };
+  EXPECT_EQ(errors("unicycle"), warning);
+  EXPECT_THAT(errors("truck:1"), Not(HasSubstr("--hitch-tolerance")));
+}
+
 TEST_F(CliPose, AHeadingWithoutAPoseIsRefused) {
   const std::string region = "--heading: give the goal as --goal X,Y,RADIUS with it";
   expect_refused({"plan", "yard.json", "--robot", "car", "--goal", "lawn", "--heading", "1"}, region);
