@@ -30,15 +30,23 @@ PAPER_DEFAULTS = {"alpha": "8", "beta": "0.85", "gamma": "50", "kappa": "20"}
 ABLATIONS = {
     "costs never rise": ("gamma=0",),
     "a failure raises costs by Eqn 9 as printed": ("cost_length=0",),
+    "the goal's edges rise as well": ("raise_goal=1",),
+    "updates wait no longer where regions are many": ("update_regions=0",),
     "every state of a group can be drawn": ("group_sample=65535",),
+    "targets up to six regions ahead, however small": ("path_lengths=0",),
     "no stray targets": ("stray_share=0",),
     "no gentle turns": ("gentle_share=0",),
     "targets in sight or not": ("sight_tries=0",),
     "no sketches": ("candidates=0",),
+    "expansions in the open as short as others": ("open_steps=0",),
+    "a target in the goal is reached near it": ("goal_near_radius=0.7",),
     "states right before a collision kept": ("doomed_steps=0",),
     "no restarts": ("restart_unit=0",),
     "speeds from three quarters of the top": ("slowest=0.75",),
     "portals that are too narrow kept": ("prune_portals=0",),
+    "states checked, not the steps between": ("continuous=0",),
+    "plans end at any speed": ("end_speed=100",),
+    "plans end anywhere in the goal": ("goal_margin=0",),
 }
 
 STEERED_PEERS = ("RRT", "KPIECE1", "EST", "PDST", "SST", "SyclopRRT", "SyclopEST", "SyclopRRT-grid", "SyclopEST-grid")

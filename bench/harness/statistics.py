@@ -96,6 +96,10 @@ def ratio(slow, fast):
     return Figure(sys.float_info.min, True) if fast.at_least else Figure(slow.value / fast.value, slow.at_least)
 
 
+def _end(value):
+    return "0" if value < NOTHING else "∞" if math.isinf(value) else rounded(value, 2)
+
+
 @dataclass(frozen=True)
 class Interval:
     """An estimate, and the ends that it is between with a probability of COVERED."""
@@ -107,9 +111,7 @@ class Interval:
     def shown(self):
         if self.estimate.at_least and self.estimate.value < NOTHING:
             return "not known"
-        high = "∞" if math.isinf(self.high) else rounded(self.high, 2)
-        low = "0" if self.low < NOTHING else rounded(self.low, 2)
-        return f"{self.estimate.shown()} [{low}, {high}]"
+        return f"{self.estimate.shown()} [{_end(self.low)}, {_end(self.high)}]"
 
     def reaches(self, least):
         """Whether it is that large; None where the interval has it between its ends."""

@@ -28,12 +28,14 @@ Parameters unpruned(Parameters parameters) {
 // A parameter that a trial may set.
 struct Setting {
   std::string name;
-  std::variant<float SearchTuning::*, std::uint32_t SearchTuning::*, bool SearchTuning::*> member;
+  std::variant<float Parameters::*, float SearchTuning::*, std::uint32_t SearchTuning::*, bool SearchTuning::*> member;
   Argument argument = Argument::none;  // whose range it has; none of a switch, which is 0 or 1
 
   void set(double value, Parameters& parameters) const {
     refuse(value);
-    if (const auto* real = std::get_if<float SearchTuning::*>(&member)) {
+    if (const auto* of_motion = std::get_if<float Parameters::*>(&member)) {
+      parameters.*(*of_motion) = static_cast<float>(value);
+    } else if (const auto* real = std::get_if<float SearchTuning::*>(&member)) {
       parameters.tuning.*(*real) = static_cast<float>(value);
     } else if (const auto* count = std::get_if<std::uint32_t SearchTuning::*>(&member)) {
       parameters.tuning.*(*count) = static_cast<std::uint32_t>(value);
@@ -46,14 +48,16 @@ struct Setting {
   void refuse(double value) const {
     const ParameterRange range = argument == Argument::none ? ParameterRange{0, 1} : Parameters::range(argument);
     refuse_outside(name, value, static_cast<double>(range.least), static_cast<double>(range.most));
-    const bool may_have_fraction = std::holds_alternative<float SearchTuning::*>(member);
-    if (!may_have_fraction && value != std::floor(value))
-      throw InputError("set " + name + ": must be without a fraction");
+    const bool whole = std::holds_alternative<std::uint32_t SearchTuning::*>(member) ||
+                       std::holds_alternative<bool SearchTuning::*>(member);
+    if (whole && value != std::floor(value)) throw InputError("set " + name + ": must be without a fraction");
   }
 };
 
 const std::vector<Setting>& settings_of_searches() {
   static const std::vector<Setting> settings = {
+      {"goal_margin", &Parameters::goal_margin, Argument::goal_margin},
+      {"end_speed", &Parameters::end_speed, Argument::end_speed},
       {"alpha", &SearchTuning::alpha, Argument::alpha},
       {"beta", &SearchTuning::beta, Argument::beta},
       {"gamma", &SearchTuning::gamma, Argument::gamma},
@@ -62,6 +66,7 @@ const std::vector<Setting>& settings_of_searches() {
       {"group_sample", &SearchTuning::group_sample, Argument::group_sample},
       {"open_steps", &SearchTuning::open_steps, Argument::open_steps},
       {"path_lengths", &SearchTuning::path_lengths, Argument::path_lengths},
+      {"goal_near_radius", &SearchTuning::goal_near_radius, Argument::goal_near_radius},
       {"stray_share", &SearchTuning::stray_share, Argument::stray_share},
       {"gentle_share", &SearchTuning::gentle_share, Argument::gentle_share},
       {"sight_tries", &SearchTuning::sight_tries, Argument::sight_tries},
@@ -71,6 +76,7 @@ const std::vector<Setting>& settings_of_searches() {
       {"update_regions", &SearchTuning::update_regions, Argument::update_regions},
       {"slowest", &SearchTuning::slowest, Argument::slowest},
       {"raise_goal", &SearchTuning::raise_goal},
+      {"continuous", &SearchTuning::continuous},
       {"prune_portals", &SearchTuning::prune_portals}};
   return settings;
 }

@@ -97,9 +97,10 @@ class Statistics(unittest.TestCase):
 
     def test_by_the_papers_criterion_a_plan_counts_and_whether_it_holds_stands_beside(self):
         wrong = solved(1.0) | {"verified": False}
-        summary = summarise([wrong, solved(2.0), timed_out()], LIMIT, False, PAPER)
-        self.assertEqual((summary.solved, summary.verified), (2, 1))
-        self.assertEqual(summary.median, Figure(2.0))
+        for cell in (PAPER, Cell("rooms", "snake:15", "adaptive", ("continuous=0",))):
+            summary = summarise([wrong, solved(2.0), timed_out()], LIMIT, False, cell)
+            self.assertEqual((summary.solved, summary.verified), (2, 1))
+            self.assertEqual(summary.median, Figure(2.0))
 
     def test_medians_are_of_solved_runs_that_tell(self):
         runs = [solved(1.0, vertices=10), solved(1.0, vertices=30), solved(1.0), timed_out() | {"vertices": 999}]
@@ -129,6 +130,7 @@ class Intervals(unittest.TestCase):
         found = interval([[Figure(10.0, True)] * 5 + [Figure(1.0)] * 5], self.middle)
         self.assertEqual((found.low, found.high), (1.0, math.inf))
         self.assertEqual(interval([[Figure(10.0, True)]], self.middle).shown(), "≥ 10.0 [10, ∞]")
+        self.assertEqual(statistics.Interval(Figure(10.0, True), math.inf, math.inf).shown(), "≥ 10.0 [∞, ∞]")
 
     def test_decide_a_goal_or_leave_it_open(self):
         found = statistics.Interval(Figure(2.0), 1.5, 3.0)

@@ -88,11 +88,11 @@ class Trials(unittest.TestCase):
         gates = self.folder / "gates.json"
         subprocess.run([BIN / "krait", "scene", "gates", "-o", gates], check=True)
         files = {"input": str(gates), "scene": str(self.compiled(gates))}
-        settings = ({}, {"beta": 0.85}, {"beta": 0.1}, {"candidates": 0}, {"prune_portals": 0})
+        settings = ({}, {"beta": 0.85}, {"beta": 0.1}, {"candidates": 0}, {"prune_portals": 0}, {"end_speed": 100})
         trials = [{"trial": i, "seed": 11, "set": setting} for i, setting in enumerate(settings)]
         usual, same, *others = (answer["hash"] for answer in self.answers(SEARCH, "adaptive", trials, **files))
         self.assertEqual(usual, same)
-        self.assertEqual(len({usual, *others}), 4)
+        self.assertEqual(len({usual, *others}), 5)
 
     def test_one_process_answers_trials_of_several_scenes_robots_and_planners(self):
         other = self.folder / "other.json"
