@@ -102,9 +102,9 @@ void run(const Arguments& arguments, Progress& progress) {
 int main(int argc, char** argv) {
   CLI::App app(
       "Turns a map or drawing into a scene file that krait plans in.\n"
-      "Obstacles only ever grow: a plan for the scene holds on the map. Lengths in metres, angles in radians, world\n"
-      "coordinates. Exit code 0: done; 2: bad input, one line on standard error says what and where. Ctrl-C writes\n"
-      "nothing; a shell has 130 for it.",
+      "Obstacles only ever grow, but for curved paths of an SVG, which are true to 1 mm: a plan for the scene holds\n"
+      "on the map. Lengths in metres, angles in radians, world coordinates. Exit code 0: done; 2: bad input, one line\n"
+      "on standard error says what and where. Ctrl-C writes nothing; a shell has 130 for it.",
       "krait-compile");
   Arguments arguments;
   app.add_option("INPUT", arguments.input, map_formats())->required();
