@@ -18,6 +18,7 @@ PAGE = Path("bench/DYNOBENCH.md")
 FIRST_SEED = 10_001
 SHORT, LONG = 0.05, 1.0  # seconds of one core, first plan included
 STEP = 0.1  # seconds, of dynobench's robots
+CONTROLS = 2  # of every robot of these
 
 # Seconds, medians: the time and the cost of iDb-A*'s first solution, and the least final cost after 120 s of iDb-A*,
 # RRT* with trajectory optimisation, and SST*, from the table to: J. Ortiz-Haro, W. Hoenig, V. Hartmann, M. Toussaint,
@@ -84,12 +85,11 @@ def euler(robot, state, control):
 
 # Metres between the plan's states and those by Euler's steps, at most.
 def apart_by_euler(robot, table):
-    rows = list(csv.reader(table.open()))
-    inputs = sum(name.startswith("u") for name in rows[0])
-    states = [[float(value) for value in row[1:-inputs]] for row in rows[1:]]
+    rows = list(csv.reader(table.read_text().splitlines()))
+    states = [[float(value) for value in row[1:-CONTROLS]] for row in rows[1:]]
     state, apart = states[0], 0.0
     for row, planned in zip(rows[1:], states[1:]):
-        state = euler(robot, state, [float(value) for value in row[-inputs:]])
+        state = euler(robot, state, [float(value) for value in row[-CONTROLS:]])
         apart = max(apart, math.dist(state[:2], planned[:2]))
     return apart
 
@@ -98,13 +98,13 @@ def apart_by_euler(robot, table):
 def plan(problem, robot, seed, *options):
     table, result = WORK / "plan.csv", WORK / "plan.json"
     hitches = ["--hitch-tolerance", "0.1"] if robot["model"] == "kinematic_truck" else []
-    result = subprocess.run([KRAIT, "plan", problem, "--robot", ROBOT, "--seed", str(seed), "--csv", table, "-o",
-                           result, *hitches, *options], capture_output=True, text=True)
-    if result.returncode == 1:
+    answer = subprocess.run([KRAIT, "plan", problem, "--robot", ROBOT, "--seed", str(seed), "--csv", table, "-o",
+                             result, *hitches, *options], capture_output=True, text=True)
+    if answer.returncode == 1:
         return None
-    if result.returncode != 0:
-        sys.exit(f"{problem}, seed {seed}: {result.stderr}")
-    took = float(re.search(r"seed \d+: ([\d.]+) s", result.stdout).group(1))
+    if answer.returncode != 0:
+        sys.exit(f"{problem}, seed {seed}: {answer.stderr}")
+    took = float(re.search(r"seed \d+: ([\d.]+) s", answer.stdout).group(1))
     duration = json.loads(result.read_text())["statistics"]["plan_duration_s"]
     return took, duration, apart_by_euler(robot, table)
 
