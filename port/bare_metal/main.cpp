@@ -60,6 +60,7 @@ int run_application() {
   const bool whole = take_line(text, line);
   const int count = split(line, words);
   if (!whole || count > kMaxWords) {
+    static_assert(kMaxLine == 256 && kMaxWords == 24, "the text below names them");
     console_write("krait: the command line has more than 255 characters or 24 words: leave out what is a default\n");
     return firmware::kBadInput;
   }

@@ -209,19 +209,29 @@ concept LeadingRobot = RobotModel<R> && requires(const R& robot, StateView s, co
 template <class R>
 inline constexpr bool kAnswersProven = false;
 
+namespace detail {
+
+// Whether a robot has the optional function, const and of that type: the others stand in detail/defaults.hpp.
+template <class R>
+concept HasReversible = requires(const R& robot) {
+  { robot.reversible() } -> std::same_as<bool>;
+};
+template <class R>
+concept HasBackingBody = requires(const R& robot) {
+  { robot.backing_body() } -> std::same_as<int>;
+};
+
+}  // namespace detail
+
 /// Whether the search drives robots of the class R into narrow places in reverse: those with one body that can drive
 /// backwards and do not turn on the spot. A program whose classes are all false does not contain the code for it, 3 KB
 /// on a Cortex-M4F. False of each of the library's models (krait/robots/all.hpp) whose header says so.
 template <class R>
-inline constexpr bool kParks = requires(const R& robot) {
-  { robot.reversible() } -> std::same_as<bool>;
-};
+inline constexpr bool kParks = detail::HasReversible<R>;
 
 /// Whether the search pushes the trailers of robots of the class R back to a pose: those whose backing_body is not 0. A
 /// program whose classes are all false does not contain the code for it. Of the library's models as kParks.
 template <class R>
-inline constexpr bool kDocks = requires(const R& robot) {
-  { robot.backing_body() } -> std::same_as<int>;
-};
+inline constexpr bool kDocks = detail::HasBackingBody<R>;
 
 }  // namespace krait

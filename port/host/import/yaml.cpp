@@ -102,7 +102,7 @@ class Converter {
 }  // namespace
 
 Json parse_yaml(const std::string& text, const std::string& file) {
-  if (text.find('\0') != std::string::npos) throw InputError(file + ": is not YAML: it has zero bytes");
+  require_no_zero_bytes(text, "YAML", file);
   check_depth(text, file);
   try {
     require_one_document(text, file);

@@ -79,9 +79,12 @@ void fail_keys(const std::string& file) {
 
 std::string shown(double number) { return printed("%.8g", number); }
 
+void require_no_zero_bytes(const std::string& text, const std::string& language, const std::string& file) {
+  if (text.find('\0') != std::string::npos) throw InputError(file + ": is not " + language + ": it has zero bytes");
+}
+
 Json parse_json(const std::string& text, const std::string& file) {
-  // The parser would take the first one for the text's end.
-  if (text.find('\0') != std::string::npos) throw InputError(file + ": is not JSON: it has zero bytes");
+  require_no_zero_bytes(text, "JSON", file);
   try {
     Guard guard(file);
     return Json::parse(

@@ -23,8 +23,11 @@ inline constexpr double kMaxFarCoordinate = 1e10;  // metres, in the file of a m
 inline constexpr double kMaxAngle = 1000;          // radians
 inline constexpr std::size_t kMaxNameBytes = 200;
 
-// Throws InputError: a syntax error with its position, nesting beyond kMaxDepth, more than kMaxKeys keys in an object,
-// a key given twice.
+// Throws InputError where a text in a language, "JSON", has zero bytes: a parser may take the first for its end.
+void require_no_zero_bytes(const std::string& text, const std::string& language, const std::string& file);
+
+// Throws InputError: zero bytes, a syntax error with its position, nesting beyond kMaxDepth, more than kMaxKeys keys in
+// an object, a key given twice.
 Json parse_json(const std::string& text, const std::string& file);
 
 // A value of a parsed document and the place where it stands. The document must outlive it.

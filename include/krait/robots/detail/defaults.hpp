@@ -10,7 +10,7 @@
 
 namespace krait::detail {
 
-// Whether a robot has the optional function, const and of the type that model.hpp says.
+// Whether a robot has the optional function, const and of the type that model.hpp says, which defines two of these.
 template <class R>
 concept HasCarryErrors = requires(const R& robot, StateView s, const Pose* poses, ControlView u, float dt,
                                   float* errors) {
@@ -55,14 +55,6 @@ concept HasTurningRadius = requires(const R& robot) {
 template <class R>
 concept HasTopSpeed = requires(const R& robot) {
   { robot.top_speed() } -> std::same_as<float>;
-};
-template <class R>
-concept HasReversible = requires(const R& robot) {
-  { robot.reversible() } -> std::same_as<bool>;
-};
-template <class R>
-concept HasBackingBody = requires(const R& robot) {
-  { robot.backing_body() } -> std::same_as<int>;
 };
 template <class R>
 concept HasSpeed = requires(const R& robot, StateView s) {
