@@ -8,6 +8,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "host/run/query.hpp"
 #include "motion/rk4.hpp"
@@ -139,7 +140,8 @@ host::SearchResult solve(const PeerPlanner& planner, const PeerTuning& tuning, c
   result.plan.status = to_string(solved ? Status::solved : Status::time_used);
   if (solved) search.take_plan_out(result.plan);
   result.seconds = since(begin);
-  result.plan.statistics = statistics_of(result.plan, result.seconds, search.checks());
+  result.plan.statistics =
+      std::make_shared<const nlohmann::ordered_json>(statistics_of(result.plan, result.seconds, search.checks()));
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <ctime>
 #include <iostream>
+#include <nlohmann/json.hpp>
 
 #include "host/import/import.hpp"
 #include "host/input/json.hpp"
@@ -119,7 +120,7 @@ Json answer_to(const Field& line, Problems& problems, const Choose& choose, Veri
     const SearchResult result = solve(scene);
     const double waited = waiting.seconds();
     answer["status"] = result.plan.status;
-    answer.update(result.plan.statistics);
+    answer.update(*result.plan.statistics);
     answer["waited_s"] = waited;
     if (verify == Verify::yes && result.plan.status == "solved") judge(workspace, result, answer);
   } catch (const InputError& error) {

@@ -2,6 +2,7 @@
 // A map, drawing or compiled scene in whichever format recognises the content: one line or a workspace with sound
 // numbers, whatever the text says.
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "harness.hpp"

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <deque>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
 
@@ -52,12 +53,12 @@ void reach_named(Landmark* first, std::size_t count, const std::string& text) {
 void look_at_plan(const PlanChoice& choice, const SearchResult& result) {
   robots[choice.robot % std::size(kRobots)].reach();
   planners[choice.planner % std::size(kPlanners)].reach();
-  if (result.plan.statistics["restarts"] > 0) solved_restarted.reach();
-  if (result.plan.statistics["recycled"] > 0) solved_recycled.reach();
+  if (result.plan.statistics->at("restarts") > 0) solved_restarted.reach();
+  if (result.plan.statistics->at("recycled") > 0) solved_recycled.reach();
   if (choice.bytes() <= kLittle) little_memory.reach();
   if (choice.paper()) paper.reach();
   if (choice.at_any_speed()) any_speed.reach();
-  if (result.plan.statistics.value("improvements", 0) > 0) {
+  if (result.plan.statistics->value("improvements", 0) > 0) {
     improved.reach();
     if (choice.pose()) improved_pose.reach();
   }
@@ -69,13 +70,13 @@ void look_at_plan(const PlanChoice& choice, const SearchResult& result) {
 
 void look_at(const PlanChoice& choice, const SearchResult& result) {
   reach_named(ends, std::size(ends), result.plan.status);
-  if (result.plan.statistics["restarts"] > 0) restarted.reach();
-  if (result.plan.statistics["recycled"] > 0) {
+  if (result.plan.statistics->at("restarts") > 0) restarted.reach();
+  if (result.plan.statistics->at("recycled") > 0) {
     recycled.reach();
-    if (result.plan.statistics["restarts"] > 0) both.reach();
+    if (result.plan.statistics->at("restarts") > 0) both.reach();
     if (choice.paper()) paper_recycled.reach();
   }
-  if (result.plan.statistics["regions_repaired"] > 0) repaired.reach();
+  if (result.plan.statistics->at("regions_repaired") > 0) repaired.reach();
   if (result.plan.status == "solved") look_at_plan(choice, result);
 }
 

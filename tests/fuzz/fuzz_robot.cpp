@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // ROBOT.json: one line or a robot that is read back as itself.
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "harness.hpp"

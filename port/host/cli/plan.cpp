@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "host/cli/asked.hpp"
@@ -217,7 +218,7 @@ void print_quality(const SearchResult& result, const SearchRequest& request, con
   }
   if (!std::isnan(verdict.heading_error)) std::printf(", %.3g rad off the heading", verdict.heading_error);
   const double shortest = shortest_way_of(result.plan, request, open_scene(result.plan.scene, bytes));
-  const double length = result.plan.statistics.at("plan_length_m").get<double>();
+  const double length = result.plan.statistics->at("plan_length_m").get<double>();
   if (shortest > 0.1)
     std::printf(", %.2f times the shortest way that is wide enough (%.1f m)", length / shortest, shortest);
   std::printf("\n");
@@ -233,7 +234,7 @@ std::string bodies(std::size_t count) { return count == 1 ? "1 body" : printed("
 
 // What improvement made of the first plan.
 void print_improvement(const SearchResult& result, const SearchRequest& request) {
-  const auto& s = result.plan.statistics;
+  const auto& s = *result.plan.statistics;
   const auto improvements = s.at("improvements").get<std::uint64_t>();
   if (improvements > 0) {
     std::printf("improved %s in %.4f s: %.1f s became %.1f s, %.1f m became %.1f m\n", times(improvements).c_str(),
@@ -272,7 +273,7 @@ std::string goal_text(const SearchRequest& request) {
 void print_summary(const SearchResult& result, const SearchRequest& request, const Ground& ground,
                    const PlanOptions& options, const std::optional<Clearance>& clearance) {
   const PlanFile& plan = result.plan;
-  const auto& s = plan.statistics;
+  const auto& s = *plan.statistics;
   std::printf("%s: %s (%s) in %s, seed %llu: %.4f s, %llu iterations, %llu vertices\n", plan.status.c_str(),
               plan.robot.model.c_str(), bodies(plan.robot.bodies.size()).c_str(), plan.scene.c_str(),
               static_cast<unsigned long long>(plan.seed), s.at("time_s").get<double>(),

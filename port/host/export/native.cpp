@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <nlohmann/json.hpp>
+
 #include "host/export/cell_boxes.hpp"
 #include "host/export/export.hpp"
 #include "host/input/facing.hpp"

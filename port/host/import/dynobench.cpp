@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // dynobench's problems: a box-shaped world, box obstacles, and a robot's start and goal.
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "host/import/shapes.hpp"

@@ -3,6 +3,7 @@
 // are longitudes and latitudes around a datum, or lengths in a unit: the file or the command line has to say which.
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "host/import/drawing.hpp"
 #include "host/import/format.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // krait's own scene: JSON, metres and radians.
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "host/import/format.hpp"

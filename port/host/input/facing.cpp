@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/input/facing.hpp"
 
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "host/workspace/heading.hpp"

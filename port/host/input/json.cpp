@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "host/workspace/printed.hpp"
@@ -128,6 +129,8 @@ void Field::fail_expecting(const std::string& expected) const {
   if (found.size() > kMostShown) found.replace(kMostShown, std::string::npos, "...");
   fail("must be " + expected + ", is " + found);
 }
+
+bool Field::has(const char* key) const { return value_->is_object() && value_->contains(key); }
 
 void Field::keys(std::initializer_list<const char*> known) const {
   if (!value_->is_object()) fail_expecting("an object");

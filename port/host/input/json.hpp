@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parses JSON within bounds, and reads its fields so that every error names the file and the field.
+// Parses JSON within bounds, and reads its fields so that every error names the file and the field. Who looks into a
+// Json includes nlohmann/json.hpp, which takes a compiler a second to read: most only hand it on.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <memory>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "host/workspace/workspace.hpp"
@@ -40,7 +41,7 @@ class Field {
   const std::string& place() const { return place_; }  // "obstacles[3].circle"; empty for the document itself
 
   void keys(std::initializer_list<const char*> known) const;  // an object that has no other keys
-  bool has(const char* key) const { return value_->is_object() && value_->contains(key); }
+  bool has(const char* key) const;
   Field at(const char* key) const;                                             // the member of an object
   std::size_t size(std::size_t least = 0, std::size_t most = SIZE_MAX) const;  // of a list, from least to most
   Field item(std::size_t index) const;                                         // of a list

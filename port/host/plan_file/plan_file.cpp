@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "host/input/facing.hpp"
@@ -126,7 +127,7 @@ Json to_json(const PlanFile& plan) {
   json["states"] = solved ? rows(plan.states) : Json::array();
   json["controls"] = solved ? rows(plan.controls) : Json::array();
   json["origin"] = {plan.origin.x, plan.origin.y};
-  json["statistics"] = plan.statistics.is_null() ? Json::object() : plan.statistics;
+  json["statistics"] = plan.statistics ? *plan.statistics : Json::object();
   require_finite(json, "plan");
   return json;
 }
@@ -151,8 +152,8 @@ PlanFile parse_plan(const std::string& text, const std::string& file) {
   if (goal.has("heading")) plan.goal_facing = read_planned_facing(goal);
   read_motion(field, plan);
   plan.origin = field.at("origin").point();
-  plan.statistics = field.at("statistics").value();
-  if (!plan.statistics.is_object()) field.at("statistics").fail("must be an object");
+  plan.statistics = std::make_shared<const Json>(field.at("statistics").value());
+  if (!plan.statistics->is_object()) field.at("statistics").fail("must be an object");
   return plan;
 }
 

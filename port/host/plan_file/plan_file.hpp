@@ -3,7 +3,8 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,7 +29,7 @@ struct PlanFile {
   std::vector<std::vector<float>> states;    // local coordinates: world = origin + local
   std::vector<std::vector<float>> controls;  // states.size() - 1 of them
   Point origin;
-  nlohmann::ordered_json statistics;
+  std::shared_ptr<const nlohmann::ordered_json> statistics;  // an object; null where there are none
 };
 
 // States and controls stand only in a solved plan; every float is the shortest decimal that reads back to its bits.

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstring>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "firmware/improvement.hpp"
@@ -210,17 +211,18 @@ SearchResult run_search(const std::string& scene_path, const SceneBytes& bytes, 
   result.plan.status = to_string(session->status());
   session->copy_plan(result.plan);
   const Statistics best = session->statistics();
-  result.plan.statistics = statistics_json(firmware::with_plan_of(found, best), searched);
+  nlohmann::ordered_json statistics = statistics_json(firmware::with_plan_of(found, best), searched);
   SearchRequest limited = request;
   if (result.stopped) limited.time_limit.reset();  // it was not what ended the search
   result.why = why_no_plan(*session, scene, limited);
   if (request.improve > 0) {
-    result.plan.statistics["improve"] = multiples;
-    result.plan.statistics["improvements"] = best.improvements;
-    result.plan.statistics["improve_time_s"] = result.seconds - searched;
-    result.plan.statistics["first_plan_length_m"] = first.length;
-    result.plan.statistics["first_plan_duration_s"] = first.duration;
+    statistics["improve"] = multiples;
+    statistics["improvements"] = best.improvements;
+    statistics["improve_time_s"] = result.seconds - searched;
+    statistics["first_plan_length_m"] = first.length;
+    statistics["first_plan_duration_s"] = first.duration;
   }
+  result.plan.statistics = std::make_shared<const nlohmann::ordered_json>(std::move(statistics));
   return result;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Repeats a search with an eye on it. The core is deterministic, so what is seen is what happened.
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <string_view>
 #include <unordered_map>
 
@@ -164,7 +165,7 @@ Picture watch_search(const std::string& scene_path, const SceneBytes& bytes, con
   draw_scene(scene, picture);
   const std::unique_ptr<Session> session = start_session(scene, request, block);
   picture.start = session->query().start;
-  watch(*session, plan.statistics.at("iterations").get<std::uint64_t>(), picture);
+  watch(*session, plan.statistics->at("iterations").get<std::uint64_t>(), picture);
   session->stop_for_time();  // as its budget, its memory or its user did
   if (plan.states.empty()) picture.marks = where_no_plan(*session, scene, request);
   if (plan.status == to_string(Status::no_route)) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "host/input/json.hpp"
@@ -64,12 +65,13 @@ std::string hash_of(const PlanFile& plan) {
 }  // namespace
 
 void check_statistics(const PlanFile& plan, const Dynamics& dynamics, Complaints& complaints) {
+  if (!plan.statistics) return;
   const auto differs = [&](const std::string& key, const nlohmann::json& said, const std::string& is) {
     complaints.add("statistics: " + key + " is " + cleaned_name(said.dump()) + is);
   };
   const auto check = [&](const char* key, double is, double tolerance, const std::string& shown) {
-    const auto said = plan.statistics.find(key);
-    if (said == plan.statistics.end()) return;
+    const auto said = plan.statistics->find(key);
+    if (said == plan.statistics->end()) return;
     if (!said->is_number() || std::abs(said->get<double>() - is) > tolerance)
       differs(key, *said, ", the plan's is " + shown);
   };
@@ -83,9 +85,9 @@ void check_statistics(const PlanFile& plan, const Dynamics& dynamics, Complaints
   check("plan_length_m", length, rounded_sum * (1 + length), text(length) + " m");
   check("plan_duration_s", duration, kRounding * (1 + duration), text(duration) + " s");
   check("plan_end_speed_m_s", speed, kRounding * (1 + std::abs(speed)), text(speed) + " m/s");
-  const auto said = plan.statistics.find("hash");
+  const auto said = plan.statistics->find("hash");
   const std::string hash = hash_of(plan);
-  if (said != plan.statistics.end() && *said != hash) {
+  if (said != plan.statistics->end() && *said != hash) {
     differs("hash", *said, ", that of states and controls is \"" + hash + "\"");
   }
 }

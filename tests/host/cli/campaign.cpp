@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "../../long_tests.hpp"
 #include "host/cli/program.hpp"
@@ -93,7 +94,7 @@ void expect_all_solved(const std::string& title, const Query& query, std::uint64
     SCOPED_TRACE(title + ", seed " + std::to_string(seed));
     const SearchResult result = run_search(query.compiled, bytes, request_of(query, seed), block, {});
     summary.seconds.push_back(result.seconds);
-    summary.vertices.push_back(result.plan.statistics.at("vertices").get<double>());
+    summary.vertices.push_back(result.plan.statistics->at("vertices").get<double>());
     EXPECT_EQ(result.plan.status, "solved");
     if (result.plan.status != "solved") continue;
     const Verdict verdict = verify(workspace, result.plan, asked);

@@ -129,7 +129,7 @@ TEST_F(CliClearance, OfAMillimetreFindsTheLibrarysFirstPlan) {
   request.robot = parse_robot("car");
   const std::string file = path("door.krait");
   const SearchResult result = run_search(file, SceneBytes::read(file), request, {});
-  EXPECT_EQ(json("plan.json").at("statistics").at("hash"), result.plan.statistics.at("hash"));
+  EXPECT_EQ(json("plan.json").at("statistics").at("hash"), result.plan.statistics->at("hash"));
 }
 
 }  // namespace

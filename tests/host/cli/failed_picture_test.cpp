@@ -2,6 +2,7 @@
 // The picture of a search that found nothing: the robot at its start, and branches as they grew.
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "host/cli/program.hpp"
 #include "host/run/run.hpp"
@@ -21,7 +22,7 @@ class FailedPicture : public CliTest {
     const SceneBytes bytes = SceneBytes::read(path("room.krait"));
     const SearchResult result = run_search("room.krait", bytes, request, {});
     EXPECT_EQ(result.plan.status, "budget_used");
-    vertices_ = result.plan.statistics.at("vertices").get<std::uint64_t>();
+    vertices_ = result.plan.statistics->at("vertices").get<std::uint64_t>();
     return watch_search("room.krait", bytes, request, result.plan);
   }
 
@@ -74,12 +75,12 @@ TEST_F(FailedPicture, HasAllThatGrewAlsoWhereWaysWereRefused) {
   std::uint64_t refused = 0;
   for (request.seed = 1; request.seed <= 10; ++request.seed) {
     const SearchResult result = run_search("lane.krait", bytes, request, {});
-    refused += result.plan.statistics.at("plans_refused").get<std::uint64_t>();
-    const auto vertices = result.plan.statistics.at("vertices").get<std::uint64_t>();
+    refused += result.plan.statistics->at("plans_refused").get<std::uint64_t>();
+    const auto vertices = result.plan.statistics->at("vertices").get<std::uint64_t>();
     const Picture picture = watch_search("lane.krait", bytes, request, result.plan);
     ASSERT_LE(vertices, 20'000U);
     EXPECT_EQ(picture.tree.size(), vertices) << request.seed;
-    EXPECT_EQ(picture.frames.back().iteration, result.plan.statistics.at("iterations").get<std::uint64_t>());
+    EXPECT_EQ(picture.frames.back().iteration, result.plan.statistics->at("iterations").get<std::uint64_t>());
   }
   EXPECT_GT(refused, 0U);
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <random>
 #include <string>
@@ -116,7 +117,7 @@ bool dock(const Task& task, std::uint64_t seeds) {
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
       yard.request.seed = seed;
       const SearchResult result = run_search("yard", bytes, yard.request, block, {});
-      vertices.push_back(result.plan.statistics.at("vertices").get<std::uint64_t>());
+      vertices.push_back(result.plan.statistics->at("vertices").get<std::uint64_t>());
       if (result.plan.status != "solved") continue;
       ++solved;
       if (verify(yard.workspace, result.plan, result.asked).holds) continue;

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <sstream>
 #include <string>
@@ -94,8 +95,8 @@ Cost measure(const Workspace& workspace, const SceneBytes& bytes, const Kind& ki
     if (pose) ask_pose(workspace, kind, request);
     const SearchResult result = run_search("scene", bytes, request, block, {});
     cost.solved += result.plan.status == "solved" ? 1 : 0;
-    vertices.push_back(result.plan.statistics.at("vertices").get<std::uint64_t>());
-    placements.push_back(result.plan.statistics.at("collision_checks").get<std::uint64_t>());
+    vertices.push_back(result.plan.statistics->at("vertices").get<std::uint64_t>());
+    placements.push_back(result.plan.statistics->at("collision_checks").get<std::uint64_t>());
   }
   cost.numbers[0] = quantile(vertices, 5);
   cost.numbers[1] = quantile(vertices, 9);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <random>
 #include <string>
@@ -109,7 +110,7 @@ bool park(const Task& task, std::uint64_t seeds) {
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
       bay.request.seed = seed;
       const SearchResult result = run_search("bay", bytes, bay.request, block, {});
-      vertices.push_back(result.plan.statistics.at("vertices").get<std::uint64_t>());
+      vertices.push_back(result.plan.statistics->at("vertices").get<std::uint64_t>());
       if (result.plan.status == "solved" && verify(bay.workspace, result.plan, result.asked).holds) {
         ++solved;
         continue;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <span>
 #include <vector>
 
@@ -59,7 +60,7 @@ double median_vertices(const std::string& scene, const std::string& robot, doubl
   for (request.seed = 1; request.seed <= kSeeds; ++request.seed) {
     const SearchResult result = run_search("scene", bytes, request, block, {});
     EXPECT_EQ(result.plan.status, "solved") << scene << ' ' << robot << " times " << by << ", seed " << request.seed;
-    vertices.push_back(result.plan.statistics.at("vertices").get<double>());
+    vertices.push_back(result.plan.statistics->at("vertices").get<double>());
   }
   std::nth_element(vertices.begin(), vertices.begin() + kSeeds / 2, vertices.end());
   return vertices[kSeeds / 2];

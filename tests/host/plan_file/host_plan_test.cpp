@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstdlib>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <random>
 
 #include "../scratch.hpp"
@@ -30,7 +31,8 @@ PlanFile example() {
   plan.states = {{0, 0, 0, 0, 0, 0}, {0.1F, -0.0F, 1e-40F, 3.4e38F, 1.0F / 3, -2.5F}};
   plan.controls = {{0.5F, -4}};
   plan.origin = {1234.5, -6};
-  plan.statistics = {{"iterations", 7}, {"time_s", 0.25}, {"hash", "0123456789abcdef"}};
+  plan.statistics =
+      std::make_shared<const Json>(Json{{"iterations", 7}, {"time_s", 0.25}, {"hash", "0123456789abcdef"}});
   return plan;
 }
 
@@ -141,7 +143,7 @@ TEST_F(PlanTest, NothingUnsayableIsWritten) {
   plan.states[1][2] = std::numeric_limits<float>::quiet_NaN();
   EXPECT_THROW(to_json(plan), std::logic_error);
   plan = example();
-  plan.statistics["time_s"] = std::numeric_limits<double>::infinity();
+  plan.statistics = std::make_shared<const Json>(Json{{"time_s", std::numeric_limits<double>::infinity()}});
   EXPECT_THROW(to_json(plan), std::logic_error);
   plan = example();
   plan.controls.clear();

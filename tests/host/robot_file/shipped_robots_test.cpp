@@ -2,6 +2,7 @@
 // The shipped robots' files, and what a ROBOT.json may say for its reader only.
 #include <gmock/gmock.h>
 
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "../scratch.hpp"
