@@ -61,7 +61,7 @@ def parse(arguments):
     parser.add_argument("--quick", action="store_true",
                         help=f"{QUICK.seeds} rounds, {QUICK.limit:g} s a run, given up at once: shows that all of it "
                         "works, measures nothing; with files of its own")
-    options = parser.parse_args(arguments)
+    options = parser.parse_intermixed_args(arguments)  # options may stand before the files, too
     if (options.seeds is not None and options.seeds < 1) or (options.limit is not None and not options.limit > 0):
         parser.error("--seeds must be at least 1 and --limit above 0")
     if (options.what == "own") != (len(options.files) == 1) and options.what != "results":

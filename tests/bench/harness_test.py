@@ -549,6 +549,13 @@ class CommandLine(unittest.TestCase):
         self.assertIn("--seeds", self.refusal("goals", "--seeds", "0"))
         self.assertIn("--planner", self.refusal("results", "--planner", "prior"))
 
+    def test_takes_options_before_the_files(self):
+        from harness.arguments import parse
+
+        options = parse(["own", "--robot", "car", "map.png", "--quick"])
+        self.assertEqual((options.files, options.robot, options.quick), ([Path("map.png")], "car", True))
+        self.assertEqual(parse(["own", "map.png"]).robot, experiments.ROBOT)
+
     def test_publishes_runs_of_one_clean_commit_only(self):
         from harness.page import refuse_mixture
 
