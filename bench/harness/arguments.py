@@ -54,7 +54,7 @@ def parse(arguments):
                         "planner's median if that is more)")
     parser.add_argument("--planner", action="append", metavar="NAME",
                         help="measure this planner only (ompl:NAME: a peer); may be given again")
-    parser.add_argument("--robot", default=experiments.ROBOT, help="of own (default %(default)s)")
+    parser.add_argument("--robot", help=f"of own (default {experiments.ROBOT})")
     parser.add_argument("--shard", type=shard_of, default=Shard(), metavar="I/N",
                         help="measure the I-th of N shares of the seeds; bench/README.md has how to spread them")
     parser.add_argument("--journal", type=Path, help="file of what was measured (default: in build/bench)")
@@ -66,8 +66,15 @@ def parse(arguments):
         parser.error("--seeds must be at least 1 and --limit above 0")
     if (options.what == "own") != (len(options.files) == 1) and options.what != "results":
         parser.error("own needs one MAP, and nothing else takes a file")
-    if options.what == "results" and (options.planner or options.quick):
-        parser.error("--planner and --quick are not for results")
+    if options.what == "results":
+        for name in ("seeds", "limit", "planner", "shard", "quick"):
+            if getattr(options, name) != parser.get_default(name):
+                parser.error(f"--{name} is not for results")
+        if options.journal and options.files:
+            parser.error("results reads either the journals that are named or that of --journal")
+    if options.robot is not None and options.what != "own":
+        parser.error("--robot is for own only: the experiments have robots of theirs")
+    options.robot = experiments.ROBOT if options.robot is None else options.robot
     return options
 
 

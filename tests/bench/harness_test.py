@@ -547,13 +547,17 @@ class CommandLine(unittest.TestCase):
         self.assertIn("MAP", self.refusal("own"))
         self.assertIn("MAP", self.refusal("goals", "map.png"))
         self.assertIn("--seeds", self.refusal("goals", "--seeds", "0"))
-        self.assertIn("--planner", self.refusal("results", "--planner", "prior"))
+        for option in (("--planner", "prior"), ("--shard", "1/2"), ("--seeds", "3"), ("--limit", "1"), ("--quick",)):
+            self.assertIn(f"{option[0]} is not for results", self.refusal("results", *option))
+        self.assertIn("--journal", self.refusal("results", "a.jsonl", "--journal", "b.jsonl"))
+        self.assertIn("--robot is for own only", self.refusal("scenes", "--robot", "car"))
 
     def test_takes_options_before_the_files(self):
         from harness.arguments import parse
 
         options = parse(["own", "--robot", "car", "map.png", "--quick"])
         self.assertEqual((options.files, options.robot, options.quick), ([Path("map.png")], "car", True))
+        self.assertEqual(parse(["results", "--journal", "a.jsonl"]).files, [])
         self.assertEqual(parse(["own", "map.png"]).robot, experiments.ROBOT)
 
     def test_publishes_runs_of_one_clean_commit_only(self):
