@@ -73,6 +73,7 @@ class Problem:
     compile_s: float
     queries: list = field(default_factory=list)  # where the trials are queries, not seeds
     ends: dict = field(default_factory=dict)  # "start" and "goal" of every trial; empty: the scene's
+    warnings: str = ""  # of the compiler, about a user's map
 
     def trial(self, round_, first_seed):
         """Of a round, from 0."""
@@ -103,9 +104,11 @@ def queries_of(path):
 
 
 def run_krait(*arguments):
+    """What it warned of."""
     done = subprocess.run([BIN / "krait", *arguments], capture_output=True, text=True)
     if done.returncode != 0:
         raise BadInput(done.stderr.strip())
+    return done.stderr.strip()
 
 
 def prepare(name, folder):
@@ -120,11 +123,12 @@ def prepare(name, folder):
     seconds = []
     for _ in range(COMPILED_TIMES):
         begin = time.monotonic()
-        run_krait("compile", source, "-o", scene)
+        warnings = run_krait("compile", source, "-o", scene)
         seconds.append(time.monotonic() - begin)
     queries = movingai_queries(source) if name in MOVINGAI else []
     ends = dict(zip(("start", "goal"), FAR[name])) if name in FAR else {}
-    return Problem(name, source, scene, statistics.median(seconds), queries, ends)
+    warnings = warnings if name.startswith(OWN) else ""
+    return Problem(name, source, scene, statistics.median(seconds), queries, ends, warnings)
 
 
 def robot_argument(robot, folder):

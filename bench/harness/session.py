@@ -114,6 +114,8 @@ class Session:
             problem = problems.prepare(name, self.files)
             self.journal.append({"kind": "compiled", "problem": name, "compile_s": problem.compile_s})
             self._problems[name] = problem
+            if problem.warnings:
+                self.progress.say(problem.warnings)
         return self._problems[name]
 
     def _limits(self, cells):
@@ -186,7 +188,8 @@ class Session:
     def _refuse_nonsense(cell, problem, answer):
         """A foreign query may ask the impossible; our own scenes may not."""
         if answer["status"] == "refused" and not problem.queries:
-            raise BadInput(f"{cell.key}: {answer['complaint']}")
+            ends = "; own plans from the map's first start to its first goal"
+            raise BadInput(f"{cell.key}: {answer['complaint']}{ends if cell.problem.startswith(problems.OWN) else ''}")
 
 
 class Rounds:

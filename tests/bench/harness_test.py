@@ -333,6 +333,8 @@ class Programs(unittest.TestCase):
         kept.assert_called_once_with(0, {0, 2})
 
 
+PREPARE = problems.prepare
+
 # Answers with its process and core; a scene's name says how it behaves.
 SEARCH = """#!/usr/bin/python3
 import json, os, sys, time
@@ -462,6 +464,24 @@ class Sessions(unittest.TestCase):
     def test_measure_the_rounds_of_their_shard(self):
         runs = self.runs(self.measure(self.cells("rooms"), 5, shard=Shard(2, 2)))
         self.assertEqual(sorted({run["trial"] for run in runs}), [Protocol.first_seed + 1, Protocol.first_seed + 3])
+
+    def test_say_once_what_the_compiler_warned_of(self):
+        shown = io.StringIO()
+        program = self.folder / "krait"
+        program.write_text("#!/bin/sh\nfor file; do :; done\necho warning: no headings >&2\ntouch \"$file\"\n")
+        program.chmod(0o755)
+        (self.folder / "map.json").write_text("{}")
+        with mock.patch.object(problems, "BIN", self.folder), mock.patch.object(problems, "prepare", PREPARE):
+            self.measure(self.cells(f"own:{self.folder / 'map.json'}", "rooms"), stream=shown)
+        self.assertEqual(shown.getvalue().count("warning: no headings\n"), 1)
+
+    def test_say_where_the_query_of_a_users_map_is_from(self):
+        answer = {"status": "refused", "complaint": "the scene has no start"}
+        own = Cell(f"own:{self.folder / 'map.json'}", "snake:15", "prior")
+        with self.assertRaisesRegex(BadInput, "no start; own plans from the map's first start"):
+            session.Session._refuse_nonsense(own, Problem(own.problem, Path(), Path(), 0.1), answer)
+        with self.assertRaisesRegex(BadInput, "no start$"):
+            session.Session._refuse_nonsense(RIVAL, Problem(RIVAL.problem, Path(), Path(), 0.1), answer)
 
     def test_skip_problems_that_are_not_there(self):
         shown = io.StringIO()
