@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The scene, linked into the program: KRAIT_SCENE names the file.
 __asm(
-    "  .section .scene, \"a\"\n"
+    "  .pushsection .scene, \"a\"\n"
     "  .balign 4\n"
-    "  .incbin \"" KRAIT_SCENE "\"\n");
+    "  .incbin \"" KRAIT_SCENE
+    "\"\n"
+    "  .popsection\n");
