@@ -115,6 +115,15 @@ bool is_straight_on(const krait::Scene& scene, const SearchRequest& request, flo
   return ahead && shortest_way(scene, width, from, to) <= kLonger * static_cast<double>(length(to - from));
 }
 
+// What may be asked for less of how the robot stands at the end. "any heading" names no option: a map's heading takes
+// --any-heading, which the line about the goal says, and one of the command line is left out.
+std::string less_of(const GoalFacing& facing) {
+  std::string text = facing.tolerance < 3.14 ? "a larger --heading-tolerance, " : "";
+  if (!facing.either_way) text += "--either-way, ";
+  if (facing.hitches) text += "a larger --hitch-tolerance, ";
+  return text.empty() ? "any heading" : text + "or any heading";
+}
+
 std::vector<std::string> what_to_try(Status status, const Statistics& statistics, const SearchRequest& request,
                                      bool straight_on) {
   std::vector<std::string> lines;
@@ -127,7 +136,7 @@ std::vector<std::string> what_to_try(Status status, const Statistics& statistics
                     " ways reached the goal but did not hold as driven: try a larger goal" +
                     (pushes_trailers(request.robot) ? ", or room to pull forward between pushing trailers back" : ""));
   }
-  if (request.facing) lines.push_back("try a larger --heading-tolerance, --either-way, or --any-heading instead");
+  if (request.facing) lines.push_back("try " + less_of(*request.facing));
   if (request.parameters.clearance > Parameters{}.clearance) lines.push_back("try a smaller --clearance");
   if (straight_on) return lines;
   if (cannot_reverse(request.robot)) lines.push_back("try a ROBOT.json that may reverse, with a min_speed below 0");

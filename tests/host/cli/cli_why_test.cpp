@@ -117,6 +117,19 @@ TEST_F(CliWhy, BendsAreBlamedOnlyWhereTheWayHasSome) {
   EXPECT_THAT(advice({"--goal", aside, "--start", "3,9,0"}), HasSubstr(bend));
 }
 
+TEST_F(CliWhy, NoHeadingIsAdvisedThatWouldBeRefusedOrIsAskedForAlready) {
+  const auto advice = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"plan", "room.krait", "--robot",    "truck:1",   "--iterations",
+                                          "5",    "--goal",     "17,5,0.001", "--heading", "1"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return krait(arguments).output;
+  };
+  EXPECT_THAT(advice({}), HasSubstr("\n  try a larger --heading-tolerance, --either-way, or any heading\n"));
+  EXPECT_THAT(advice({"--either-way"}), HasSubstr("\n  try a larger --heading-tolerance, or any heading\n"));
+  EXPECT_THAT(advice({"--either-way", "--hitch-tolerance", "0.1", "--heading-tolerance", "3.14159"}),
+              HasSubstr("\n  try a larger --hitch-tolerance, or any heading\n"));
+}
+
 // The second door is wide enough for a disc in the body, which is broader than long, not for the body.
 TEST_F(CliWhy, TheBodyThatStopsMostWaysIsNamed) {
   write("walled.json", walled({{8, 5, 2}, {12, 5, 0.55}}).dump());
