@@ -78,9 +78,10 @@ const char* parse_query(const char* option, const char* value, Request& request)
 
 const char* parse_robot(const char* text, const char* model, bool has_trailers, Request& request) {
   const std::size_t length = std::strlen(model);
-  if (std::strncmp(text, model, length) != 0) return "--robot: this firmware plans for another robot";
+  const bool begins = std::strncmp(text, model, length) == 0;  // as "unicycle2" with "unicycle", too
+  const char* rest = begins ? text + length : text;
+  if (!begins || (*rest != '\0' && *rest != ':')) return "--robot: this firmware plans for another robot";
   request.robot = text;
-  const char* rest = text + length;
   if (!has_trailers) return *rest == '\0' ? nullptr : "--robot: this model has no trailers";
   std::uint64_t trailers = 0;
   if (*rest != ':' || !parse_number(rest + 1, trailers) || trailers > kMaxTrailers) {

@@ -130,5 +130,13 @@ TEST(FirmwareRequest, RefusesWithTheOptionsName) {
   EXPECT_EQ(complaint({"--speed", "1"}).rfind("unknown option", 0), 0U);
 }
 
+TEST(FirmwareRequest, TellsAnotherRobotFromTrailersThatAreMissing) {
+  for (const char* other : {"truck", "cart", "car2:1", "ca"}) {
+    EXPECT_EQ(complaint({"--robot", other}), "--robot: this firmware plans for another robot") << other;
+  }
+  EXPECT_EQ(complaint({"--robot", "car:1"}), "--robot: this model has no trailers");
+  EXPECT_EQ(complaint({"--robot", "car"}), "");
+}
+
 }  // namespace
 }  // namespace krait::firmware
