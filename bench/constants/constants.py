@@ -53,11 +53,11 @@ CONSTANTS = {
         "lib/collision/goal_room.cpp": {"kDeepest": (0.6, 1.4)}},
     "backward": {"include/krait/parameters.hpp": {"reverse_share": ()}},
     "pose": {
-        "lib/last_metres/last_metres.hpp": {"kHold": (), "kEvery": (), "kMostShots": ()},
+        "lib/last_metres/last_metres.hpp": {"kHold": (), "kEvery": (), "kMostShots": (), "kLook": ()},
         "lib/last_metres/last_metres.cpp": {
             "kRadii": (0.96, 1.5), "kCaptureRadii": (), "kCaptureLengths": (), "kLeads": (),
             "kDetour": (), "kDetourLengths": (), "kSightRoom": (0.5, 1.5), "kSightStep": (), "kMostLooks": (),
-            "kLook": (), "kLookSteps": (), "kOff": (), "kBraking": (), "kNearEnough": (), "kMostStops": ()},
+            "kLookSteps": (), "kOff": (), "kBraking": (), "kNearEnough": (), "kMostStops": ()},
         "lib/last_metres/nimbleness.cpp": {"kSettle": (), "kSlowest": ()}},
     "turning": {
         "lib/last_metres/last_metres.hpp": {"kLongest": ()},
@@ -165,7 +165,8 @@ SECTIONS = {
     "lib/last_metres/last_metres.cpp": ["kMoveRadius"],
     "lib/robot/pushing.cpp": ["kFading"],
     "lib/robot/truck.cpp": ["kLag"],
-    "lib/last_metres/docking.cpp": ["kHoldWay", "kPushLook", "kMostPush", "kStages"],
+    "lib/last_metres/docking.cpp": ["kHoldWay", "kPushLook", "kMostPush", "kStages", "kSwingRadius", "kSwings", "kSwingAim",
+                                    "kSwingTilt", "kDrawStep", "kMostSteps", "kFold", "kStraightEnough"],
     "lib/last_metres/pull_in.cpp": ["kBraking", "kAstray", "kGrip", "kLeastTurn", "kStill", "kMostWait", "kMostStops"],
     "lib/last_metres/pull_outs.hpp": ["kMost", "kMostMoves"],
     "lib/last_metres/pull_outs.cpp": ["kStep", "kStraights", "kOut", "kMostTurn", "kMostSteps", "kRooms", "kGearCost",

@@ -42,10 +42,11 @@ void Improver::begin(const WayTools& tools, PlanProof& proof, const Regions& reg
   best_route_.clear();
   searches_ = 0;
   searched_ = 0;
-  if (restarts && tools.robot.body_count() >= kLongChain && size(plan).legs <= best_.capacity()) {
-    searches_ = kSearches;
-    take_found(plan);
-  }
+  const bool may_search = restarts && size(plan).legs <= best_.capacity();
+  const bool long_chain = tools.robot.body_count() >= kLongChain;
+  pushes_ = may_search && !long_chain && tools.robot.backing_body() > 0;
+  if (may_search && long_chain) searches_ = kSearches;
+  if (pushes_ || searches_ > 0) take_found(plan);
   stage_ = Stage::turning;
 }
 
@@ -142,6 +143,7 @@ void Improver::aim_aside(const Pose& pose, bool to_the_left) {
 }
 
 void Improver::begin_round() {
+  if (pushes_) searches_ = round_ > 0 && best_route_.count() == 0 ? 1 : 0;
   if (searches_next()) {
     ++searched_;
     stage_ = Stage::searching;

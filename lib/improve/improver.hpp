@@ -4,7 +4,8 @@
 // so far is taken up. It is driven corner by corner: once there is a better way, each is passed some times, with random
 // changes, and the quickest time is kept. Where none gets past a corner, the route is changed around the place of the
 // failure. What is better than the plan is driven once more and proven as the plan was, and only then takes its place.
-// A long chain seldom gets along such a line: in most of its rounds the planner restarts its search.
+// A long chain seldom gets along such a line: in most of its rounds the planner restarts its search. So it does for a
+// robot that pushes trailers, as long as no line has led to a better way: such a plan may end in a slow push.
 #pragma once
 
 #include "decomposition/locate.hpp"
@@ -213,6 +214,7 @@ class Improver {
   float stride_ = 0.0F;  // metres: the longest step that the robot made
   Turns turns_{};
   std::uint32_t share_ = 0;     // of the turns, that is measured next
+  bool pushes_ = false;         // whether searches are restarted since the robot pushes trailers
   std::uint32_t searches_ = 0;  // before each round along a line, and
   std::uint32_t searched_ = 0;  // those that have begun since the last one
   Stage stage_ = Stage::turning;

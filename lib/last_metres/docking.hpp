@@ -7,12 +7,15 @@
 
 namespace krait::detail {
 
+class CurvedLine;
 class LastMetres;
+struct Shot;
 
 // Each does what the member of its name does.
 struct Docking {
   void (*measure)(LastMetres& last_metres, const Pose* poses);  // measure_push
-  void (*choose)(LastMetres& last_metres, const Pose* poses);   // choose_stages
+  void (*choose)(LastMetres& last_metres, const Pose* poses);   // choose_swings, then choose_stages
+  bool (*allows)(const LastMetres& last_metres, const Pose* poses, const Shot& shot, const CurvedLine& line);
   void (*turn_back)(LastMetres& last_metres);
 };
 

@@ -23,8 +23,7 @@ constexpr float kDetourLengths = 8.0F;                      // as many lengths o
 constexpr float kSightRoom = 0.9F;    // of the disc that is looked for, of that in body 0 at its position
 constexpr float kSightStep = 0.4F;    // of looks along a line, in lengths of body 0, or
 constexpr int kMostLooks = 128;       // this many
-constexpr float kLook = 0.5F;         // how far ahead the robot steers, in lengths of body 0,
-constexpr float kLookSteps = 2.5F;    // and time steps of its way
+constexpr float kLookSteps = 2.5F;    // how far ahead the robot steers, in time steps of its way, and kLook
 constexpr float kOff = 1.0F;          // how far off the line it may be, in lengths of body 0
 constexpr float kBraking = 0.12F;     // of the sharpest
 constexpr float kNearEnough = 0.25F;  // of the goal's radius: there it stops
@@ -72,8 +71,7 @@ void LastMetres::assign(const Scene& scene, const Goal& goal, const Nimbleness& 
   shot_ = 0;
   found_ways_ = false;
   hold_ = kHold;
-  reach_back_ = 0.0F;
-  most_push_ = kInfinity;
+  look_ = kLook * robot_.length;
 }
 
 void LastMetres::forget_shots(bool by_detour) {
@@ -112,9 +110,8 @@ void LastMetres::consider_leads(const Pose* poses, int first, int last) {
 }
 
 void LastMetres::consider_words(const Pose* poses, Shot& shot) {
-  const Pose& from = poses[leader(shot)];
   for (shot.radius = 0; shot.radius < kRadii; ++shot.radius) {
-    for (shot.word = 0; shot.word < kDubinsWords; ++shot.word) consider(from, shot);
+    for (shot.word = 0; shot.word < kDubinsWords; ++shot.word) consider(poses, shot);
   }
 }
 
@@ -140,7 +137,8 @@ void LastMetres::choose_ways(const Pose* poses) {
 }
 
 // Keeps the shot if it is among the shortest.
-void LastMetres::consider(const Pose& from, Shot& shot) {
+void LastMetres::consider(const Pose* poses, Shot& shot) {
+  const Pose& from = poses[leader(shot)];
   CurvedLine line;
   if (!draw(from, shot, line)) return;
   shot.length = line.length() + kLeastRadius * robot_.length * line.turned();
@@ -149,7 +147,7 @@ void LastMetres::consider(const Pose& from, Shot& shot) {
   }
   const float most = kDetour * length(goal_.center() - from.position) + kDetourLengths * robot_.length;
   if (shot.length > most) return;
-  if (shot.backward && shot.length > most_push_) return;
+  if (robot_.docking != nullptr && !robot_.docking->allows(*this, poses, shot, line)) return;
   const bool full = shot_count_ == kMostShots;
   if (full && shot.length >= shots_[kMostShots - 1].length) return;
   if (!looks_free(line)) return;
@@ -164,7 +162,8 @@ Pose LastMetres::before_end(const Shot& shot, float lead) {
 }
 
 bool LastMetres::draw(const Pose& from, const Shot& shot, CurvedLine& line) const {
-  const Pose to = before_end(shot, shot.lead);
+  const int last_turn = swing(shot);
+  const Pose to = before_end(shot, last_turn == 0 ? shot.lead : 0.0F);
   const Pose begin{from.position, shot.backward ? opposite(from.heading) : from.heading};
   if (on_the_spot(shot)) {
     if (shot.word != 0) return false;
@@ -175,7 +174,7 @@ bool LastMetres::draw(const Pose& from, const Shot& shot, CurvedLine& line) cons
   } else if (!dubins(shot.word, begin, to, radii_[shot.radius], line)) {
     return false;
   }
-  line.add(0, shot.lead);
+  line.add(last_turn, shot.lead);
   return true;
 }
 
@@ -233,7 +232,7 @@ bool LastMetres::aim(const Moment& now, Target& target) {
   const float share = pace(robot_, remaining(), speed, now.robot.stopping_way(now.state), braking_);
   target.speed = stops ? 0.0F : (shot.backward ? -share : share);
   target.turn = 1.0F;
-  const float look = leader(shot) > 0 ? push_look_ : kLook * robot_.length;
+  const float look = leader(shot) > 0 ? push_look_ : look_;
   target.point = point_ahead(line_, arc_, look + kLookSteps * robot_.dt * speed);
   return true;
 }

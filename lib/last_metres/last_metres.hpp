@@ -17,6 +17,18 @@
 
 namespace krait::detail {
 
+// A line to a pose that is driven in one go, or to a way out of it.
+struct Shot {
+  Pose end;     // of the body that leads; of a swing, where its last arc begins
+  float lead;   // metres of the line's straight end or, of a swing, of its last arc
+  float stage;  // metres ahead of the pose: the line leads there, and trailers are pushed back from there; or 0
+  float length;
+  std::uint8_t word;
+  std::uint8_t radius;
+  std::uint8_t way;  // out of the goal, to whose end the line leads; PullIn::kNoWay: it leads to the goal
+  bool backward;
+};
+
 class LastMetres {
  public:
   // Measured: bench/ABLATIONS.md, "Constants".
@@ -45,8 +57,16 @@ class LastMetres {
   // Chooses the shots to ways out of the goal, which it finds where it has not yet. Parking calls it.
   void choose_ways(const Pose* poses);
 
-  // Measures a robot that pushes trailers, by its frames. Docking calls these three.
+  // Measures a robot that pushes trailers, by its frames. Docking calls these five.
   void measure_push(const Pose* poses);
+
+  // Chooses, once after choose, the shots whose lines turn too far and back at their end, so that trailers which need
+  // to be straight are straightened within less room than a straight end needs. Returns whether there are any. At most
+  // 128 steps a line in which trailers are drawn.
+  bool choose_swings(const Pose* poses);
+
+  // Whether a shot along the line may be driven: it does not push too far, or a swing straightens the trailers.
+  bool allows(const Pose* poses, const Shot& shot, const CurvedLine& line) const;
 
   // Chooses the shots that pull the trailers straight ahead of the goal and then push them back to it.
   void choose_stages(const Pose* poses);
@@ -67,24 +87,17 @@ class LastMetres {
   bool leg_over(std::uint32_t steps, const Moment& now);
 
  private:
+  static constexpr float kLook = 0.5F;  // how far ahead the robot steers, in lengths of body 0; measured, too
   static constexpr int kRadii = 3;
   static constexpr int kShortLeadCount = 2;
   static constexpr int kLeadCount = 2 * kShortLeadCount;
   static constexpr std::uint32_t kMostShots = 4;  // measured, too
 
-  struct Shot {
-    Pose end;     // of the body that leads
-    float lead;   // metres of the line's straight end
-    float stage;  // metres ahead of the pose: the line leads there, and trailers are pushed back from there; or 0
-    float length;
-    std::uint8_t word;
-    std::uint8_t radius;
-    std::uint8_t way;  // out of the goal, to whose end the line leads; PullIn::kNoWay: it leads to the goal
-    bool backward;
-  };
-
   // Whether the shot turns on the spot and drives straight.
   bool on_the_spot(const Shot& shot) const { return radii_[shot.radius] == 0.0F; }
+
+  // To which side the last arc of a swing turns, left (1) or right (-1); 0: the shot is none.
+  static int swing(const Shot& shot) { return shot.radius < kRadii ? 0 : (shot.radius == kRadii ? 1 : -1); }
 
   // Where the shot's line is `lead` metres from its end, and the direction that it has there.
   static Pose before_end(const Shot& shot, float lead);
@@ -98,8 +111,14 @@ class LastMetres {
   void consider_leads(const Pose* poses, int first, int last);
   void consider_words(const Pose* poses, Shot& shot);
 
-  void consider(const Pose& from, Shot& shot);
+  void consider(const Pose* poses, Shot& shot);
   bool looks_free(const CurvedLine& line) const;
+
+  // Whether trailers that are drawn along the line seem to be free, do not fold, and are straight at its end.
+  bool straightens(const Pose* poses, const CurvedLine& line) const;
+
+  // Body 0 where a swing ends whose last arc turns to that side, for one of the goal's headings.
+  Pose end_of_swing(SinCos heading, int side) const;
 
   // Goes along the line as far as the robot has come. False where it has left the line.
   bool keep_to_line(const Pose& at);
@@ -128,17 +147,19 @@ class LastMetres {
   Sight sight_;
   Sight spin_;  // for a disc that body 0 lies in
   float braking_;
-  float radii_[kRadii];
+  float radii_[kRadii + 2];  // metres; the last two are that of swings
   float leads_[kLeadCount];  // metres, the short ones first
   int short_leads_;          // how many are only for where there is no room for the others
   float capture_;
   std::uint32_t hold_;  // steps of a leg that does not turn on the spot
   float reach_back_;    // metres from body 0 to the backing body, where all are in line
-  float push_look_;     // metres ahead of that to which it is steered
+  float push_look_;     // metres ahead of that to which it is steered,
+  float look_;          // and of body 0 where that leads
   float most_push_;     // metres of the longest line along which it is pushed
   Shot shots_[kMostShots];
   std::uint32_t shot_count_;
   std::uint32_t shot_;  // the one after that which is driven
+  bool swung_;          // whether swings have been chosen
   bool by_detour_;      // whether the shots that were chosen last lead to ways out or to stages
   bool found_ways_;     // whether ways out have been looked for
   PullOuts ways_;
