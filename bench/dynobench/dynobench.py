@@ -168,9 +168,10 @@ within the tolerances above, which is a little less way than to the goal itself.
 program that has compiled the map. The machines differ.
 
 **Where krait is no better.** `unicycle2` drives as its steering lets it, which stops to turn in narrow corners: its
-plans take 1.1 to 1.8 times the best. First plans of `car1` through `kink_0` go around the outside. With its trailer
-straight at the end, `car1` needs more room than `parallelpark_0` has for a straight lead to the goal, so that a search
-must find the way by chance; without `--hitch-tolerance` it is found within a millisecond.
+plans take 1.1 to 1.6 times the best. First plans of `car1` through `kink_0` go around the outside. A plan of `car1`
+that ends in a push at a fifth of its speed, as some first plans through `bugtrap_0` do, takes three times as long, and
+50 ms are not always enough to replace it. A few searches of `car1` in `parallelpark_0` miss the way in at first and
+take longer than 50 ms.
 """
 
 
