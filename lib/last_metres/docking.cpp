@@ -91,6 +91,7 @@ Pose LastMetres::end_of_swing(SinCos heading, int side) const {
   return {goal_.center() + ahead - turn * left_of(ahead), heading + tilt};
 }
 
+// A line that does not look free is refused sooner than its trailers are drawn.
 bool LastMetres::allows(const Pose* poses, const Shot& shot, const CurvedLine& line) const {
   if (swing(shot) != 0) return looks_free(line) && straightens(poses, line);
   return !shot.backward || shot.length <= most_push_;
