@@ -21,7 +21,7 @@ struct Facing {
 class Goal {
  public:
   /// The scene's goal of that number, 0 … Scene::goal_count() - 1.
-  static Goal named(Index goal) { return {goal, {}, 0.0F}; }
+  static Goal named(Index goal);
   /// The disc around a point of the scene's bounds, metres, local coordinates; radius > 0, metres.
   static Goal disc(Vec2 center, float radius) { return {kNone, center, radius}; }
   /// The position within `radius` metres of a point, and the bodies turned as `facing` says.

@@ -8,11 +8,15 @@ namespace krait::detail {
 
 class Sight {
  public:
-  Sight() = default;
-
-  // Looks in a scene, which must outlive this, for discs of `radius` metres, at least 0, in steps of `step` metres,
-  // above 0.
-  Sight(const Scene& scene, float radius, float step) : scene_(&scene), radius_(radius), step_(step) {}
+  // One that looks in a scene, which must outlive it, for discs of `radius` metres, at least 0, in steps of `step`
+  // metres, above 0. Another looks nowhere until this is assigned to it.
+  static Sight in(const Scene& scene, float radius, float step) {
+    Sight sight;
+    sight.scene_ = &scene;
+    sight.radius_ = radius;
+    sight.step_ = step;
+    return sight;
+  }
 
   // Metres that the disc around a point may move in any direction and is free all the way: by the clearance grid, and 0
   // where that does not suffice and the pieces nearby leave the disc free. Negative where the disc meets a piece, is
@@ -36,9 +40,9 @@ class Sight {
 
   bool apart_from_pieces(Vec2 center) const;
 
-  const Scene* scene_ = nullptr;
-  float radius_ = 0.0F;
-  float step_ = 1.0F;
+  const Scene* scene_;
+  float radius_;
+  float step_;
 };
 
 }  // namespace krait::detail

@@ -61,6 +61,8 @@ bool triangle_meets_disc(const Scene& scene, Index triangle, Vec2 center, float 
 
 }  // namespace
 
+Goal Goal::named(Index goal) { return {goal, {}, 0.0F}; }
+
 bool Goal::valid(const Scene& scene) const {
   if (is_pose() && !usable(facing_)) return false;
   if (!is_disc()) return index_ < scene.goal_count();

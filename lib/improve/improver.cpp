@@ -209,7 +209,7 @@ void Improver::trace() {
 
 void Improver::begin_pull() {
   const float radius = half_width_ * (kLeastDisc + kMoreDisc * random_.unit());
-  line_.pull(Sight(*tools_.scene, radius, kPullStep * half_width_));
+  line_.pull(Sight::in(*tools_.scene, radius, kPullStep * half_width_));
   stage_ = Stage::pulling;
 }
 

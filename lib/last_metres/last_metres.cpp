@@ -64,8 +64,8 @@ void LastMetres::assign(const Scene& scene, const Goal& goal, const Nimbleness& 
   for (int i = 0; i < kLeadCount; ++i) leads_[i] = leads[i] * (i < kShortLeadCount ? robot.length : unit);
   short_leads_ = straightens || !spins ? kShortLeadCount : 0;
   capture_ = kCaptureRadii * radius + kCaptureLengths * robot.length + leads_[kLeadCount - 1];
-  sight_ = Sight(scene, kSightRoom * robot.half_width, kSightStep * robot.length);
-  spin_ = Sight(scene, robot.reach, kSightStep * robot.length);
+  sight_ = Sight::in(scene, kSightRoom * robot.half_width, kSightStep * robot.length);
+  spin_ = Sight::in(scene, robot.reach, kSightStep * robot.length);
   near_ = kNearEnough * goal.radius();
   shot_count_ = 0;
   shot_ = 0;

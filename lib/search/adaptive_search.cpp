@@ -56,7 +56,7 @@ void AdaptiveSearch::reset_groups() {
   updates_wait_ = 0;
   goes_on_ = false;
   sketcher_.assign(robot_, *scene_, sketched_step(), parameters_.tuning.near_radius * robot_length_);
-  sight_ = Sight(*scene_, kSightRoom * sketcher_.radius(), kSightStep * robot_length_);
+  sight_ = Sight::in(*scene_, kSightRoom * sketcher_.radius(), kSightStep * robot_length_);
 }
 
 float AdaptiveSearch::sketched_step() const {

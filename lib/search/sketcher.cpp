@@ -23,7 +23,7 @@ void Sketcher::assign(const Robot& robot, const Scene& scene, float dt, float ne
     const float radius = inner_radius(body, centers_[k]);
     if (radius < radius_) radius_ = radius;
   }
-  sight_ = Sight(scene, kRoom * radius_, 1.0F);
+  sight_ = Sight::in(scene, kRoom * radius_, 1.0F);
 }
 
 std::uint32_t Sketcher::free_steps(const float* state, const Target& toward) {

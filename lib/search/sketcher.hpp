@@ -41,9 +41,9 @@ class Sketcher {
   bool free();
 
   Robot robot_;
-  float dt_ = 0.2F;
-  float squared_near_ = 0.0F;
-  float radius_ = 0.0F;
+  float dt_;
+  float squared_near_;
+  float radius_;
   Sight sight_;
   float* state_ = nullptr;
   // These have an element for each body.

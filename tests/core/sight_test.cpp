@@ -41,7 +41,7 @@ TEST(Sight, ADiscIsFreeWhereNoPieceAndNoBoundIsWithinItsRadius) {
       const Vec2 at{uniform_float(random, -0.5, 12.5), uniform_float(random, -0.5, 12.5)};
       const double room = true_distance(open.scene, point(at)) - static_cast<double>(radius);
       if (std::abs(room) < kRounding) continue;
-      const float slack = detail::Sight(open.scene, radius, kStep).slack(at);
+      const float slack = detail::Sight::in(open.scene, radius, kStep).slack(at);
       ASSERT_EQ(slack >= 0.0F, room > 0.0) << at.x << " " << at.y << " " << radius;
       ASSERT_LE(static_cast<double>(slack), std::max(room, 0.0) + kRounding);
       (slack < 0.0F ? blocked : slack > 0.0F ? by_grid : by_pieces) += 1;
@@ -54,7 +54,7 @@ TEST(Sight, ADiscIsFreeWhereNoPieceAndNoBoundIsWithinItsRadius) {
 
 TEST(Sight, NothingIsFreeWhereNoPointIs) {
   const OpenScene open(crowded(1));
-  const detail::Sight sight(open.scene, 0.1F, kStep);
+  const auto sight = detail::Sight::in(open.scene, 0.1F, kStep);
   const float nan = std::numeric_limits<float>::quiet_NaN();
   for (const Vec2 at : {Vec2{nan, 1}, Vec2{1, nan}, Vec2{kInfinity, 1}, Vec2{1, -kInfinity}, Vec2{1e30F, 1e30F}}) {
     EXPECT_LT(sight.slack(at), 0.0F);
@@ -84,7 +84,7 @@ TEST(Sight, ALineIsFreeWhereAllItsDiscsAre) {
         if (room <= 0 && begun < 0) begun = gone;
         if (begun >= 0) bare = std::max(bare, gone - begun);
       }
-      const bool seen = detail::Sight(open.scene, radius, kStep).line_free(a, b);
+      const bool seen = detail::Sight::in(open.scene, radius, kStep).line_free(a, b);
       ASSERT_TRUE(seen || least < 1e-3) << seed << " " << i;
       ASSERT_TRUE(!seen || bare < static_cast<double>(kStep) + 0.02) << seed << " " << i;
       (seen ? free : blocked) += 1;
@@ -101,7 +101,7 @@ TEST(Sight, ALineIsNotFreeWhereLooksDoNotReachItsEnd) {
   room.spacing = 20;
   room.clearance_cell = 1;
   const OpenScene open(room);
-  const detail::Sight sight(open.scene, 0.3F, kStep);
+  const auto sight = detail::Sight::in(open.scene, 0.3F, kStep);
   const float reach = kStep * static_cast<float>(detail::Sight::kMostLooks);
   EXPECT_TRUE(sight.line_free({1, 0.4F}, {0.9F * reach, 0.4F}));
   EXPECT_FALSE(sight.line_free({1, 0.4F}, {1.2F * reach + 1, 0.4F}));
@@ -109,7 +109,7 @@ TEST(Sight, ALineIsNotFreeWhereLooksDoNotReachItsEnd) {
 
 TEST(Sight, ALineThatIsNoLongerThanAStepIsFree) {
   const OpenScene open(crowded(1));
-  const detail::Sight sight(open.scene, 100.0F, kStep);
+  const auto sight = detail::Sight::in(open.scene, 100.0F, kStep);
   EXPECT_TRUE(sight.line_free({5, 5}, {5, 5}));
   EXPECT_TRUE(sight.line_free({5, 5}, {5, 5.0F + kStep}));
   EXPECT_FALSE(sight.line_free({5, 5}, {5, 5.1F + kStep}));

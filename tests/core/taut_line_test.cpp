@@ -29,7 +29,7 @@ struct Given {
     line.allocate(arena, points);
   }
   void pull() {
-    line.pull(detail::Sight(open.scene, kRadius, 0.1F));
+    line.pull(detail::Sight::in(open.scene, kRadius, 0.1F));
     while (line.step()) {
     }
   }
@@ -67,7 +67,7 @@ TEST(TautLine, GoesStraightAroundTheWall) {
   EXPECT_LT(given.length_of(), 1.05F * shortest);
   EXPECT_GT(given.length_of(), 0.95F * shortest);
   EXPECT_LT(given.length_of(), 0.8F * before);
-  const detail::Sight sight(given.open.scene, 0.9F * kRadius, 0.05F);
+  const auto sight = detail::Sight::in(given.open.scene, 0.9F * kRadius, 0.05F);
   for (std::uint32_t i = 1; i < line.count(); ++i) EXPECT_TRUE(sight.line_free(line[i - 1], line[i])) << i;
 }
 
