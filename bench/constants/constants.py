@@ -97,6 +97,8 @@ ARGUED = {
     "lib/last_metres/pull_outs.cpp": ["kSides"],
     "lib/last_metres/pull_outs.hpp": ["kMostLooks"],
     "lib/search/recent_states.hpp": ["kCount"],
+    # What 32 bits hold.
+    "lib/search/restarts.hpp": ["kMostUnit"],
     "lib/improve/improver.hpp": ["kLeastVias", "kLeastPoints"],
     "lib/improve/corners.hpp": ["kShares"],
     "lib/collision/distance.cpp": ["kMaxRounds"],
@@ -159,7 +161,7 @@ STEERING = {
 }
 SECTIONS = {
     "include/krait/parameters.hpp": ["update_regions", "goal_near_radius"],
-    "lib/search/search.hpp": ["kUnitRegions"],
+    "lib/search/search.hpp": ["kUnitRegions", "kShortestTry"],
     "lib/improve/improver.hpp": ["kLongChain", "kSearches"],
     "lib/last_metres/last_metres.hpp": ["kMostLegs"],
     "lib/last_metres/last_metres.cpp": ["kMoveRadius"],

@@ -437,8 +437,9 @@ typedef struct krait_search_tuning {
       least_sketch;     /**< 0 to 20, default 8: sketched steps, of 2 dt at most, below which no way is driven and
                              costs are raised */
   uint32_t doomed_steps, /**< 0 to 3, default 2: this many states before a collision are not kept to grow from */
-      restart_unit;      /**< expansions, 0 to 1e9, default 4000: tries last 1, 1, 2, 1, 1, 2, 4, ... of it, and of
-                              as many again for every 90 regions of the way from the start; 0: one try for ever */
+      restart_unit;      /**< expansions, 0 to 1e9, default 4000, of a try where the way from the start has 90
+                              regions; on one of n they are multiplied by (n / 90) squared, 0.1 at least and 1 + n / 90
+                              at most; tries last 1, 1, 2, 1, 1, 2, 4, ... of that; 0: one for ever */
   float slowest,         /**< 0.05 to 1, default 1: speed set-points are uniform from this share of the top speed to all
                               of it */
       reverse_share;     /**< 0 to 1, default 0.2: share of expansions from a group that was often selected that drive
@@ -617,7 +618,7 @@ typedef struct krait_bottleneck {
     zero elsewhere. It lasts as long as krait_start: at most four Dijkstras and 4,095 distances of a point. */
 krait_bottleneck krait_bottleneck_of(krait_planner* planner);
 
-/** Where a search that has started has made most of its expansions, as a rule in vain. */
+/** Where a search has made most of its expansions since its last restart, as a rule in vain. */
 typedef struct krait_effort {
   float x,        /**< metres, local coordinates: the middle of a triangle of the scene */
       y;          /**< metres, local coordinates, of the same point */

@@ -59,8 +59,8 @@ struct SearchTuning {
   std::uint32_t candidates = 4;    ///< 0 … 8: ways that are sketched before one is driven; 0: any way will do
   std::uint32_t least_sketch = 8;  ///< 0 … 20: steps of a sketch, of 2 dt at most; below: no way is driven, costs rise
   std::uint32_t doomed_steps = 2;  ///< 0 … 3: this many states before a collision are not kept to grow from
-  /// Expansions, 0 … 1e9: tries last 1, 1, 2, 1, 1, 2, 4, … of it, and of as many again for every 90 regions of the way
-  /// from the start; 0: one try for ever.
+  /// Expansions, 0 … 1e9, of a try where the way from the start has 90 regions. On one of n they are multiplied by
+  /// (n / 90)², 0.1 at least and 1 + n / 90 at most. Tries last 1, 1, 2, 1, 1, 2, 4, … of that; 0: one for ever.
   std::uint32_t restart_unit = 4000;
   float slowest = 1.0F;  ///< 0.05 … 1: speed set-points are uniform from this share of the top speed to all of it
   /// 0 … 1: share of expansions from a group that was often selected that drive backwards, of a robot that can.

@@ -203,8 +203,8 @@ class Planner {
   /// after every other status. Work: at most four Dijkstras, O(R log R), and 4,095 distances of a point.
   Bottleneck bottleneck();
 
-  /// Where a search that has started has made most of its expansions, the first among equals; zero without a search.
-  /// O(R).
+  /// Where a search has made most of its expansions since its last restart, the first among equals; zero before the
+  /// first start. O(R).
   Effort effort() const;
 
   /// The least cost h of the regions that a search has reached since its last restart, metres; infinite before the

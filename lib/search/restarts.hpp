@@ -6,16 +6,19 @@
 
 #include <cstdint>
 
+#include "krait/math.hpp"
+
 namespace krait::detail {
 
 class Restarts {
  public:
-  // Units are of `unit` expansions; 0: the first try lasts for ever.
-  void begin(std::uint32_t unit) {
-    unit_ = unit;
+  // Units are of `share` times `unit` expansions, one at least; 0: the first try lasts for ever.
+  void begin(std::uint32_t unit, float share) {
+    const float scaled = math::clamp(share * static_cast<float>(unit), 1.0F, kMostUnit);
+    unit_ = unit == 0 ? 0 : static_cast<std::uint32_t>(scaled);
     turn_ = 1;
     units_ = 1;
-    remaining_ = unit;
+    remaining_ = unit_;
   }
 
   // Lets the next expansion begin the next try, if there are tries.
@@ -37,6 +40,8 @@ class Restarts {
   }
 
  private:
+  static constexpr float kMostUnit = 4e9F;  // expansions
+
   void next_term() {
     if ((turn_ & (~turn_ + 1)) == units_) {
       ++turn_;
@@ -46,10 +51,11 @@ class Restarts {
     }
   }
 
-  std::uint32_t unit_ = 0;
-  std::uint32_t turn_ = 1;
-  std::uint32_t units_ = 1;      // of this try
-  std::uint64_t remaining_ = 0;  // expansions
+  // They have values since begin.
+  std::uint32_t unit_;       // expansions
+  std::uint32_t turn_;       // of Knuth's doubling
+  std::uint32_t units_;      // of this try
+  std::uint64_t remaining_;  // expansions
 };
 
 }  // namespace krait::detail

@@ -173,9 +173,9 @@ bool Search::count_expansion() {
 }
 
 void Search::begin_tries() {
-  const std::uint32_t unit = parameters_.tuning.restart_unit;
-  const std::uint32_t times = 1 + regions_.regions_ahead(root_region_, scene_->triangle_count()) / kUnitRegions;
-  restarts_.begin(unit < UINT32_MAX / times ? times * unit : UINT32_MAX);
+  const auto regions = static_cast<float>(regions_.regions_ahead(root_region_, scene_->triangle_count()));
+  const float way = regions / kUnitRegions;
+  restarts_.begin(parameters_.tuning.restart_unit, math::clamp(way * way, kShortestTry, 1.0F + way));
 }
 
 void Search::new_try() {

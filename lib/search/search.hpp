@@ -179,9 +179,10 @@ class Search {
 
  private:
   // Measured: bench/ABLATIONS.md, "Constants".
-  static constexpr float kLeastCost = 0.05F;         // of an edge, in robot lengths: keeps h + C above h
-  static constexpr float kDepthKept = 0.1F;          // share of the goal's margin that a plan keeps
-  static constexpr std::uint32_t kUnitRegions = 90;  // regions of the way that add restart_unit to a unit
+  static constexpr float kLeastCost = 0.05F;    // of an edge, in robot lengths: keeps h + C above h
+  static constexpr float kDepthKept = 0.1F;     // share of the goal's margin that a plan keeps
+  static constexpr float kUnitRegions = 90.0F;  // regions of a way whose tries last restart_unit,
+  static constexpr float kShortestTry = 0.1F;   // and how much of it those of a short way last at least
   // Metres: how deep inside the goal a plan without steps is: more than the rounding of a coordinate of 2 km, 6e-5.
   static constexpr float kStartDepth = 1e-4F;
 

@@ -13,9 +13,9 @@ namespace {
 constexpr float kStart[] = {2, 6, 0};
 
 // How many expansions the first tries last.
-std::vector<int> tries(std::uint32_t unit, std::size_t count) {
+std::vector<int> tries(std::uint32_t unit, float share, std::size_t count) {
   detail::Restarts restarts;
-  restarts.begin(unit);
+  restarts.begin(unit, share);
   std::vector<int> lengths;
   int length = 0;
   while (lengths.size() < count) {
@@ -29,20 +29,32 @@ std::vector<int> tries(std::uint32_t unit, std::size_t count) {
 }
 
 TEST(RestartsOf, LastAsLubysSequenceSays) {
-  EXPECT_EQ(tries(1, 15), (std::vector<int>{1, 1, 2, 1, 1, 2, 4, 1, 1, 2, 1, 1, 2, 4, 8}));
-  EXPECT_EQ(tries(5, 7), (std::vector<int>{5, 5, 10, 5, 5, 10, 20}));
+  EXPECT_EQ(tries(1, 1.0F, 15), (std::vector<int>{1, 1, 2, 1, 1, 2, 4, 1, 1, 2, 1, 1, 2, 4, 8}));
+  EXPECT_EQ(tries(5, 1.0F, 7), (std::vector<int>{5, 5, 10, 5, 5, 10, 20}));
+}
+
+TEST(RestartsOf, LastAShareOfTheUnitAndOneExpansionAtLeast) {
+  EXPECT_EQ(tries(10, 2.5F, 3), (std::vector<int>{25, 25, 50}));
+  EXPECT_EQ(tries(10, 0.3F, 3), (std::vector<int>{3, 3, 6}));
+  EXPECT_EQ(tries(2, 0.1F, 3), (std::vector<int>{1, 1, 2}));
+}
+
+TEST(RestartsOf, AreNotDueSoonWhereAUnitWouldOverflow) {
+  detail::Restarts restarts;
+  restarts.begin(1'000'000'000, 10'000.0F);
+  for (int i = 0; i < 10'000; ++i) ASSERT_FALSE(restarts.due());
 }
 
 TEST(RestartsOf, AreNeverDueWithoutAUnit) {
   detail::Restarts restarts;
-  restarts.begin(0);
+  restarts.begin(0, 1.0F);
   for (int i = 0; i < 10'000; ++i) ASSERT_FALSE(restarts.due());
 }
 
-// It looks ahead a little only, so that its searches last.
+// It looks ahead a little only, so that its searches last. Its way is short: its tries last a tenth of restart_unit.
 struct UnitBench : Bench<Unicycle> {
   explicit UnitBench(std::uint32_t unit) : Bench(two_rooms(), small_unicycle()) {
-    parameters.tuning.restart_unit = unit;
+    parameters.tuning.restart_unit = 10 * unit;
     parameters.tuning.path_lengths = 0.0F;
   }
 };
@@ -106,29 +118,55 @@ TEST(PlannerRestarts, ForgetWhatTheTryHasLearnt) {
   FAIL() << "no search lasted long enough";
 }
 
-// Tries get longer by a unit with every 90 regions of the way.
-TEST(PlannerRestarts, AreRarerOnALongWay) {
-  constexpr std::uint32_t kUnit = 3;
+// How many regions there are on the way from the start, and how long the first try of one of 20 searches lasts.
+struct FirstTry {
+  Index regions = 0;
+  std::uint64_t expansions = 0;
+};
+
+FirstTry first_try(double spacing, std::uint32_t unit) {
   Room room = two_rooms();
-  room.spacing = 0.12;
+  room.spacing = spacing;
   Bench<Unicycle> bench(room, small_unicycle());
-  bench.parameters.tuning.restart_unit = kUnit;
+  bench.parameters.tuning.restart_unit = unit;
   bench.parameters.tuning.open_steps = 0;
-  ASSERT_TRUE(bench.init().ok());
+  bench.parameters.tuning.path_lengths = 0.0F;
+  EXPECT_TRUE(bench.init().ok());
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    ASSERT_EQ(bench.planner.start({kStart, Goal::named(0), seed}), Status::searching);
+    EXPECT_EQ(bench.planner.start({kStart, Goal::named(0), seed}), Status::searching);
     const detail::AdaptiveSearch& search = detail::opened(bench.planner);
     const Index start = detail::locate(bench.open.scene, {kStart[0], kStart[1]}, kNone);
     const Index regions = search.regions().regions_ahead(search.regions().region(start), kNone);
-    ASSERT_GE(regions, 90U);
     while (bench.planner.statistics().restarts == 0 && bench.planner.status() == Status::searching) {
       (void)bench.planner.advance(1);
     }
-    if (bench.planner.status() != Status::searching) continue;
-    EXPECT_EQ(bench.planner.statistics().iterations, kUnit * (1 + regions / 90) + 1);
-    return;
+    if (bench.planner.status() == Status::searching) return {regions, bench.planner.statistics().iterations - 1};
   }
-  FAIL() << "every search ended within a try";
+  ADD_FAILURE() << "every search ended within a try";
+  return {};
+}
+
+// A unit is for a way of 90 regions: on a longer one tries last as much longer again,
+TEST(PlannerRestarts, AreRarerOnALongWay) {
+  const FirstTry found = first_try(0.1, 3);
+  ASSERT_GE(found.regions, 146U);
+  EXPECT_EQ(found.expansions, static_cast<std::uint64_t>(3 + 3 * found.regions / 90.0));
+}
+
+// on a shorter one by the square of its share less,
+TEST(PlannerRestarts, AreMoreFrequentOnAShortWay) {
+  const FirstTry found = first_try(0.4, 50);
+  ASSERT_GT(found.regions, 30U);
+  ASSERT_LT(found.regions, 80U);
+  const double share = found.regions / 90.0;
+  EXPECT_EQ(found.expansions, static_cast<std::uint64_t>(50 * share * share));
+}
+
+// but not less than a tenth.
+TEST(PlannerRestarts, LastATenthOfTheUnitAtLeast) {
+  const FirstTry found = first_try(1.5, 50);
+  ASSERT_LT(found.regions, 28U);
+  EXPECT_EQ(found.expansions, 5U);
 }
 
 TEST(PlannerRestarts, AreNotThePapers) { EXPECT_EQ(Parameters::paper().tuning.restart_unit, 0U); }

@@ -4,6 +4,7 @@
 // (Eqn 9) and when the costs are found anew. Where two ways are equally short within rounding, the search may choose.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "decomposition.hpp"
@@ -55,8 +56,9 @@ class Follower {
         goal_index_(goal),
         regions_(fresh_regions()),
         start_region_(region_of({start[0], start[1]}, kNone)) {
-    begin_try();
     note_ways();
+    unit_ = unit();
+    begin_try();
   }
 
   // One iteration of the search. The expansion, or none where the search began anew.
@@ -67,7 +69,7 @@ class Follower {
     const Watch<P> watch(*planner_, selections, expansion);
     (void)planner_->advance(1, watch);
     ++iterations_;
-    const bool anew = rules_.restart_unit > 0 && iterations_ == try_ends_ + 1;
+    const bool anew = unit_ > 0 && iterations_ == try_ends_ + 1;
     EXPECT_EQ(planner_->statistics().restarts > restarts, anew);
     EXPECT_EQ(expansion.begun, !anew);
     if (anew) {
@@ -95,10 +97,19 @@ class Follower {
   static constexpr double kRounding = 1e-4;  // of costs and heuristic costs, in floats
   static constexpr double kGrid = 5e-4;      // metres: positions are located on a grid
 
+  // Expansions of the first try: restart_unit where the way has 90 regions, less on a shorter way.
+  std::uint64_t unit() const {
+    double regions = 0;
+    for (Index r = next(start_region_); r != kNone; r = next(r)) ++regions;
+    const double way = regions / 90;
+    EXPECT_LT(way, 1);
+    return static_cast<std::uint64_t>(static_cast<double>(rules_.restart_unit) * std::max(way * way, 0.1));
+  }
+
   Decomposition fresh_regions() const { return {*scene_, goal_index_, rules_.least_width, rules_.least_cost}; }
 
   void begin_try() {
-    if (rules_.restart_unit > 0) try_ends_ += rules_.restart_unit * luby(++tries_);
+    if (unit_ > 0) try_ends_ += unit_ * luby(++tries_);
     regions_ = fresh_regions();
     reached_.assign(scene_->triangle_count(), 0);
     selections_.assign(scene_->triangle_count(), 0);
@@ -303,6 +314,7 @@ class Follower {
   Result result_ = Result::target_not_reached;
   bool refused_ = false;
   std::uint64_t iterations_ = 0;
+  std::uint64_t unit_ = 0;  // expansions of the first try
   std::uint64_t tries_ = 0;
   std::uint64_t try_ends_ = 0;  // the last iteration of the try
   std::uint64_t updates_ = 0;

@@ -255,7 +255,7 @@ TEST(ReferencePlannerEnds, AreAllSeen) {
 TEST(ReferencePlannerRestarts, ForgetWhatTheTryHasLearnt) {
   Bench<Unicycle, detail::AdaptiveSearch> bench(narrow_door(), small_unicycle());
   bench.parameters = adaptive();
-  bench.parameters.tuning.restart_unit = 30;
+  bench.parameters.tuning.restart_unit = 300;  // of which a short way's tries last a tenth
   bench.parameters.tuning.prune_portals = false;
   Rules rules = rules_of(bench.parameters, 0.5, 0.2);
   Choices choices(shares_of(bench.parameters));

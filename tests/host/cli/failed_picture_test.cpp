@@ -36,9 +36,9 @@ TEST_F(FailedPicture, HasTheRobotAtItsStart) {
   EXPECT_EQ(small.start[0], small.tree.front().x);
 }
 
-// Past the door it cannot turn before the bounds.
+// Past the door it cannot turn before the bounds. The last try has lasted long.
 TEST_F(FailedPicture, MarksWhereItTriedMostAndWhatStoppedIt) {
-  const std::vector<Mark> marks = picture(20'000).marks;
+  const std::vector<Mark> marks = picture(12'000).marks;
   ASSERT_EQ(marks.size(), 2U);
   EXPECT_EQ(marks[0].text, "tried most");
   EXPECT_GT(marks[0].at.x, 10);
