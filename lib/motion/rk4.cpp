@@ -5,7 +5,7 @@ namespace krait::detail {
 
 float longest_step(const Robot& robot, float dt, float step_rate) {
   const float rate = robot.fastest_rate(dt);
-  return rate > 0.0F ? step_rate / rate : kInfinity;
+  return rate == 0.0F ? kInfinity : step_rate / rate;
 }
 
 float longest_tree_step(const Robot& robot, float dt) { return longest_step(robot, dt, kStepRate); }

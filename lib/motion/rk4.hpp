@@ -26,7 +26,8 @@ inline int parts_of(float whole, float longest, int most) {
   return parts;
 }
 
-// The longest Runge-Kutta step in seconds of time steps of dt, infinite for a robot that does not state its rate.
+// The longest Runge-Kutta step in seconds of time steps of dt, infinite for a robot that does not state its rate; not
+// above 0 where the rate is none that can_integrate accepts.
 float longest_step(const Robot& robot, float dt, float step_rate);
 float longest_tree_step(const Robot& robot, float dt);
 float longest_plan_step(const Robot& robot, float dt);

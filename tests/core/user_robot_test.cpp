@@ -278,6 +278,31 @@ void expect_no_plan_through(Lie lie, bool continuous) {
   EXPECT_TRUE(all_finite(path.controls));
 }
 
+// A machine that says how fast its state changes, or what is no rate.
+class Rated : public Unicycle {
+ public:
+  explicit Rated(float rate) : Unicycle(small_unicycle()), rate_(rate) {}
+  float fastest_rate(float) const { return rate_; }
+
+ private:
+  float rate_;
+};
+
+Failure init_rated(float rate) {
+  Bench<Rated> bench(two_rooms(), Rated(rate));
+  return bench.init();
+}
+
+TEST(UserRobot, WhoseFastestRateIsNoneIsRefused) {
+  for (const float rate : {kNan, -1.0F, kInfinity}) {
+    const Failure failure = init_rated(rate);
+    EXPECT_EQ(failure.status, Status::bad_argument) << rate;
+    EXPECT_EQ(failure.element, static_cast<std::uint32_t>(Argument::dt)) << rate;
+    EXPECT_EQ(failure.most, 0.0F) << rate;
+  }
+  for (const float rate : {0.0F, -0.0F, 1.0F}) EXPECT_TRUE(init_rated(rate).ok()) << rate;
+}
+
 class LyingTrain : public ::testing::TestWithParam<Lie> {};
 
 TEST_P(LyingTrain, GetsNoPlanThroughItsLie) {
