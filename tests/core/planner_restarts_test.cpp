@@ -146,14 +146,14 @@ FirstTry first_try(double spacing, std::uint32_t unit) {
   return {};
 }
 
-// A unit is for a way of 90 regions: on a longer one tries last as much longer again,
+// The unit is for a way of 90 regions. On a longer way of n regions the first try lasts 1 + n / 90 of it.
 TEST(PlannerRestarts, AreRarerOnALongWay) {
   const FirstTry found = first_try(0.1, 3);
   ASSERT_GE(found.regions, 146U);
   EXPECT_EQ(found.expansions, static_cast<std::uint64_t>(3 + 3 * found.regions / 90.0));
 }
 
-// on a shorter one by the square of its share less,
+// On a shorter way of n regions it lasts (n / 90)² of the unit.
 TEST(PlannerRestarts, AreMoreFrequentOnAShortWay) {
   const FirstTry found = first_try(0.4, 50);
   ASSERT_GT(found.regions, 30U);
@@ -162,7 +162,7 @@ TEST(PlannerRestarts, AreMoreFrequentOnAShortWay) {
   EXPECT_EQ(found.expansions, static_cast<std::uint64_t>(50 * share * share));
 }
 
-// but not less than a tenth.
+// However short the way is, it lasts a tenth of the unit.
 TEST(PlannerRestarts, LastATenthOfTheUnitAtLeast) {
   const FirstTry found = first_try(1.5, 50);
   ASSERT_LT(found.regions, 28U);
