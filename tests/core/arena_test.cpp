@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-namespace krait {
+namespace krait::test::arena_test {
 namespace {
 
 struct Twelve {
@@ -94,4 +94,4 @@ TEST(Arena, PoolsHaveNames) {
 }
 
 }  // namespace
-}  // namespace krait
+}  // namespace krait::test::arena_test

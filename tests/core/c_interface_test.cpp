@@ -11,7 +11,7 @@
 #include "c_program.h"
 #include "planner_fixture.hpp"
 
-namespace krait::test {
+namespace krait::test::c_interface_test {
 namespace {
 
 constexpr krait_pose kPose = {2, 6, 0, nullptr, 0};
@@ -645,4 +645,4 @@ TEST(CInterface, EveryAnswerIsInItsPlace) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::c_interface_test

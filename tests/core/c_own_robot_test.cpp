@@ -11,7 +11,7 @@
 #include "krait/robot_check.hpp"
 #include "planner_fixture.hpp"
 
-namespace krait::test {
+namespace krait::test::c_own_robot_test {
 namespace {
 
 // A truck with trailers as a robot of one's own has it: only what one needs.
@@ -484,4 +484,4 @@ TEST(OwnRobotInC, HasNoSizesWhereTheyCannotBeUsed) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::c_own_robot_test

@@ -10,7 +10,7 @@
 #include "robot/trailers.hpp"
 #include "robot_oracle.hpp"
 
-namespace krait::test {
+namespace krait::test::chain_lemmas_test {
 namespace {
 
 constexpr int kParts = 40;
@@ -375,4 +375,4 @@ TEST(ChainTurn, Lemma15_TheFirstHitchStaysBelowItsBound) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::chain_lemmas_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace krait::test {
+namespace krait::test::corners_test {
 namespace {
 
 const detail::Turns kTurns = {{0.5F, 0.9F, 1.4F, 2.1F, 3.0F, 4.2F}, 0.8F};
@@ -85,4 +85,4 @@ TEST(Corners, ChangesKeepTheFirstViaAndTheRest) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::corners_test

@@ -11,7 +11,7 @@
 
 #include "draws.hpp"
 
-namespace krait::test {
+namespace krait::test::dubins_test {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
@@ -179,4 +179,4 @@ TEST(CurvedLine, GoesOnStraightBeyondItsEnds) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::dubins_test

@@ -8,7 +8,7 @@
 
 #include "scene_builder.hpp"
 
-namespace krait::test {
+namespace krait::test::goal_room_test {
 namespace {
 
 // A room and the outlines of its boxes.
@@ -84,4 +84,4 @@ TEST(GoalRoom, OfAPolygonCountsOnlyPointsNearIt) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::goal_room_test

@@ -9,7 +9,7 @@
 #include "scene/grid_point.hpp"
 #include "scene_builder.hpp"
 
-namespace krait::test {
+namespace krait::test::goal_test {
 namespace {
 
 SceneData with_polygon(const std::vector<Vec2>& goal) {
@@ -151,4 +151,4 @@ TEST(Goal, SizeOfTheThinnestSliverInTheLargestWorkspaceIsNoNan) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::goal_test

@@ -12,7 +12,7 @@
 
 #include "scene_builder.hpp"
 
-namespace krait::test {
+namespace krait::test::groups_test {
 namespace {
 
 constexpr detail::GroupWeights kWeights{8.0F, 0.85F, 0.01F};
@@ -459,4 +459,4 @@ TEST(Groups, ClearForgetsEverything) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::groups_test

@@ -19,7 +19,7 @@
 #include "krait/krait.hpp"
 #include "krait/robots/all.hpp"
 
-namespace krait::test {
+namespace krait::test::header_comments_test {
 namespace {
 
 using Numbers = std::map<std::string, double>;
@@ -294,4 +294,4 @@ TEST(HeaderComments, RangesOfParametersAreThoseThatTheLibraryHas) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::header_comments_test

@@ -44,7 +44,7 @@ void free(void* block) noexcept {
 }
 #endif
 
-namespace krait::test {
+namespace krait::test::heap_trap_test {
 namespace {
 
 // Counts heap calls while it lives.
@@ -129,4 +129,4 @@ TYPED_TEST(HeapTrapOf, PlansWithoutTheHeap) {
 TEST_F(HeapTrap, ARobotOfYourOwnPlansWithoutTheHeap) { expect_no_heap(Slider(0.5F, 1.5F), {2, 6}); }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::heap_trap_test

@@ -6,7 +6,7 @@
 #include "improve_fixture.hpp"
 #include "plan/ending.hpp"
 
-namespace krait::test {
+namespace krait::test::improve_pose_test {
 namespace {
 
 constexpr Vec2 kPoint{14.5F, 1.5F};
@@ -110,4 +110,4 @@ TEST(ImprovePose, TheNextStartForgetsThem) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::improve_pose_test

@@ -3,7 +3,7 @@
 #include "improve_fixture.hpp"
 #include "search/adaptive_search.hpp"
 
-namespace krait::test {
+namespace krait::test::improve_test {
 namespace {
 
 // A chain of four bodies, as whose plans are improved by searches that begin anew, too.
@@ -239,4 +239,4 @@ TEST(ImproveMisuse, LegsHaveARange) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::improve_test

@@ -13,7 +13,7 @@
 
 #include "draws.hpp"
 
-namespace krait::test {
+namespace krait::test::indexed_heap_test {
 namespace {
 
 struct Fixture {
@@ -118,4 +118,4 @@ TEST(IndexedHeap, InfiniteKeysComeLast) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::indexed_heap_test

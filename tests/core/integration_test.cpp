@@ -9,7 +9,7 @@
 #include "planner_fixture.hpp"
 #include "robot_oracle.hpp"
 
-namespace krait::test {
+namespace krait::test::integration_test {
 namespace {
 
 struct Errors {
@@ -114,4 +114,4 @@ TEST(IntegrationSteps, ThatWouldBeTooManyAreRefused) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::integration_test

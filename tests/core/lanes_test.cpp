@@ -18,7 +18,7 @@ TEST(Lanes, AreNotOfThisProcessor) { GTEST_SKIP() << "only the scalar code runs 
 
 #else
 
-namespace krait::test {
+namespace krait::test::lanes_test {
 namespace {
 
 const float kNan = std::numeric_limits<float>::quiet_NaN();
@@ -140,6 +140,6 @@ TEST(Lanes, BlocksCoverEveryCountAndNoMore) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::lanes_test
 
 #endif

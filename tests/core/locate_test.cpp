@@ -9,7 +9,7 @@
 
 #include "scene_builder.hpp"
 
-namespace krait::test {
+namespace krait::test::locate_test {
 namespace {
 
 // All triangles whose closed area contains the point of the grid that is nearest to p. Doubles are exact here.
@@ -127,4 +127,4 @@ TEST(Locate, InsideAnObstacle) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::locate_test

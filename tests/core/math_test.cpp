@@ -10,7 +10,7 @@
 
 #include "krait/geometry.hpp"
 
-namespace krait {
+namespace krait::test::math_test {
 namespace {
 
 constexpr double kTrueAngle = 3.14159265358979323846;
@@ -247,4 +247,4 @@ TEST(Math, ClampTurnsNanIntoTheLowerEnd) {
 }
 
 }  // namespace
-}  // namespace krait
+}  // namespace krait::test::math_test

@@ -11,7 +11,7 @@
 #include "step_oracle.hpp"
 #include "user_robot.hpp"
 
-namespace krait::test {
+namespace krait::test::motion_check_test {
 namespace {
 
 Room crowded(unsigned seed, double shift = 0) {
@@ -521,4 +521,4 @@ TEST(MotionCheckEdges, StateWithoutAPoseIsNotFree) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::motion_check_test

@@ -11,7 +11,7 @@
 
 #include "draws.hpp"
 
-namespace krait::test {
+namespace krait::test::motion_tree_test {
 namespace {
 
 constexpr int kStateSize = 3;
@@ -401,4 +401,4 @@ TEST(MotionTree, ClearForgetsEverything) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::motion_tree_test

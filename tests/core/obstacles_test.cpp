@@ -8,7 +8,7 @@
 #include "krait/geometry.hpp"
 #include "robot/shape.hpp"
 
-namespace krait::test {
+namespace krait::test::obstacles_test {
 namespace {
 
 constexpr Rect kBounds{0, 0, 12, 12};
@@ -203,4 +203,4 @@ TEST(Obstacles, BodyWithAVertexAtInfinityHasNoRoom) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::obstacles_test

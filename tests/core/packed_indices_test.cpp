@@ -9,7 +9,7 @@
 
 #include "draws.hpp"
 
-namespace krait::test {
+namespace krait::test::packed_indices_test {
 namespace {
 
 struct Fixture {
@@ -54,4 +54,4 @@ TEST(PackedIndices, GiveBackWhatWasSetLast) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::packed_indices_test

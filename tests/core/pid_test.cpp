@@ -4,7 +4,7 @@
 
 #include "krait/robots/model.hpp"
 
-namespace krait::test {
+namespace krait::test::pid_test {
 namespace {
 
 constexpr PidGains kGains{2.0F, 0.5F, 0.25F};
@@ -25,4 +25,4 @@ TEST(Pid, AnotherOneBeginsAnew) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::pid_test

@@ -12,7 +12,7 @@
 #include "search/adaptive_search.hpp"
 #include "step_oracle.hpp"
 
-namespace krait::test {
+namespace krait::test::plan_drive_test {
 namespace {
 
 constexpr float kStep = 0.05F;  // seconds
@@ -468,4 +468,4 @@ TEST(PlanDriveCalls, DriveAnExpansionEach) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::plan_drive_test

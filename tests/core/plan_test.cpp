@@ -13,7 +13,7 @@
 #include "robot_oracle.hpp"
 #include "step_oracle.hpp"
 
-namespace krait::test {
+namespace krait::test::plan_test {
 namespace {
 
 // FNV-1a of 64 bits over bytes, from its description.
@@ -257,4 +257,4 @@ TEST(PlanByPlanner, TouchesNothingInRandomScenes) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::plan_test

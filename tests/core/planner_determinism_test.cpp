@@ -4,7 +4,7 @@
 
 #include "planner_fixture.hpp"
 
-namespace krait::test {
+namespace krait::test::planner_determinism_test {
 namespace {
 
 constexpr float kStart[] = {2, 6, 0};
@@ -109,4 +109,4 @@ TEST_F(PlannerDeterminism, SceneAtAnotherAddressGivesTheSameHash) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::planner_determinism_test

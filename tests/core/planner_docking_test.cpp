@@ -6,7 +6,7 @@
 #include "plan/ending.hpp"
 #include "planner_fixture.hpp"
 
-namespace krait::test {
+namespace krait::test::planner_docking_test {
 namespace {
 
 constexpr double kHitch = 0.8;     // metres, axle to axle
@@ -277,4 +277,4 @@ TEST(PlannerDocking, CallsMayCutAPushAnywhere) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::planner_docking_test

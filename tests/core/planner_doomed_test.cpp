@@ -3,7 +3,7 @@
 #include "planner_fixture.hpp"
 #include "search/adaptive_search.hpp"
 
-namespace krait::test {
+namespace krait::test::planner_doomed_test {
 namespace {
 
 constexpr float kStart[] = {2, 6, 0};
@@ -111,4 +111,4 @@ TEST(PlannerDoomedSteps, AreNotThePapers) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::planner_doomed_test

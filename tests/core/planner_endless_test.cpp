@@ -7,7 +7,7 @@
 #include "../long_tests.hpp"
 #include "planner_fixture.hpp"
 
-namespace krait::test {
+namespace krait::test::planner_endless_test {
 namespace {
 
 // Queries of every kind, bad ones among them: each is answered as it was the first time, and the memory stays as it
@@ -55,4 +55,4 @@ TEST(PlannerEndless, AnswersTheSameForEverInTheSameMemory) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::planner_endless_test

@@ -3,7 +3,7 @@
 #include "planner_fixture.hpp"
 #include "search/adaptive_search.hpp"
 
-namespace krait::test {
+namespace krait::test::planner_memory_test {
 namespace {
 
 constexpr float kStart[] = {2, 6, 0};
@@ -188,4 +188,4 @@ TEST(PlannerMemory, NullAndMisalignedBlocksAreBadArguments) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::planner_memory_test

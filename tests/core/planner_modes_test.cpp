@@ -8,7 +8,7 @@
 #include "search/adaptive_search.hpp"
 #include "step_oracle.hpp"
 
-namespace krait::test {
+namespace krait::test::planner_modes_test {
 namespace {
 
 constexpr float kStart[] = {2, 6, 0};
@@ -207,4 +207,4 @@ TEST(PlannerModes, NoRouteAtOnceThroughADoorNarrowerThanABodyThatIsElsewhere) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::planner_modes_test

@@ -3,7 +3,7 @@
 #include "planner_fixture.hpp"
 #include "search/adaptive_search.hpp"
 
-namespace krait::test {
+namespace krait::test::planner_open_test {
 namespace {
 
 constexpr float kStart[] = {5, 5, 0};
@@ -161,4 +161,4 @@ TEST(PlannerOpen, ALongWayIsOneExpansionOfATry) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::planner_open_test

@@ -6,7 +6,7 @@
 #include "plan/ending.hpp"
 #include "planner_fixture.hpp"
 
-namespace krait::test {
+namespace krait::test::planner_parking_test {
 namespace {
 
 constexpr float kLength = 1.2F;  // of the car, whose axle is 0.4 m from its middle
@@ -58,14 +58,14 @@ struct Unparked : Car {
 };
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::planner_parking_test
 
 template <>
-inline constexpr bool krait::kParks<krait::test::Unparked> = false;
+inline constexpr bool krait::kParks<krait::test::planner_parking_test::Unparked> = false;
 template <>
-inline constexpr bool krait::kParks<krait::test::KinematicUnparked> = false;
+inline constexpr bool krait::kParks<krait::test::planner_parking_test::KinematicUnparked> = false;
 
-namespace krait::test {
+namespace krait::test::planner_parking_test {
 namespace {
 
 template <class R>
@@ -185,4 +185,4 @@ TEST_F(PullOuts, ThereAreNoneOutOfASpaceThatIsTooShort) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::planner_parking_test

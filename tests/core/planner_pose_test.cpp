@@ -7,7 +7,7 @@
 #include "planner_fixture.hpp"
 #include "search/adaptive_search.hpp"
 
-namespace krait::test {
+namespace krait::test::planner_pose_test {
 namespace {
 
 constexpr int kSeeds = 10;
@@ -372,4 +372,4 @@ TEST(Pace, IsOneThatTheBrakesAreEnoughFor) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::planner_pose_test

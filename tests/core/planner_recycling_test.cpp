@@ -7,7 +7,7 @@
 #include "search/adaptive_search.hpp"
 #include "step_oracle.hpp"
 
-namespace krait::test {
+namespace krait::test::planner_recycling_test {
 namespace {
 
 constexpr float kStart[] = {2, 6, 0};
@@ -182,4 +182,4 @@ TEST_F(PlannerRecycling, NothingOutsideTheBlockIsWrittenInTheSmallestPools) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::planner_recycling_test

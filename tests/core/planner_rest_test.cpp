@@ -5,7 +5,7 @@
 #include "robot_oracle.hpp"
 #include "search/adaptive_search.hpp"
 
-namespace krait::test {
+namespace krait::test::planner_rest_test {
 namespace {
 
 constexpr int kSeeds = 20;
@@ -194,4 +194,4 @@ TEST(PlannerRest, ARobotThatNeverStopsHasNoPlan) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::planner_rest_test

@@ -7,7 +7,7 @@
 #include "search/adaptive_search.hpp"
 #include "search/restarts.hpp"
 
-namespace krait::test {
+namespace krait::test::planner_restarts_test {
 namespace {
 
 constexpr float kStart[] = {2, 6, 0};
@@ -172,4 +172,4 @@ TEST(PlannerRestarts, LastATenthOfTheUnitAtLeast) {
 TEST(PlannerRestarts, AreNotThePapers) { EXPECT_EQ(Parameters::paper().tuning.restart_unit, 0U); }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::planner_restarts_test

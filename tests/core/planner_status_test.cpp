@@ -7,7 +7,7 @@
 #include "planner_fixture.hpp"
 #include "search/adaptive_search.hpp"
 
-namespace krait::test {
+namespace krait::test::planner_status_test {
 namespace {
 
 const float kNan = std::numeric_limits<float>::quiet_NaN();
@@ -476,4 +476,4 @@ TEST_F(PlannerStatus, ASceneWithoutRegionsTakesAsSmallABlockAsOneWithSome) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::planner_status_test

@@ -4,7 +4,7 @@
 
 #include "planner_fixture.hpp"
 
-namespace krait::test {
+namespace krait::test::planner_threads_test {
 namespace {
 
 constexpr float kStart[] = {2, 6, 0};
@@ -67,4 +67,4 @@ TEST_F(PlannerThreads, ShareASceneAndARobot) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::planner_threads_test

@@ -7,7 +7,7 @@
 #include "planner_fixture.hpp"
 #include "search/adaptive_search.hpp"
 
-namespace krait::test {
+namespace krait::test::planner_ways_test {
 namespace {
 
 constexpr float kStart[] = {2, 6, 0};
@@ -129,4 +129,4 @@ TEST(PlannerWays, AtTheEndsOfTheirRangesStillFindPlans) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::planner_ways_test

@@ -5,7 +5,7 @@
 #include "planner_fixture.hpp"
 #include "search/adaptive_search.hpp"
 
-namespace krait::test {
+namespace krait::test::planner_why_test {
 namespace {
 
 constexpr float kStart[] = {2, 6, 0};
@@ -254,4 +254,4 @@ TEST(PlannerWhy, TheEffortIsWhereMostExpansionsGrewFrom) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::planner_why_test

@@ -9,7 +9,7 @@
 #include "collision/distance.hpp"
 #include "convex.hpp"
 
-namespace krait::test {
+namespace krait::test::polygon_distance_test {
 namespace {
 
 namespace bg = boost::geometry;
@@ -117,4 +117,4 @@ TEST(PolygonDistance, ToALongThinWall) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::polygon_distance_test

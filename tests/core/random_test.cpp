@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace krait {
+namespace krait::test::random_test {
 namespace {
 
 // Blackman and Vigna's xoshiro128++ seeded by Vigna's splitmix64, written from their descriptions.
@@ -137,4 +137,4 @@ TEST(Random, ConsecutivePairsAreUniform) {
 }
 
 }  // namespace
-}  // namespace krait
+}  // namespace krait::test::random_test

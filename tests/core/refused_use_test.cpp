@@ -13,7 +13,7 @@
 #include "motion/drive.hpp"
 #include "motion/plan_drive.hpp"
 
-namespace krait {
+namespace krait::test::refused_use_test {
 namespace {
 
 template <class P>
@@ -62,4 +62,4 @@ static_assert(Advances<Watching> && Advances<Watching&> && Advances<const Watchi
 TEST(RefusedUse, IsRefusedWhereThisFileCompiles) { SUCCEED(); }
 
 }  // namespace
-}  // namespace krait
+}  // namespace krait::test::refused_use_test

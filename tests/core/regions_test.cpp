@@ -14,7 +14,7 @@
 #include "regions_around.hpp"
 #include "scene_builder.hpp"
 
-namespace krait::test {
+namespace krait::test::regions_test {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
@@ -742,4 +742,4 @@ TEST(RegionsPoints, OfADiscLieInIt) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::regions_test

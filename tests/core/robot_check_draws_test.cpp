@@ -7,7 +7,7 @@
 
 #include "robot_check/samples.hpp"
 
-namespace krait::test {
+namespace krait::test::robot_check_draws_test {
 namespace {
 
 constexpr int kDraws = 2000;
@@ -108,4 +108,4 @@ TEST(RobotCheckDraws, OnlyWhatCanReverseIsSentBackwards) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::robot_check_draws_test

@@ -7,12 +7,12 @@
 #include "robot_check/motion.hpp"
 #include "robot_check/ranges.hpp"
 
-namespace krait::test {
+namespace krait::test::robot_check_motion_test {
 namespace {
 
 using namespace detail::checking;
 
-Frame turned_by(double angle) { return {0, 0, std::sin(angle), std::cos(angle)}; }
+detail::checking::Frame turned_by(double angle) { return {0, 0, std::sin(angle), std::cos(angle)}; }
 
 TEST(RobotCheckMotion, TurnsToEitherSideAreAsLarge) {
   EXPECT_NEAR(angle_between(turned_by(0.5), turned_by(2)), 1.5, 1e-12);
@@ -68,7 +68,7 @@ TEST(RobotCheckLimits, TheLastStateBeyondThemCounts) {
   EXPECT_EQ(beyond_limits(robot, motion), 32);
 }
 
-TEST(RobotCheckDriven, ATenthOfTheSamplesOfEachTimeStepIsEnough) {
+TEST(RobotCheckMotion, ATenthOfTheSamplesOfEachTimeStepIsEnough) {
   const auto text = [](const DrivenSamples& samples) {
     RobotReport report;
     Findings findings(report);
@@ -81,4 +81,4 @@ TEST(RobotCheckDriven, ATenthOfTheSamplesOfEachTimeStepIsEnough) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::robot_check_motion_test

@@ -32,7 +32,7 @@ inline constexpr bool kAnswersProven<test::TrustedCart> = true;
 
 }  // namespace krait
 
-namespace krait::test {
+namespace krait::test::robot_check_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -411,4 +411,4 @@ TEST(RobotCheckReport, IsTheSameForTheSameSeed) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::robot_check_test

@@ -8,7 +8,7 @@
 #include "robot/shape.hpp"
 #include "robot_oracle.hpp"
 
-namespace krait::test {
+namespace krait::test::robot_dynamics_test {
 namespace {
 
 template <class R>
@@ -272,4 +272,4 @@ TEST(RobotDynamicsCar, HasNoTrailersAndItsBodyOnTheMiddleOfTheWheelbase) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::robot_dynamics_test

@@ -7,7 +7,7 @@
 #include "robot_oracle.hpp"
 #include "scene_builder.hpp"
 
-namespace krait::test {
+namespace krait::test::robot_keeps_limits_test {
 namespace {
 
 constexpr float kDt = 0.1F;
@@ -143,4 +143,4 @@ TEST(RobotKeepsLimits, ARobotWhoseLimitsAreConvexKeepsThem) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::robot_keeps_limits_test

@@ -13,7 +13,7 @@
 #include "robot/shape.hpp"
 #include "robot_oracle.hpp"
 
-namespace krait::test {
+namespace krait::test::robot_limits_test {
 namespace {
 
 const float kNan = std::numeric_limits<float>::quiet_NaN();
@@ -376,4 +376,4 @@ TEST(RobotShapes, InnerRadiusIsZeroWhenTheBodyLiesBesideItsAxle) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::robot_limits_test

@@ -9,7 +9,7 @@
 #include "motion/drive.hpp"
 #include "robot/pushing.hpp"
 
-namespace krait::test {
+namespace krait::test::robot_pushing_test {
 namespace {
 
 constexpr float kLength = 0.8F;  // of a hitch
@@ -309,4 +309,4 @@ TEST(PushingCorrection, BringsTrailersBackToTheirReference) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::robot_pushing_test

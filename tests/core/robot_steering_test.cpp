@@ -8,7 +8,7 @@
 #include "krait/krait.hpp"
 #include "motion/drive.hpp"
 
-namespace krait::test {
+namespace krait::test::robot_steering_test {
 namespace {
 
 TEST(RobotSteering, AUnicycleBacksNoFasterThanItCan) {
@@ -317,4 +317,4 @@ TEST(RobotSteering, AUnicycleWithALeastSpeedKeepsItAndTurnsOnACircle) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::robot_steering_test

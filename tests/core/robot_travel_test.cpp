@@ -10,7 +10,7 @@
 #include "robot/tracking.hpp"
 #include "robot_oracle.hpp"
 
-namespace krait::test {
+namespace krait::test::robot_travel_test {
 namespace {
 
 template <class R>
@@ -297,4 +297,4 @@ TEST(RobotSeparationStraight, IsTheWholeChainsLength) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::robot_travel_test

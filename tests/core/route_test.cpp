@@ -9,7 +9,7 @@
 
 #include "draws.hpp"
 
-namespace krait::test {
+namespace krait::test::route_test {
 namespace {
 
 struct Given {
@@ -96,4 +96,4 @@ TEST(Route, ViasAtOnePlaceAreNoTrouble) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::route_test

@@ -4,7 +4,7 @@
 
 #include "scene_evils.hpp"
 
-namespace krait::test {
+namespace krait::test::scene_evil_test {
 namespace {
 
 using evil::Evil;
@@ -54,4 +54,4 @@ TEST(SceneEvilCounts, ManyWithNarrowIndicesAreRejected) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::scene_evil_test

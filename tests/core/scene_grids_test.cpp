@@ -7,7 +7,7 @@
 #include "convex.hpp"
 #include "scene_builder.hpp"
 
-namespace krait::test {
+namespace krait::test::scene_grids_test {
 namespace {
 
 bool opens(const SceneData& data) {
@@ -121,4 +121,4 @@ TEST_P(SceneGrids, NoClearanceCanBeRaisedAboveTheTruth) {
 INSTANTIATE_TEST_SUITE_P(Seeds, SceneGrids, ::testing::Range(0U, 8U));
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::scene_grids_test

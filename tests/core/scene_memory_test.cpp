@@ -9,7 +9,7 @@
 #include "decomposition/locate.hpp"
 #include "scene_builder.hpp"
 
-namespace krait::test {
+namespace krait::test::scene_memory_test {
 namespace {
 
 // A copy of the bytes that ends where an unreadable page begins, read-only itself.
@@ -86,4 +86,4 @@ TEST(SceneMemory, TruncationWithRightLengthAndSumReadsNothingBehindItsBytes) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::scene_memory_test

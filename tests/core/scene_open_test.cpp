@@ -7,7 +7,7 @@
 
 #include "scene_builder.hpp"
 
-namespace krait::test {
+namespace krait::test::scene_open_test {
 namespace {
 
 Room small_room() {
@@ -320,4 +320,4 @@ TEST(SceneOpenEdges, ANameThatEndsWithinACharacterIsRefused) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::scene_open_test

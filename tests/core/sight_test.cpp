@@ -9,7 +9,7 @@
 #include "convex.hpp"
 #include "scene_builder.hpp"
 
-namespace krait::test {
+namespace krait::test::sight_test {
 namespace {
 
 constexpr float kStep = 0.25F;
@@ -116,4 +116,4 @@ TEST(Sight, ALineThatIsNoLongerThanAStepIsFree) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::sight_test

@@ -7,7 +7,7 @@
 #include "robot_oracle.hpp"
 #include "search/sketcher.hpp"
 
-namespace krait::test {
+namespace krait::test::sketch_test {
 namespace {
 
 constexpr float kStep = 0.2F;
@@ -206,4 +206,4 @@ TEST(Sketcher, StatesThatAreNotFiniteAreNotFree) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::sketch_test

@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-namespace krait {
+namespace krait::test::status_test {
 namespace {
 
 TEST(StatusNames, AreThoseOfTheEnum) {
@@ -47,4 +47,4 @@ TEST(StatusNames, NoTwoArgumentsShareOne) {
 }
 
 }  // namespace
-}  // namespace krait
+}  // namespace krait::test::status_test

@@ -6,7 +6,7 @@
 
 #include "scene_builder.hpp"
 
-namespace krait::test {
+namespace krait::test::taut_line_test {
 namespace {
 
 constexpr float kRadius = 0.3F;
@@ -112,4 +112,4 @@ TEST(TautLine, ALineThatNothingFreesStaysWhereItIs) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::taut_line_test

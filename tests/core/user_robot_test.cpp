@@ -9,7 +9,7 @@
 #include "planner_fixture.hpp"
 #include "robot/shape.hpp"
 
-namespace krait::test {
+namespace krait::test::user_robot_test {
 namespace {
 
 static_assert(RobotModel<Slider>);
@@ -316,4 +316,4 @@ INSTANTIATE_TEST_SUITE_P(Lies, LyingTrain, ::testing::ValuesIn(every_lie()),
                          [](const auto& lie) { return std::to_string(static_cast<int>(lie.param)); });
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::user_robot_test

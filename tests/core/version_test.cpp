@@ -10,7 +10,7 @@
 
 #include "krait/format.hpp"
 
-namespace krait {
+namespace krait::test::version_test {
 namespace {
 
 std::string page(const std::string& name) {
@@ -32,4 +32,4 @@ TEST(Version, HasAnEntryInTheChanges) {
 }
 
 }  // namespace
-}  // namespace krait
+}  // namespace krait::test::version_test

@@ -11,7 +11,7 @@
 #include "planner_fixture.hpp"
 #include "robot/shape.hpp"
 
-namespace krait::test {
+namespace krait::test::way_drive_test {
 namespace {
 
 using Outcome = detail::WayDrive::Outcome;
@@ -178,4 +178,4 @@ TEST(WayDrive, AWayGoesOnFromAnyOfItsLegsToTheSameBits) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::way_drive_test

@@ -10,7 +10,7 @@
 #include "search/adaptive_search.hpp"
 #include "step_oracle.hpp"
 
-namespace krait::test {
+namespace krait::test::wrong_use_test {
 namespace {
 
 const float kNan = std::numeric_limits<float>::quiet_NaN();
@@ -365,4 +365,4 @@ TEST(WrongUse, GoalsAtTheEndsOfAllNumbersEnd) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::wrong_use_test

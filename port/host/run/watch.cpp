@@ -18,21 +18,22 @@ constexpr std::uint64_t kFrames = 60;           // of costs, at most
 constexpr std::uint32_t kTreeVertices = 20000;  // shown, at most
 constexpr std::size_t kRecorded = 2'000'000;    // vertices kept while the search is repeated, at most
 
-Point point(Vec2 p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
+// In the scene's own coordinates, as the picture is drawn.
+Point drawn(Vec2 p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
 
 Ring ring(Polygon polygon) {
   Ring result;
-  for (int i = 0; i < polygon.count; ++i) result.push_back(point(polygon[i]));
+  for (int i = 0; i < polygon.count; ++i) result.push_back(drawn(polygon[i]));
   return result;
 }
 
 void draw_scene(const krait::Scene& scene, Picture& picture) {
   picture.title = scene.name();
-  picture.min = point(scene.bounds().min);
-  picture.max = point(scene.bounds().max);
+  picture.min = drawn(scene.bounds().min);
+  picture.max = drawn(scene.bounds().max);
   for (Index p = 0; p < scene.piece_count(); ++p) picture.obstacle_pieces.push_back(ring(scene.piece(p)));
   for (Index t = 0; t < scene.triangle_count(); ++t) {
-    picture.triangles.push_back({{point(scene.corner(t, 0)), point(scene.corner(t, 1)), point(scene.corner(t, 2))}});
+    picture.triangles.push_back({{drawn(scene.corner(t, 0)), drawn(scene.corner(t, 1)), drawn(scene.corner(t, 2))}});
   }
 }
 

@@ -24,14 +24,14 @@ constexpr double kLeastDt = 1e-3;             // s, the planner's range
 constexpr double kMostDt = 1;                 // s
 constexpr double kMostLocal = 8192;           // m from the plan's origin: beyond, a float is coarser than 1 mm
 
-double distance(const Point& a, const Point& b) { return std::hypot(a.x - b.x, a.y - b.y); }
+double point_distance(const Point& a, const Point& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 double distance_to_segment(const Point& p, const Point& a, const Point& b) {
   const Point along{b.x - a.x, b.y - a.y};
   const double square = along.x * along.x + along.y * along.y;
-  if (square == 0) return distance(p, a);
+  if (square == 0) return point_distance(p, a);
   const double t = std::clamp(((p.x - a.x) * along.x + (p.y - a.y) * along.y) / square, 0.0, 1.0);
-  return distance(p, {a.x + t * along.x, a.y + t * along.y});
+  return point_distance(p, {a.x + t * along.x, a.y + t * along.y});
 }
 
 double distance_to_ring(const Ring& ring, const Point& p) {
@@ -58,7 +58,7 @@ double corner_difference(const Ring& from, const Ring& to) {
   double worst = 0;
   for (const Point& a : from) {
     double nearest = std::numeric_limits<double>::infinity();
-    for (const Point& b : to) nearest = std::min(nearest, distance(a, b));
+    for (const Point& b : to) nearest = std::min(nearest, point_distance(a, b));
     worst = std::max(worst, nearest);
   }
   return worst;
@@ -135,7 +135,7 @@ bool check_reach(const PlanFile& plan, Complaints& complaints) {
 
 void check_disc(const Ring& planned, const Point& center, double radius, Complaints& complaints) {
   double furthest = 0;
-  for (const Point& point : planned) furthest = std::max(furthest, distance(point, center));
+  for (const Point& point : planned) furthest = std::max(furthest, point_distance(point, center));
   if (!(furthest <= radius + kGoalTolerance)) {
     complaints.add("goal: the plan's polygon reaches " + text(furthest - radius) + " m out of the disc asked for");
   }
@@ -150,8 +150,8 @@ std::string remedy_for_disc(const Ring& planned) {
   for (const Point& p : planned) center = {center.x + p.x, center.y + p.y};
   const auto count = static_cast<double>(planned.size());
   center = {center.x / count, center.y / count};
-  const double radius = distance(planned.front(), center);
-  const auto is_on = [&](const Point& p) { return std::abs(distance(p, center) - radius) <= kRounding; };
+  const double radius = point_distance(planned.front(), center);
+  const auto is_on = [&](const Point& p) { return std::abs(point_distance(p, center) - radius) <= kRounding; };
   if (planned.size() < kLeastCorners || !std::all_of(planned.begin(), planned.end(), is_on)) return "";
   const auto rounded = [](double x) { return std::round(x / kRounding) * kRounding; };
   return printed(" (it is a disc: --goal %.10g,%.10g,%.6g asks for that)", rounded(center.x), rounded(center.y),
@@ -223,7 +223,7 @@ void check_start(const PlanFile& plan, const Start& asked, const Dynamics& dynam
   const State state(first.begin(), first.end());
   const Point position{plan.origin.x + state[0], plan.origin.y + state[1]};
   const double rounding = float_rounding(state[0]) + float_rounding(state[1]);
-  const double away = distance(position, asked.position);
+  const double away = point_distance(position, asked.position);
   if (!(away <= kPositionTolerance + rounding)) {
     complaints.add("start: state 0 lies " + text(away) + " m from the start asked for");
   }
@@ -262,7 +262,7 @@ void check_goal(const PlanFile& plan, const Asked& asked, Complaints& complaints
 }
 
 double goal_depth(const Asked& asked, const Point& point) {
-  if (asked.disc_center) return asked.disc_radius - distance(point, *asked.disc_center);
+  if (asked.disc_center) return asked.disc_radius - point_distance(point, *asked.disc_center);
   const double to_outline = distance_to_ring(asked.goal, point);
   return inside(asked.goal, point) ? to_outline : -to_outline;
 }

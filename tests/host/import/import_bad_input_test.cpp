@@ -7,7 +7,7 @@
 #include "../scratch.hpp"
 #include "host/import/import.hpp"
 
-namespace krait::host {
+namespace krait::host::import_bad_input_test {
 namespace {
 
 using testing::HasSubstr;
@@ -116,4 +116,4 @@ TEST_F(BadInputTest, JunkOfAnyKindEndsInALine) {
 }
 
 }  // namespace
-}  // namespace krait::host
+}  // namespace krait::host::import_bad_input_test

@@ -7,7 +7,7 @@
 #include "host/import/image.hpp"
 #include "host/import/import.hpp"
 
-namespace krait::host {
+namespace krait::host::import_bmp_test {
 namespace {
 
 using testing::HasSubstr;
@@ -111,4 +111,4 @@ TEST_F(BmpMapTest, IsAMapsImage) {
 }
 
 }  // namespace
-}  // namespace krait::host
+}  // namespace krait::host::import_bmp_test

@@ -6,7 +6,7 @@
 #include "../scratch.hpp"
 #include "host/import/import.hpp"
 
-namespace krait::host {
+namespace krait::host::import_dynobench_test {
 namespace {
 
 using testing::HasSubstr;
@@ -114,4 +114,4 @@ TEST_F(DynobenchTest, WrongFieldsAreNamed) {
 }
 
 }  // namespace
-}  // namespace krait::host
+}  // namespace krait::host::import_dynobench_test

@@ -7,7 +7,7 @@
 #include "../scratch.hpp"
 #include "host/import/import.hpp"
 
-namespace krait::host {
+namespace krait::host::import_geojson_test {
 namespace {
 
 using testing::ElementsAre;
@@ -230,4 +230,4 @@ TEST_F(GeoJsonTest, FilesMadeToHurtEndInALine) {
 }
 
 }  // namespace
-}  // namespace krait::host
+}  // namespace krait::host::import_geojson_test

@@ -6,7 +6,7 @@
 #include "host/import/image.hpp"
 #include "png_writer.hpp"
 
-namespace krait::host {
+namespace krait::host::import_image_test {
 namespace {
 
 using testing::HasSubstr;
@@ -197,4 +197,4 @@ TEST(Pgm, UnsoundFilesAreRefused) {
 }
 
 }  // namespace
-}  // namespace krait::host
+}  // namespace krait::host::import_image_test

@@ -7,7 +7,7 @@
 #include "host/import/import.hpp"
 #include "jpeg_writer.hpp"
 
-namespace krait::host {
+namespace krait::host::import_jpeg_test {
 namespace {
 
 using testing::HasSubstr;
@@ -96,4 +96,4 @@ TEST_F(JpegMapTest, IsAMapsImageAndSaysThatItIsBlurred) {
 }
 
 }  // namespace
-}  // namespace krait::host
+}  // namespace krait::host::import_jpeg_test

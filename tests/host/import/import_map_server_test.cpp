@@ -8,7 +8,7 @@
 #include "host/import/import.hpp"
 #include "png_writer.hpp"
 
-namespace krait::host {
+namespace krait::host::import_map_server_test {
 namespace {
 
 using testing::ElementsAre;
@@ -217,4 +217,4 @@ TEST_F(MapServerTest, AnAbsoluteImagePathIsTakenAsItIs) {
 }
 
 }  // namespace
-}  // namespace krait::host
+}  // namespace krait::host::import_map_server_test

@@ -5,7 +5,7 @@
 #include "../scratch.hpp"
 #include "host/import/import.hpp"
 
-namespace krait::host {
+namespace krait::host::import_mistaken_test {
 namespace {
 
 using testing::ElementsAre;
@@ -101,4 +101,4 @@ TEST_F(MistakenTest, WithoutContentToGoByTheNameDecides) {
 }
 
 }  // namespace
-}  // namespace krait::host
+}  // namespace krait::host::import_mistaken_test

@@ -4,7 +4,7 @@
 #include "../scratch.hpp"
 #include "host/import/import.hpp"
 
-namespace krait::host {
+namespace krait::host::import_movingai_test {
 namespace {
 
 using testing::ElementsAre;
@@ -57,4 +57,4 @@ TEST_F(MovingAiTest, UnsoundFilesAreRefusedByLine) {
 }
 
 }  // namespace
-}  // namespace krait::host
+}  // namespace krait::host::import_movingai_test

@@ -7,7 +7,7 @@
 #include "../scratch.hpp"
 #include "host/import/import.hpp"
 
-namespace krait::host {
+namespace krait::host::import_native_test {
 namespace {
 
 using testing::HasSubstr;
@@ -235,4 +235,4 @@ TEST_F(NativeTest, UnusableBoundsAreRefused) {
 }
 
 }  // namespace
-}  // namespace krait::host
+}  // namespace krait::host::import_native_test

@@ -7,7 +7,7 @@
 #include "../scratch.hpp"
 #include "host/import/import.hpp"
 
-namespace krait::host {
+namespace krait::host::import_samples_test {
 namespace {
 
 using testing::HasSubstr;
@@ -91,4 +91,4 @@ TEST_F(SamplesTest, ADrawnCarParkHasItsSize) {
 }
 
 }  // namespace
-}  // namespace krait::host
+}  // namespace krait::host::import_samples_test

@@ -8,7 +8,7 @@
 #include "../scratch.hpp"
 #include "host/import/import.hpp"
 
-namespace krait::host {
+namespace krait::host::import_scene_test {
 namespace {
 
 using format::Header;
@@ -82,4 +82,4 @@ TEST_F(SceneFileTest, IsRefusedWhereItSaysWhatNoSceneSays) {
 }
 
 }  // namespace
-}  // namespace krait::host
+}  // namespace krait::host::import_scene_test

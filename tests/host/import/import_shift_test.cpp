@@ -5,7 +5,7 @@
 #include "../scratch.hpp"
 #include "host/import/import.hpp"
 
-namespace krait::host {
+namespace krait::host::import_shift_test {
 namespace {
 
 using testing::ElementsAre;
@@ -76,4 +76,4 @@ TEST_F(ShiftTest, WhatLiesFarFromTheMapIsRefused) {
 }
 
 }  // namespace
-}  // namespace krait::host
+}  // namespace krait::host::import_shift_test

@@ -9,7 +9,7 @@
 #include "../scratch.hpp"
 #include "host/import/import.hpp"
 
-namespace krait::host {
+namespace krait::host::import_svg_test {
 namespace {
 
 using testing::ElementsAre;
@@ -484,4 +484,4 @@ TEST_F(SvgTest, ManyOutlinesAreReadInTime) {
 }
 
 }  // namespace
-}  // namespace krait::host
+}  // namespace krait::host::import_svg_test

@@ -8,7 +8,7 @@
 #include "host/import/import.hpp"
 #include "png_writer.hpp"
 
-namespace krait::host {
+namespace krait::host::import_threads_test {
 namespace {
 
 class ImportThreads : public ScratchTest {
@@ -66,4 +66,4 @@ TEST_F(ImportThreads, ReadAsTheyDoAlone) {
 }
 
 }  // namespace
-}  // namespace krait::host
+}  // namespace krait::host::import_threads_test

@@ -7,7 +7,7 @@
 #include "../scratch.hpp"
 #include "host/import/import.hpp"
 
-namespace krait::host {
+namespace krait::host::import_tpcap_test {
 namespace {
 
 using testing::ElementsAre;
@@ -99,4 +99,4 @@ TEST_F(TpcapTest, CountsThatLieAreRefused) {
 }
 
 }  // namespace
-}  // namespace krait::host
+}  // namespace krait::host::import_tpcap_test

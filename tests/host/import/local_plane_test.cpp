@@ -9,7 +9,7 @@
 
 #include "../scratch.hpp"
 
-namespace krait::host {
+namespace krait::host::local_plane_test {
 namespace {
 
 using testing::HasSubstr;
@@ -72,4 +72,4 @@ TEST(Datum, IsReadWithLongitudeFirst) {
 }
 
 }  // namespace
-}  // namespace krait::host
+}  // namespace krait::host::local_plane_test

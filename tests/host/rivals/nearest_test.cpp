@@ -6,7 +6,7 @@
 
 #include "scene_builder.hpp"
 
-namespace krait::test {
+namespace krait::test::nearest_test {
 namespace {
 
 using rivals::NearestPoints;
@@ -141,4 +141,4 @@ TEST(NearestPoints, NeedsAtMost15BytesAPoint) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::nearest_test

@@ -3,7 +3,7 @@
 #include "rivals.hpp"
 #include "step_oracle.hpp"
 
-namespace krait::test {
+namespace krait::test::plain_test {
 namespace {
 
 constexpr float kStart[] = {2, 6, 0};
@@ -50,4 +50,4 @@ TYPED_TEST(WithAndWithoutShortcuts, RepairsOrRunsDijkstraAndPlansAsSafely) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::plain_test

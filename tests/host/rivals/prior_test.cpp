@@ -8,7 +8,7 @@
 
 #include "rivals.hpp"
 
-namespace krait::test {
+namespace krait::test::prior_test {
 namespace {
 
 using OfUnicycle = PriorPlanner;
@@ -163,4 +163,4 @@ TEST(PriorPlanner, PlansAlongACorridorWhereNearlyAllIsObstacle) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::prior_test

@@ -5,7 +5,7 @@
 #include "robot_oracle.hpp"
 #include "step_oracle.hpp"
 
-namespace krait::test {
+namespace krait::test::rivals_test {
 namespace {
 
 constexpr float kStart[] = {2, 6, 0};
@@ -119,4 +119,4 @@ TYPED_TEST(Rival, EndsOrGoesOnWhenTheTreeIsFull) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::rivals_test

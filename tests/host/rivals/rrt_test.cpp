@@ -5,7 +5,7 @@
 
 #include "rivals.hpp"
 
-namespace krait::test {
+namespace krait::test::rrt_test {
 namespace {
 
 using OfUnicycle = RrtPlanner;
@@ -107,4 +107,4 @@ TEST(RrtPlanner, ConnectionsEndThatComeNoCloser) {
 }
 
 }  // namespace
-}  // namespace krait::test
+}  // namespace krait::test::rrt_test

@@ -11,7 +11,7 @@
 #include "host/input/file.hpp"
 #include "host/robot_file/robot_file.hpp"
 
-namespace krait::host {
+namespace krait::host::host_robot_test {
 namespace {
 
 using testing::AnyOf;
@@ -250,4 +250,4 @@ TEST_F(RobotFile, IsReadByItsPath) {
 }
 
 }  // namespace
-}  // namespace krait::host
+}  // namespace krait::host::host_robot_test

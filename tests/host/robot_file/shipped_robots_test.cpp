@@ -9,7 +9,7 @@
 #include "host/robot_file/robot_file.hpp"
 #include "host/robot_file/shipped.hpp"
 
-namespace krait::host {
+namespace krait::host::shipped_robots_test {
 namespace {
 
 using testing::AnyOf;
@@ -93,4 +93,4 @@ TEST(RobotUnits, AreThoseOfTheParameters) {
 }
 
 }  // namespace
-}  // namespace krait::host
+}  // namespace krait::host::shipped_robots_test
