@@ -170,9 +170,10 @@ SECTIONS = {
     "lib/last_metres/docking.cpp": ["kHoldWay", "kPushLook", "kMostPush", "kStages", "kSwingRadius", "kSwings",
                                     "kSwingAim", "kSwingTilt", "kDrawStep", "kMostSteps", "kFold",
                                     "kStraightEnough"],
-    "lib/last_metres/pull_in.cpp": ["kBraking", "kAstray", "kGrip", "kLeastTurn", "kStill", "kMostWait", "kMostStops"],
+    "lib/last_metres/pull_in.cpp": ["kMoveBraking", "kAstray", "kGrip", "kLeastTurn", "kStill", "kMostWait",
+                                    "kMostMoveStops"],
     "lib/last_metres/pull_outs.hpp": ["kMost", "kMostMoves"],
-    "lib/last_metres/pull_outs.cpp": ["kStep", "kStraights", "kOut", "kMostTurn", "kMostSteps", "kRooms", "kGearCost",
+    "lib/last_metres/pull_outs.cpp": ["kStep", "kStraights", "kOut", "kMostTurn", "kMostMoveSteps", "kRooms", "kGearCost",
                                  "kStrides"],
 }
 

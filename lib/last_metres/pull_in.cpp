@@ -7,13 +7,13 @@ namespace krait::detail {
 namespace {
 
 // Measured: bench/ABLATIONS.md, "Cars park".
-constexpr float kBraking = 0.5F;         // of the sharpest
+constexpr float kMoveBraking = 0.5F;     // of the sharpest
 constexpr float kAstray = 0.15F;         // lengths of body 0: how far off a move's line the robot may be
 constexpr float kGrip = 0.3F;            // lengths of body 0 within which what it is off shrinks by e
 constexpr float kLeastTurn = 0.01F;      // of the sharpest
 constexpr float kStill = 1e-3F;          // how little a state's sum changes in a step where nothing moves
 constexpr std::uint32_t kMostWait = 64;  // steps in which wheels are turned
-constexpr std::uint32_t kMostStops = 5;
+constexpr std::uint32_t kMostMoveStops = 5;
 
 }  // namespace
 
@@ -47,9 +47,9 @@ bool PullIn::aim(const Moment& now, Target& target) {
   }
   if (math::absolute(off.aside) > kAstray * robot_->length) return false;
   const bool stops = off.way <= near_;
-  if (stops && ++stops_ > kMostStops) return false;
+  if (stops && ++stops_ > kMostMoveStops) return false;
   const float share = pace(*robot_, off.way > 0.0F ? off.way : 0.0F, now.robot.speed(now.state),
-                           now.robot.stopping_way(now.state), kBraking);
+                           now.robot.stopping_way(now.state), kMoveBraking);
   target.speed = stops || turns_wheels_ ? 0.0F : (move_.backward ? share : -share);
   const float curvature = this->curvature(off);
   target.turn = math::clamp(math::absolute(curvature) * robot_->turning_radius, kLeastTurn, 1.0F);

@@ -11,7 +11,7 @@ constexpr float kStep = 0.01F;                                             // le
 constexpr std::uint8_t kStraights[] = {0, 10, 24, 40, 70, 100, 130, 160};  // steps of the straight moves that are tried
 constexpr int kOut[] = {50, 100, 160};               // steps of an arc after which it has come out
 constexpr float kMostTurn = 1.8F;                    // radians of all arcs
-constexpr int kMostSteps = 255;                      // of all arcs
+constexpr int kMostMoveSteps = 255;                  // of all arcs
 constexpr float kRooms[] = {0.01F, 0.005F, 0.002F};  // lengths of body 0 that ways keep more than the clearance
 constexpr float kGearCost = 100.0F;                  // steps that a change of gears costs
 
@@ -78,7 +78,7 @@ void PullOuts::follow(const Obstacles& obstacles, Way way, Pose inner) {
   way.cost = static_cast<float>(way.steps[0]);
   if (way.steps[0] > 0 && way.straight_back != way.arc_back) way.cost += kGearCost;
   const float whole = kMostTurn * body_.radius / metres(1);
-  const int most = whole < static_cast<float>(kMostSteps) ? static_cast<int>(whole) : kMostSteps;
+  const int most = whole < static_cast<float>(kMostMoveSteps) ? static_cast<int>(whole) : kMostMoveSteps;
   int turned = 0;
   while (way.moves < kMostMoves && turned < most && pays(way.cost)) {
     const int number = way.moves++;
