@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <random>
@@ -10,6 +11,7 @@
 #include "host/compiler/rings.hpp"
 #include "host/compiler/simplify.hpp"
 #include "host/compiler/snap.hpp"
+#include "host/compiler/triangulation.hpp"
 #include "host/compiler/unite.hpp"
 #include "host/workspace/workspace.hpp"
 
@@ -152,6 +154,35 @@ TEST(Simplify, WhatIsBehindAWallLeavesNoPassageNarrow) {
   const GridRing room{{0, 0}, {1000, 0}, {1000, 1000}, {0, 1000}};
   const GridRing wall{{100, 400}, {100, 450}, {400, 450}, {500, 420}, {600, 450}, {900, 450}, {900, 400}};
   EXPECT_THAT(simplify({room, wall}, 100, 150)[1], testing::Not(testing::Contains(GridPoint{500, 420})));
+}
+
+// The sine of a triangle's smallest angle: over the shortest edge, between the two longer ones.
+double sine_of_smallest_angle(const Triangulation& t, const Face& face) {
+  double edges[3];
+  for (int i = 0; i < 3; ++i) {
+    const GridPoint a = t.corner(face, i), b = t.corner(face, i + 1);
+    edges[i] = std::hypot(a.x - b.x, a.y - b.y);
+  }
+  std::sort(edges, edges + 3);
+  return static_cast<double>(t.twice_area(face)) / (edges[1] * edges[2]);
+}
+
+TEST(Refinement, LeavesNoSlenderTriangleInAHallWithAPillar) {
+  Edges edges;
+  const auto add_box = [&](int x, int y, int width, int height, int winding) {
+    const GridPoint corners[] = {{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}};
+    for (int i = 0; i < 4; ++i) edges.push_back({corners[i], corners[(i + 1) % 4], {winding, 0}});
+  };
+  add_box(0, 0, 40'000, 5'000, 1);
+  add_box(9'000, 2'000, 400, 300, -1);
+  const Edges snapped = snap(edges).edges;
+  const std::vector<GridPoint> added = refinement(snapped, {10'000, 100, 10'000});
+  const Triangulation t = triangulate(snap(snapped, added).edges, added);
+  ASSERT_GT(t.faces.size(), 10U);
+  for (const Face& face : t.faces) {
+    if (face.winding[0] == 0) continue;
+    EXPECT_GT(sine_of_smallest_angle(t, face), 0.32);  // 19.4 degrees, and rounding
+  }
 }
 
 TEST(Rings, ThatTouchInAPointStayApart) {
