@@ -173,8 +173,8 @@ SECTIONS = {
     "lib/last_metres/pull_in.cpp": ["kMoveBraking", "kAstray", "kGrip", "kLeastTurn", "kStill", "kMostWait",
                                     "kMostMoveStops"],
     "lib/last_metres/pull_outs.hpp": ["kMost", "kMostMoves"],
-    "lib/last_metres/pull_outs.cpp": ["kStep", "kStraights", "kOut", "kMostTurn", "kMostMoveSteps", "kRooms", "kGearCost",
-                                 "kStrides"],
+    "lib/last_metres/pull_outs.cpp": ["kStep", "kStraights", "kOut", "kMostTurn", "kMostMoveSteps", "kRooms",
+                                      "kGearCost", "kStrides"],
 }
 
 

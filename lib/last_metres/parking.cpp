@@ -7,7 +7,7 @@
 namespace krait::detail {
 namespace {
 
-void choose_way(LastMetres& last_metres, const Pose* poses) { last_metres.choose_ways(poses); }
+void choose_ways(LastMetres& last_metres, const Pose* poses) { last_metres.choose_ways(poses); }
 
 bool aim(PullIn& pull_in, const Moment& now, Target& target) { return pull_in.aim(now, target); }
 
@@ -17,6 +17,6 @@ bool leg_over(PullIn& pull_in, std::uint32_t steps, const Moment& now) {
 
 }  // namespace
 
-const Parking kParking = {choose_way, aim, leg_over};
+const Parking kParking = {choose_ways, aim, leg_over};
 
 }  // namespace krait::detail

@@ -14,8 +14,7 @@ namespace {
 constexpr double kLargestSide = 1e5;  // metres
 constexpr std::size_t kLongestText = 200;
 
-constexpr double kMargin = 28;  // points
-constexpr double kHead = 62;
+constexpr double kHead = 62;  // points
 constexpr double kFoot = 104;
 constexpr double kMostMapWidth = 1080;
 constexpr double kMostMapHeight = 900;

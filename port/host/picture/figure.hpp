@@ -9,6 +9,8 @@
 
 namespace krait::host {
 
+inline constexpr double kMargin = 28;  // points, around what is drawn
+
 // Throws InputError with one line that names what is wrong: see Picture.
 void check(const Picture& picture);
 

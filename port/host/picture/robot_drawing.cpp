@@ -14,8 +14,7 @@ namespace krait::host {
 namespace {
 
 constexpr double kSheetWidth = 900;  // points
-constexpr double kSheetMargin = 28;
-constexpr double kSide = 62;  // beside the robot, for the sizes across it
+constexpr double kSide = 62;         // beside the robot, for the sizes across it
 constexpr double kMostHeight = 260;
 constexpr double kFirstLine = 50;
 constexpr double kLine = 17;
@@ -69,14 +68,14 @@ class RobotPainter : private Pen {
     if (has(robot_, "track_width")) {
       for (const double side : {-0.5, 0.5}) whole_.add(0, side * parameter(robot_, "track_width"));
     }
-    scale_ = std::min((kSheetWidth - 2 * kSheetMargin - 2 * kSide) / whole_.length(), kMostHeight / whole_.width());
+    scale_ = std::min((kSheetWidth - 2 * kMargin - 2 * kSide) / whole_.length(), kMostHeight / whole_.width());
     left_ = 0.5 * kSheetWidth - 0.5 * scale_ * whole_.length();
     top_ = kFirstLine + kLine * static_cast<double>(picture_.lines.size()) + 22;
     sizes();
     place_sizes();
   }
 
-  double height() const { return std::ceil(key_top() + 40 + kTurnSide + kSheetMargin); }
+  double height() const { return std::ceil(key_top() + 40 + kTurnSide + kMargin); }
 
   void paint() {
     source(kPaper);
@@ -106,13 +105,13 @@ class RobotPainter : private Pen {
   double key_top() const { return bottom() + 14 + kRow * static_cast<double>(rows_) + 22; }
 
   void head() {
-    const double width = kSheetWidth - 2 * kSheetMargin;
+    const double width = kSheetWidth - 2 * kMargin;
     font(19, true);
-    write(fitted(printable(picture_.title), width), {kSheetMargin, 29}, Align::left, kInk);
+    write(fitted(printable(picture_.title), width), {kMargin, 29}, Align::left, kInk);
     font(12);
     double y = kFirstLine;
     for (const std::string& line : picture_.lines) {
-      write(fitted(printable(line), width), {kSheetMargin, y}, Align::left, kFaint);
+      write(fitted(printable(line), width), {kMargin, y}, Align::left, kFaint);
       y += kLine;
     }
   }
@@ -217,7 +216,7 @@ class RobotPainter : private Pen {
     const double from = at({size.from, 0}).x;
     const double to = at({size.to, 0}).x;
     const double half = 0.5 * text_width(size.text) + 5;
-    const double middle = std::clamp(0.5 * (from + to), kSheetMargin + half, kSheetWidth - kSheetMargin - half);
+    const double middle = std::clamp(0.5 * (from + to), kMargin + half, kSheetWidth - kMargin - half);
     return {std::min(from, middle - half), std::max(to, middle + half)};
   }
   // Every size goes to the first row where neither its line nor its number meets another's.
@@ -264,7 +263,7 @@ class RobotPainter : private Pen {
     }
     font(11.5);
     const double half = 0.5 * text_width(size.text);
-    const double middle = std::clamp(0.5 * (from + to), kSheetMargin + half, kSheetWidth - kSheetMargin - half);
+    const double middle = std::clamp(0.5 * (from + to), kMargin + half, kSheetWidth - kMargin - half);
     cairo_rectangle(cr_, middle - half - 2, y - 15, 2 * half + 4, 13.5);
     fill(kPaper);
     write(size.text, {middle, y - 4}, Align::center, kSize);
@@ -303,7 +302,7 @@ class RobotPainter : private Pen {
   }
 
   void key() {
-    double x = kSheetMargin;
+    double x = kMargin;
     const double y = key_top();
     font(11.5);
     const auto entry = [&](const std::string& text, double symbol) {
@@ -329,7 +328,7 @@ class RobotPainter : private Pen {
     const TurnPicture& turn = picture_.turn;
     const double y = key_top() + 40;
     const double scale = 0.5 * kTurnSide / turn.outer;
-    const Point center{kSheetMargin + 0.5 * kTurnSide + 4, y + 0.5 * kTurnSide};
+    const Point center{kMargin + 0.5 * kTurnSide + 4, y + 0.5 * kTurnSide};
     const auto seen = [&](const Point& local) {
       return Point{center.x + local.x * scale, center.y - (local.y - turn.radius) * scale};
     };
@@ -360,7 +359,7 @@ class RobotPainter : private Pen {
   }
   void turn_text(double y) {
     const TurnPicture& turn = picture_.turn;
-    const double x = kSheetMargin + kTurnSide + 44;
+    const double x = kMargin + kTurnSide + 44;
     font(13, true);
     write(turn.radius > 0 ? "The tightest steady turn" : "A turn on the spot", {x, y + 40}, Align::left, kInk);
     font(12);

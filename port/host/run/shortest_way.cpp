@@ -16,12 +16,11 @@
 #include <vector>
 
 #include "decomposition/locate.hpp"
+#include "host/run/local_point.hpp"
 #include "host/workspace/workspace.hpp"
 
 namespace krait::host {
 namespace {
-
-Point point(Vec2 p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
 
 double distance(const Point& a, const Point& b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
@@ -94,7 +93,7 @@ class Polyanya {
 
   // As one sees them who looks into the triangle.
   std::pair<Point, Point> ends(Index triangle, int edge) const {
-    return {point(scene_.corner(triangle, edge)), point(scene_.corner(triangle, (edge + 1) % 3))};
+    return {local_point(scene_.corner(triangle, edge)), local_point(scene_.corner(triangle, (edge + 1) % 3))};
   }
 
   // Shortest ways bend at vertices of closed edges only.
@@ -164,7 +163,7 @@ class Polyanya {
   // The other two edges of the node's triangle, in the order in which one sees them who comes in.
   std::array<Side, 2> sides(const Node& node) const {
     const auto [first, last] = ends(node.triangle, node.edge);
-    const Point top = point(scene_.corner(node.triangle, (node.edge + 2) % 3));
+    const Point top = local_point(scene_.corner(node.triangle, (node.edge + 2) % 3));
     return {Side{(node.edge + 2) % 3, first, top}, Side{(node.edge + 1) % 3, top, last}};
   }
 
@@ -217,7 +216,7 @@ double shortest_way(const krait::Scene& scene, float least_width, Vec2 from, Vec
   const Index begin = detail::locate(scene, from);
   const Index end = detail::locate(scene, to);
   if (begin == kNone || end == kNone) return std::numeric_limits<double>::quiet_NaN();
-  return Polyanya(scene, least_width).length(begin, point(from), end, point(to));
+  return Polyanya(scene, least_width).length(begin, local_point(from), end, local_point(to));
 }
 
 }  // namespace krait::host

@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "decomposition/regions.hpp"
+#include "host/run/local_point.hpp"
 #include "host/run/query.hpp"
 #include "host/run/run.hpp"
 #include "host/run/session.hpp"
@@ -18,22 +19,20 @@ constexpr std::uint64_t kFrames = 60;           // of costs, at most
 constexpr std::uint32_t kTreeVertices = 20000;  // shown, at most
 constexpr std::size_t kRecorded = 2'000'000;    // vertices kept while the search is repeated, at most
 
-// In the scene's own coordinates, as the picture is drawn.
-Point drawn(Vec2 p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
-
 Ring ring(Polygon polygon) {
   Ring result;
-  for (int i = 0; i < polygon.count; ++i) result.push_back(drawn(polygon[i]));
+  for (int i = 0; i < polygon.count; ++i) result.push_back(local_point(polygon[i]));
   return result;
 }
 
 void draw_scene(const krait::Scene& scene, Picture& picture) {
   picture.title = scene.name();
-  picture.min = drawn(scene.bounds().min);
-  picture.max = drawn(scene.bounds().max);
+  picture.min = local_point(scene.bounds().min);
+  picture.max = local_point(scene.bounds().max);
   for (Index p = 0; p < scene.piece_count(); ++p) picture.obstacle_pieces.push_back(ring(scene.piece(p)));
   for (Index t = 0; t < scene.triangle_count(); ++t) {
-    picture.triangles.push_back({{drawn(scene.corner(t, 0)), drawn(scene.corner(t, 1)), drawn(scene.corner(t, 2))}});
+    picture.triangles.push_back(
+        {{local_point(scene.corner(t, 0)), local_point(scene.corner(t, 1)), local_point(scene.corner(t, 2))}});
   }
 }
 

@@ -24,6 +24,7 @@ constexpr double kLeastDt = 1e-3;             // s, the planner's range
 constexpr double kMostDt = 1;                 // s
 constexpr double kMostLocal = 8192;           // m from the plan's origin: beyond, a float is coarser than 1 mm
 
+// A plan's file may hold numbers near the ends of their range, of which distance() of bodies.hpp takes no care.
 double point_distance(const Point& a, const Point& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 double distance_to_segment(const Point& p, const Point& a, const Point& b) {
