@@ -8,6 +8,7 @@
 
 #include "host/compiler/compiler.hpp"
 #include "host/import/import.hpp"
+#include "paths.hpp"
 #include "planning.hpp"
 
 namespace krait::campaign {
@@ -29,7 +30,7 @@ constexpr Crossing kCrossings[] = {{"maze512-32-0", {300.5, 1.5, 0}, {71.5, 480.
 class TurtleBot : public ::testing::TestWithParam<Crossing> {
  protected:
   void SetUp() override {
-    const std::string path = std::string(KRAIT_SOURCE_DIR) + "/../shared/samples/movingai/" + GetParam().map + ".map";
+    const std::string path = test::source_path("../shared/samples/movingai/") + GetParam().map + ".map";
     if (!std::filesystem::exists(path)) GTEST_SKIP() << "no map " << path;
     workspace_ = host::import_workspace(path, {});
     const host::CompiledScene compiled = host::compile(workspace_, {});

@@ -18,6 +18,7 @@
 #include "krait/krait.h"
 #include "krait/krait.hpp"
 #include "krait/robots/all.hpp"
+#include "paths.hpp"
 
 namespace krait::test::header_comments_test {
 namespace {
@@ -26,7 +27,7 @@ using Numbers = std::map<std::string, double>;
 
 std::string header(const std::string& name) {
   std::ostringstream text;
-  text << std::ifstream(std::string(KRAIT_SOURCE_DIR "/include/krait/") + name).rdbuf();
+  text << std::ifstream(source_path("include/krait/" + name)).rdbuf();
   return text.str();
 }
 

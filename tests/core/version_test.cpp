@@ -9,13 +9,14 @@
 #include <string>
 
 #include "krait/format.hpp"
+#include "paths.hpp"
 
 namespace krait::test::version_test {
 namespace {
 
 std::string page(const std::string& name) {
   std::ostringstream text;
-  text << std::ifstream(KRAIT_SOURCE_DIR "/" + name).rdbuf();
+  text << std::ifstream(source_path(name)).rdbuf();
   return text.str();
 }
 

@@ -8,6 +8,7 @@
 #include "../../long_tests.hpp"
 #include "host/cli/program.hpp"
 #include "host/run/session.hpp"
+#include "paths.hpp"
 
 namespace krait::host {
 namespace {
@@ -79,7 +80,7 @@ void compile_input(const Query& query, const std::filesystem::path& directory) {
   const char* unknown = query.import.unknown == Unknown::occupied ? "occupied"
                         : query.import.unknown == Unknown::free   ? "free"
                                                                   : "map";
-  const Outcome outcome = run_program(KRAIT_BIN_DIR "/krait",
+  const Outcome outcome = run_program(test::program_path("krait"),
                                       {"compile", query.input, "-o", query.compiled, "--unknown", unknown}, directory);
   ASSERT_EQ(outcome.code, 0) << outcome.errors;
 }

@@ -2,6 +2,7 @@
 // Bad input: exit code 2, one clear line, nothing written.
 #include "host/cli/program.hpp"
 #include "host/workspace/printed.hpp"
+#include "paths.hpp"
 
 namespace krait::host {
 namespace {
@@ -292,7 +293,7 @@ TEST_F(CliBadInput, StandardOutputThatIsFullIsSaid) {
   for (const char* command : {"krait info room.krait", "krait --version", "krait --help", "krait plan --help",
                               "krait compile --help", "krait-compile --help"}) {
     const Outcome outcome =
-        run_program("/bin/bash", {"-c", printed("exec %s/%s >/dev/full", KRAIT_BIN_DIR, command)}, directory());
+        run_program("/bin/bash", {"-c", "exec " + test::program_path(command) + " >/dev/full"}, directory());
     EXPECT_EQ(outcome.code, 2) << command;
     EXPECT_THAT(outcome.errors, MatchesRegex("krait(-compile)?: standard output cannot be written\n")) << command;
   }

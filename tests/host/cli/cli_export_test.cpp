@@ -5,6 +5,7 @@
 #include "../scratch.hpp"
 #include "host/input/file.hpp"
 #include "host/workspace/printed.hpp"
+#include "paths.hpp"
 #include "program.hpp"
 
 namespace krait::host {
@@ -15,7 +16,7 @@ using testing::HasSubstr;
 class CliExport : public ScratchTest {
  protected:
   Outcome krait(const std::vector<std::string>& arguments) const {
-    return run_program(KRAIT_BIN_DIR "/krait", arguments, directory());
+    return run_program(test::program_path("krait"), arguments, directory());
   }
   std::string compiled(const std::string& map) const {
     EXPECT_EQ(krait({"compile", map, "-o", "out.krait"}).code, 0) << map;

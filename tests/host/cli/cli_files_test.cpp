@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "host/cli/program.hpp"
+#include "paths.hpp"
 
 namespace krait::host {
 namespace {
@@ -22,7 +23,8 @@ class CliFiles : public CliTest {
   void run_killed(const Arguments& arguments, std::chrono::microseconds delay) const {
     const pid_t child = ::fork();
     if (child == 0) {
-      std::vector<char*> argv = {const_cast<char*>(KRAIT_BIN_DIR "/krait")};
+      const std::string krait = test::program_path("krait");
+      std::vector<char*> argv = {const_cast<char*>(krait.c_str())};
       for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
       argv.push_back(nullptr);
       const int null = ::open("/dev/null", O_WRONLY);
@@ -57,7 +59,7 @@ class CliFiles : public CliTest {
 
   // krait where no file may grow over a kilobyte, as on a disk that is full.
   Outcome krait_on_full_disk(const Arguments& arguments) const {
-    std::string line = "trap '' XFSZ; ulimit -f 1; exec " KRAIT_BIN_DIR "/krait";
+    std::string line = "trap '' XFSZ; ulimit -f 1; exec " + test::program_path("krait");
     for (const std::string& argument : arguments) line += " " + argument;
     return run_program("/bin/bash", {"-c", line}, directory());
   }

@@ -5,6 +5,7 @@
 #include "host/robot_file/robot_file.hpp"
 #include "host/run/run.hpp"
 #include "host/workspace/printed.hpp"
+#include "paths.hpp"
 
 namespace krait::host {
 namespace {
@@ -168,13 +169,13 @@ TEST_F(CliHelp, InfoSaysThatTheTimeStepIsTooLongAndNotTheBlockTooSmall) {
 }
 
 TEST_F(CliHelp, DemoExplainsItself) {
-  const Outcome outcome = run_program("/bin/bash", {KRAIT_SOURCE_DIR "/port/host/demo", "--help"}, directory());
+  const Outcome outcome = run_program("/bin/bash", {test::source_path("port/host/demo"), "--help"}, directory());
   EXPECT_EQ(outcome.code, 0);
   EXPECT_THAT(outcome.output, HasSubstr("bash port/host/demo MAP"));
 }
 
 TEST_F(CliHelp, DemoRefusesAMissingMapBeforeItBuilds) {
-  const Outcome outcome = run_program("/bin/bash", {KRAIT_SOURCE_DIR "/port/host/demo", "gone.yaml"}, directory());
+  const Outcome outcome = run_program("/bin/bash", {test::source_path("port/host/demo"), "gone.yaml"}, directory());
   EXPECT_EQ(outcome.code, 2);
   EXPECT_EQ(outcome.errors, "demo: gone.yaml: no such file\n");
 }
@@ -182,7 +183,7 @@ TEST_F(CliHelp, DemoRefusesAMissingMapBeforeItBuilds) {
 TEST_F(CliHelp, DemoRefusesOptionsThatItCannotReadBeforeItBuilds) {
   for (const std::vector<std::string>& arguments :
        std::vector<std::vector<std::string>>{{"--seed"}, {"stray"}, {"--seed=1", "stray"}}) {
-    std::vector<std::string> whole = {KRAIT_SOURCE_DIR "/port/host/demo", "room.json"};
+    std::vector<std::string> whole = {test::source_path("port/host/demo"), "room.json"};
     whole.insert(whole.end(), arguments.begin(), arguments.end());
     const Outcome outcome = run_program("/bin/bash", whole, directory());
     EXPECT_EQ(outcome.code, 2);

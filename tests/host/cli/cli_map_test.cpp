@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "host/cli/program.hpp"
+#include "paths.hpp"
 
 namespace krait::host {
 namespace {
@@ -256,7 +257,7 @@ TEST_F(CliMap, WhatTheCompilerRefusesIsSaidOnceAndEndsIt) {
 
 TEST_F(CliMap, AMissingCompilerIsSaid) {
   std::filesystem::create_directory(path("bin"));
-  std::filesystem::copy_file(KRAIT_BIN_DIR "/krait", path("bin/krait"));
+  std::filesystem::copy_file(test::program_path("krait"), path("bin/krait"));
   const Outcome outcome = run_program(path("bin/krait"), {"plan", "room.json", "--robot", "car"}, directory());
   EXPECT_EQ(outcome.code, 2);
   EXPECT_EQ(outcome.errors, "krait: cannot run " + std::filesystem::canonical(path("bin")).string() +
@@ -268,7 +269,7 @@ class CliCompilerEnds : public CliMap {
  protected:
   void replace_compiler(const std::string& script) const {
     std::filesystem::create_directories(path("bin"));
-    std::filesystem::copy_file(KRAIT_BIN_DIR "/krait", path("bin/krait"),
+    std::filesystem::copy_file(test::program_path("krait"), path("bin/krait"),
                                std::filesystem::copy_options::overwrite_existing);
     write("bin/krait-compile", "#!/bin/bash\n" + script + "\n");
     std::filesystem::permissions(path("bin/krait-compile"), std::filesystem::perms::owner_all);
@@ -369,7 +370,7 @@ TEST_F(CliCompilerEnds, WithKraitWhateverSignalEndsThat) {
 TEST_F(CliMap, IsNotConfusedByIgnoredSignals) {
   const auto plan = [&](const char* map) {
     return run_program("/usr/bin/env",
-                       {"--ignore-signal=CHLD,PIPE", KRAIT_BIN_DIR "/krait", "plan", map, "--robot", "car"},
+                       {"--ignore-signal=CHLD,PIPE", test::program_path("krait"), "plan", map, "--robot", "car"},
                        directory());
   };
   const Outcome solved = plan("room.json");

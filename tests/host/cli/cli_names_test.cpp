@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // No name, file name or argument commands the terminal or turns the direction of a line, on any way to the user.
 #include "host/cli/program.hpp"
+#include "paths.hpp"
 
 namespace krait::host {
 namespace {
@@ -123,7 +124,7 @@ TEST_F(CliNames, InArgumentsOfTheDemoAreEscaped) {
                                                     {"room.json", "--" + bad},
                                                     {"room.json", "--" + bad + "=1"},
                                                     {"room.json", bad}}) {
-    std::vector<std::string> whole = {KRAIT_SOURCE_DIR "/port/host/demo"};
+    std::vector<std::string> whole = {test::source_path("port/host/demo")};
     whole.insert(whole.end(), arguments.begin(), arguments.end());
     const Outcome outcome = run_program("/bin/bash", whole, directory());
     EXPECT_EQ(outcome.code, 2);

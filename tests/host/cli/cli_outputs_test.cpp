@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 
 #include "host/cli/program.hpp"
+#include "paths.hpp"
 
 namespace krait::host {
 namespace {
@@ -95,7 +96,7 @@ TEST_F(CliOutputs, ANamedPipeIsRefusedWhetherOrNotItHasAReader) {
 // What the shell has opened is written to, and is not read from.
 TEST_F(CliOutputs, PipesOfTheShell) {
   const auto in_shell = [&](const std::string& command) {
-    return run_program("/bin/bash", {"-c", "PATH=" KRAIT_BIN_DIR ":$PATH; " + command}, directory());
+    return run_program("/bin/bash", {"-c", "PATH=" + test::program_path("") + ":$PATH; " + command}, directory());
   };
   EXPECT_THAT(in_shell("krait compile room.json -o /dev/stdout | cmp - room.krait && echo same").output, "same\n");
   EXPECT_THAT(in_shell("krait plan room.json --robot car -o /dev/stdout | head -c 23").output,

@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "host/cli/program.hpp"
+#include "paths.hpp"
 
 namespace krait::host {
 namespace {
@@ -13,7 +14,7 @@ using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr const char* kKrait = KRAIT_BIN_DIR "/krait";
+std::string krait_path() { return test::program_path("krait"); }
 
 // A MovingAI map of `side` by `side` cells, of which every seventeenth or so is occupied and stands alone.
 std::string scattered_cells(int side) {
@@ -39,7 +40,7 @@ class CliProgress : public CliTest {
     return arguments;
   }
   Outcome interrupted(const std::vector<std::string>& arguments) const {
-    return run_and_interrupt(kKrait, arguments, directory(), 1500ms);
+    return run_and_interrupt(krait_path(), arguments, directory(), 1500ms);
   }
 };
 
@@ -83,7 +84,7 @@ TEST_F(CliProgress, NothingIsLeftBesideTheOutputs) {
 
 // As nohup and shells without job control start what runs in the background.
 TEST_F(CliProgress, WhereCtrlCIsIgnoredItStaysSo) {
-  std::string command = "trap '' INT; exec " + std::string(kKrait);
+  std::string command = "trap '' INT; exec " + krait_path();
   for (const std::string& argument : endless({"--time-limit", "2.5"})) command += " " + argument;
   const Outcome outcome = run_and_interrupt("/bin/sh", {"-c", command}, directory(), 1500ms);
   EXPECT_EQ(outcome.code, 1);
@@ -93,7 +94,8 @@ TEST_F(CliProgress, WhereCtrlCIsIgnoredItStaysSo) {
 TEST_F(CliProgress, CtrlCEndsTheCompilerWithALine) {
   write("large.map", scattered_cells(700));
   const auto before = files();
-  const Outcome outcome = run_and_interrupt(kKrait, {"compile", "large.map", "-o", "large.krait"}, directory(), 1000ms);
+  const Outcome outcome =
+      run_and_interrupt(krait_path(), {"compile", "large.map", "-o", "large.krait"}, directory(), 1000ms);
   EXPECT_EQ(outcome.code, -SIGINT);
   EXPECT_EQ(outcome.output, "");
   EXPECT_EQ(outcome.errors, "krait-compile: stopped by you while the map was compiled: nothing is written\n");
@@ -104,7 +106,7 @@ TEST_F(CliProgress, CtrlCEndsTheCompilerWithALine) {
 TEST_F(CliProgress, CtrlCWhileTheSceneIsWrittenComesTooLate) {
   write("small.map", scattered_cells(100));
   const std::string reader = "sleep 3; cat >late; mv late scene.krait";
-  const std::string command = "exec " + std::string(kKrait) + " compile small.map -o /dev/stdout > >(" + reader + ")";
+  const std::string command = "exec " + krait_path() + " compile small.map -o /dev/stdout > >(" + reader + ")";
   const Outcome outcome = run_and_interrupt("/bin/bash", {"-c", command}, directory(), 1500ms);
   EXPECT_EQ(outcome.code, 0);
   EXPECT_EQ(outcome.errors, "");
@@ -114,7 +116,7 @@ TEST_F(CliProgress, CtrlCWhileTheSceneIsWrittenComesTooLate) {
 
 // A terminal sends it to both programs, of which the one that plans has the word.
 TEST_F(CliProgress, CtrlCWhileTheMapIsCompiledHasALine) {
-  std::filesystem::copy_file(kKrait, path("krait"));
+  std::filesystem::copy_file(krait_path(), path("krait"));
   write("krait-compile", "#!/bin/sh\nkill -INT $$\nprintf '\\rreading the map: 1 s' >&2\nkill -INT $PPID\n");
   std::filesystem::permissions(path("krait-compile"), std::filesystem::perms::owner_all);
   const std::string line = "krait: stopped by you while the map was compiled: nothing is written";
@@ -127,14 +129,14 @@ TEST_F(CliProgress, CtrlCWhileTheMapIsCompiledHasALine) {
 }
 
 TEST_F(CliProgress, ATimeLimitAsksForALongerOneAndForNoMore) {
-  const Outcome outcome = run_program(kKrait, endless({"--time-limit", "0.5"}), directory());
+  const Outcome outcome = run_program(krait_path(), endless({"--time-limit", "0.5"}), directory());
   EXPECT_EQ(outcome.code, 1);
   EXPECT_THAT(outcome.output, HasSubstr("\n  try a longer --time-limit\n"));
   EXPECT_THAT(outcome.output, Not(HasSubstr("has every bend so much room?")));
 }
 
 TEST_F(CliProgress, ATerminalShowsHowFarItIsAndIsLeftClean) {
-  const Outcome outcome = run_on_terminal(kKrait, endless({"--time-limit", "2.5"}), directory());
+  const Outcome outcome = run_on_terminal(krait_path(), endless({"--time-limit", "2.5"}), directory());
   EXPECT_EQ(outcome.code, 1);
   EXPECT_THAT(outcome.errors, ContainsRegex("krait: planning: [12] s, [0-9]+ iterations, cost still to go [0-9.]+"));
   EXPECT_THAT(outcome.errors, testing::EndsWith("\r\033[K"));
@@ -142,19 +144,20 @@ TEST_F(CliProgress, ATerminalShowsHowFarItIsAndIsLeftClean) {
 
 TEST_F(CliProgress, ATerminalShowsTheBestPlanSoFar) {
   const Outcome outcome = run_on_terminal(
-      kKrait, {"plan", "room.krait", "--robot", "car", "--improve", "1000000", "--time-limit", "2.5"}, directory());
+      krait_path(), {"plan", "room.krait", "--robot", "car", "--improve", "1000000", "--time-limit", "2.5"},
+      directory());
   EXPECT_EQ(outcome.code, 0);
   EXPECT_THAT(outcome.errors,
               ContainsRegex("krait: improving: [0-9]+ s, best plan [0-9.]+ s, [0-9.]+ m, improved [0-9]+ times?"));
 }
 
 TEST_F(CliProgress, AQuickCommandShowsNothing) {
-  EXPECT_EQ(run_on_terminal(kKrait, {"plan", "room.json", "--robot", "car"}, directory()).errors, "");
-  EXPECT_EQ(run_program(kKrait, endless({"--time-limit", "2.5"}), directory()).errors, "");
+  EXPECT_EQ(run_on_terminal(krait_path(), {"plan", "room.json", "--robot", "car"}, directory()).errors, "");
+  EXPECT_EQ(run_program(krait_path(), endless({"--time-limit", "2.5"}), directory()).errors, "");
 }
 
 TEST_F(CliProgress, WithoutATerminalALongStepHasOneLine) {
-  const Outcome outcome = run_program(kKrait, endless({"--time-limit", "7"}), directory());
+  const Outcome outcome = run_program(krait_path(), endless({"--time-limit", "7"}), directory());
   EXPECT_THAT(outcome.errors,
               testing::MatchesRegex("krait: planning lasts, [0-9]+ iterations, cost still to go [0-9.e+]+\n"));
 }

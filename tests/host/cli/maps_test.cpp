@@ -4,11 +4,12 @@
 
 #include "host/cli/campaign.hpp"
 #include "host/cli/program.hpp"
+#include "paths.hpp"
 
 namespace krait::host {
 namespace {
 
-constexpr const char* kSamples = KRAIT_SOURCE_DIR "/../shared/samples";
+std::string samples() { return test::source_path("../shared/samples"); }
 
 class Maps : public ScratchTest {
  protected:
@@ -30,11 +31,11 @@ class Maps : public ScratchTest {
 class SampleMaps : public Maps {
  protected:
   void SetUp() override {
-    if (!std::filesystem::exists(kSamples)) GTEST_SKIP() << "no sample maps in " << kSamples;
+    if (!std::filesystem::exists(samples())) GTEST_SKIP() << "no sample maps in " << samples();
   }
 
   Query sample(const std::string& map, const std::string& robot) const {
-    return query_of(std::string(kSamples) + "/" + map, robot);
+    return query_of(samples() + "/" + map, robot);
   }
 };
 

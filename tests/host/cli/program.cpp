@@ -15,6 +15,8 @@
 #include <sstream>
 #include <thread>
 
+#include "paths.hpp"
+
 namespace krait::host {
 namespace {
 
@@ -124,7 +126,7 @@ CliTest::CliTest() {
 }
 
 Outcome CliTest::krait(const std::vector<std::string>& arguments) const {
-  return run_program(KRAIT_BIN_DIR "/krait", arguments, directory());
+  return run_program(test::program_path("krait"), arguments, directory());
 }
 
 void CliTest::expect_refused(const std::vector<std::string>& arguments, const std::string& mention) const {

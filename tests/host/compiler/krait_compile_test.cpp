@@ -11,6 +11,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "paths.hpp"
 #include "scene_view.hpp"
 
 namespace krait::host::test {
@@ -38,7 +39,7 @@ class KraitCompile : public testing::Test {
   Outcome run(const std::string& arguments) const {
     const std::string log = (folder_ / "log").string();
     const int status =
-        std::system((std::string(KRAIT_BIN_DIR) + "/krait-compile " + arguments + " >" + log + " 2>&1").c_str());
+        std::system((krait::test::program_path("krait-compile ") + arguments + " >" + log + " 2>&1").c_str());
     std::ostringstream text;
     text << std::ifstream(log).rdbuf();
     return {WEXITSTATUS(status), text.str()};
@@ -165,7 +166,7 @@ TEST_F(KraitCompile, UnwritableOutputIsRefused) {
 }
 
 TEST_F(KraitCompile, SampleMaps) {
-  const fs::path samples = fs::path(KRAIT_SOURCE_DIR) / "../shared/samples";
+  const fs::path samples = krait::test::source_path("../shared/samples");
   if (!fs::exists(samples)) GTEST_SKIP() << "no sample maps in " << samples;
   for (const char* map : {"turtlebot3/map.yaml", "nav2/depot.yaml", "nav2/tb3_sandbox.yaml", "karlkurzer/map.yaml",
                           "mir/maze.yaml", "dynobench/bugtrap_0.yaml", "movingai/den312d.map"}) {

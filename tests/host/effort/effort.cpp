@@ -18,6 +18,7 @@
 #include "host/run/session.hpp"
 #include "host/scenes/scenes.hpp"
 #include "krait/robots/all.hpp"
+#include "paths.hpp"
 
 namespace krait::host {
 namespace {
@@ -25,11 +26,12 @@ namespace {
 constexpr std::uint64_t kSeeds = 20;
 constexpr std::uint64_t kIterations = 20'000;  // of a search; one that uses them up costs what it has cost
 constexpr std::uint64_t kMemory = 8U << 20U;   // bytes; enough that nothing is given up
-constexpr const char* kBudgets = KRAIT_SOURCE_DIR "/tests/host/effort/budgets.txt";
 constexpr const char* kAbout =
     "# What searches cost, over seeds 1 to 20: how many were solved, vertices and placements of the robot.\n"
     "# Written by build/host/bin/effort --update.\n"
     "# scene, scale, robot, planner: solved, vertices (median, 90 %), placements (median, 90 %)\n";
+
+std::string budgets_path() { return test::source_path("tests/host/effort/budgets.txt"); }
 
 struct Kind {
   double scale;
@@ -128,7 +130,7 @@ std::string line(const Cost& cost) {
 
 Costs read_budgets() {
   Costs budgets;
-  std::ifstream file(kBudgets);
+  std::ifstream file(budgets_path());
   for (std::string text; std::getline(file, text);) {
     const std::size_t colon = text.find(": ");
     if (text.starts_with('#') || colon == std::string::npos) continue;
@@ -141,7 +143,7 @@ Costs read_budgets() {
 }
 
 bool write_budgets(const Costs& costs) {
-  std::ofstream file(kBudgets);
+  std::ofstream file(budgets_path());
   file << kAbout;
   for (const auto& [name, cost] : costs) file << name << ": " << line(cost) << '\n';
   file.close();
@@ -184,7 +186,7 @@ int run(std::vector<std::string> scenes) {
   for (const std::string& scene : scenes) measure_scene(scene, costs);
   if (!update) return compare(costs) ? 0 : 1;
   if (write_budgets(costs)) return 0;
-  std::fprintf(stderr, "effort: %s cannot be written\n", kBudgets);
+  std::fprintf(stderr, "effort: %s cannot be written\n", budgets_path().c_str());
   return 2;
 }
 

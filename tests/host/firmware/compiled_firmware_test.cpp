@@ -6,26 +6,27 @@
 #include "host/cli/program.hpp"
 #include "host/workspace/printed.hpp"
 #include "krait/parameters.hpp"
+#include "paths.hpp"
 
 namespace krait::host {
 namespace {
 
 using Arguments = std::vector<std::string>;
 
-const std::string kVan = KRAIT_SOURCE_DIR "/tests/targets/robots/van.json";
+std::string van() { return test::source_path("tests/targets/robots/van.json"); }
 
 class CompiledFirmware : public CliTest {
  protected:
   Outcome firmware(Arguments arguments, const std::string& scene = "room.krait") const {
     arguments.insert(arguments.begin(), {"--scene", scene});
-    return run_program(KRAIT_BIN_DIR "/firmware_van", arguments, directory());
+    return run_program(test::program_path("firmware_van"), arguments, directory());
   }
 
   // Both find the same plan, by that query and with those parameters. Returns the firmware's answer.
   nlohmann::json expect_same_plan(const Arguments& query, const std::string& improve = "0") const {
     Arguments words = {"--memory", "1M", "--improve", improve};
     words.insert(words.end(), query.begin(), query.end());
-    Arguments arguments = {"plan", "room.krait", "--robot", kVan, "-o", "plan.json"};
+    Arguments arguments = {"plan", "room.krait", "--robot", van(), "-o", "plan.json"};
     arguments.insert(arguments.end(), words.begin(), words.end());
     expect_done(arguments);
     const Outcome outcome = firmware(words);
@@ -78,7 +79,7 @@ TEST_F(CompiledFirmware, AsksForTheMemoryThatImprovementTakes) {
 
 TEST_F(CompiledFirmware, IsBuiltWithoutImprovementToo) {
   const auto ask = [&](const std::string& improve) {
-    return run_program(KRAIT_BIN_DIR "/firmware_van_first", {"--scene", "room.krait", "--improve", improve},
+    return run_program(test::program_path("firmware_van_first"), {"--scene", "room.krait", "--improve", improve},
                        directory());
   };
   EXPECT_EQ(ask("0").code, 0);

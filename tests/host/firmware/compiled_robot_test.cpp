@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "host/run/robots.hpp"
+#include "paths.hpp"
 #include "road_train.hpp"
 #include "snake.hpp"
 #include "turtlebot4.hpp"
@@ -35,8 +36,8 @@ void expect_workstations(const R& robot, const std::string& name) {
 }
 
 TEST(CompiledRobot, IsTheWorkstations) {
-  expect_workstations(robot_van::make(), KRAIT_SOURCE_DIR "/tests/targets/robots/van.json");
-  expect_workstations(robot_road_train::make(), KRAIT_SOURCE_DIR "/tests/targets/robots/road_train.json");
+  expect_workstations(robot_van::make(), test::source_path("tests/targets/robots/van.json"));
+  expect_workstations(robot_road_train::make(), test::source_path("tests/targets/robots/road_train.json"));
   expect_workstations(robot_snake::make(), "snake:3");
   expect_workstations(robot_unicycle::make(), "unicycle");
   expect_workstations(robot_turtlebot4::make(), "turtlebot4");

@@ -6,6 +6,7 @@
 
 #include "../scratch.hpp"
 #include "host/import/import.hpp"
+#include "paths.hpp"
 
 namespace krait::host::import_samples_test {
 namespace {
@@ -25,7 +26,7 @@ class SamplesTest : public testing::Test {
   }
 
  private:
-  std::string root_ = KRAIT_SOURCE_DIR "/../shared/samples";
+  std::string root_ = krait::test::source_path("../shared/samples");
 };
 
 TEST_F(SamplesTest, TurtlebotMapIsMostlyUnknown) {

@@ -11,6 +11,7 @@
 
 #include "krait/krait.hpp"
 #include "krait/robot_check.hpp"
+#include "paths.hpp"
 #include "readme_program.inc"
 #include "readme_robot.inc"
 
@@ -23,7 +24,7 @@ struct SceneFile {
 
 SceneFile compiled(const std::string& scene) {
   const std::filesystem::path base = std::filesystem::path(testing::TempDir()) / ("readme_" + scene);
-  const std::string program = KRAIT_BIN_DIR "/krait";
+  const std::string program = krait::test::program_path("krait");
   const std::string command = program + " scene " + scene + " -o " + base.string() + ".json && " + program +
                               " compile " + base.string() + ".json -o " + base.string() + ".krait";
   if (std::system(command.c_str()) != 0) throw std::runtime_error("cannot run: " + command);

@@ -18,6 +18,7 @@
 #include "collision/sight.hpp"
 #include "decomposition/indexed_heap.hpp"
 #include "host/run/robots.hpp"
+#include "paths.hpp"
 
 namespace krait::host {
 namespace {
@@ -61,7 +62,7 @@ struct SceneFile {
 
   explicit SceneFile(const std::string& name) {
     const std::filesystem::path base = std::filesystem::path(testing::TempDir()) / ("work_" + name);
-    const std::string program = KRAIT_BIN_DIR "/krait";
+    const std::string program = test::program_path("krait");
     const std::string command = program + " scene " + name + " -o " + base.string() + ".json && " + program +
                                 " compile " + base.string() + ".json -o " + base.string() + ".krait";
     if (std::system(command.c_str()) != 0) throw std::runtime_error("cannot run: " + command);
