@@ -158,6 +158,7 @@ STEERING = {
     "lib/robot/tracking.hpp": ["kHeadingShare", "kShare"],
     "lib/robot/trailers.hpp": ["kUnfoldRate", "kFoldBound"],
     "lib/robot/turning.hpp": ["kSteered", "kTurnBrake"],
+    "lib/robot/unicycle2.cpp": ["kTurnTimes"],
 }
 SECTIONS = {
     "include/krait/parameters.hpp": ["update_regions", "goal_near_radius"],

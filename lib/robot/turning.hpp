@@ -19,4 +19,10 @@ inline float stoppable_turn(float remaining, float brake, float dt) {
   return std::sqrt(step * step + 2.0F * brake * math::absolute(remaining)) - step;
 }
 
+// Seconds that a turn by `angle`, at least 0, takes from rest to rest.
+inline float turn_time(float angle, float most_rate, float acceleration) {
+  const bool slow = acceleration * angle < most_rate * most_rate;
+  return slow ? 2.0F * std::sqrt(angle / acceleration) : angle / most_rate + most_rate / acceleration;
+}
+
 }  // namespace krait::detail

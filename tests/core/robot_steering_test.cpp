@@ -137,6 +137,33 @@ TEST(RobotSteering, ASecondOrderUnicycleDrivesSlowerTowardWhatLiesAside) {
   EXPECT_NEAR(speed({-5, 0}, -1.0F), -0.5F, 1e-3F);
 }
 
+// A turn by 90 degrees from rest to rest takes it some 2 s up to its largest turn rate and as long down from it, in
+// which it turns by a radian, and the rest of the angle at that rate.
+TEST(RobotSteering, ASecondOrderUnicycleDrivesOnThroughATurnThatIsNotTheSharpest) {
+  const auto speed = [&](Vec2 point, float turn, float share) {
+    const float state[] = {0, 0, 0, 0.25F * share, 0};
+    Target target;
+    target.point = point;
+    target.speed = share;
+    target.turn = turn;
+    target.dt = 1.0F;
+    Steering steering;
+    float control[2];
+    sluggish().steer(StateView(state, 5), target, steering, ControlRef(control, 2));
+    return state[3] + control[0];
+  };
+  const float takes = 0.5F * kPi / 0.5F + 0.5F / 0.245F;
+  EXPECT_NEAR(speed({0, 1}, 0.8F, 1.0F), 1.0F / (2.5F * 0.64F * takes), 1e-4F);
+  EXPECT_NEAR(speed({0, -1}, 0.8F, 1.0F), 1.0F / (2.5F * 0.64F * takes), 1e-4F);
+  EXPECT_NEAR(speed({0, 1}, 0.8F, -1.0F), -1.0F / (2.5F * 0.64F * takes), 1e-4F);
+  EXPECT_NEAR(speed({0, 1}, 0.6F, 1.0F), 1.0F / (2.5F * 0.36F * takes), 1e-4F);
+  EXPECT_GT(speed({0, 1}, 0.3F, 1.0F), 0.49F);
+  const float little = 2.0F * std::sqrt(0.25F * kPi / 0.245F);  // 45 degrees, without reaching the largest turn rate
+  EXPECT_NEAR(speed({0.5F, 0.5F}, 0.8F, 1.0F), std::sqrt(0.5F) / (2.5F * 0.64F * little), 1e-4F);
+  EXPECT_GT(speed({1, 0}, 0.99F, 1.0F), 0.49F);  // straight ahead
+  EXPECT_LT(speed({0, 1}, 1.0F, 1.0F), 0.01F);   // the sharpest: on the spot
+}
+
 // Half left at full speed would need a wheel faster than it can be: the drive goes slower, and turns as it should.
 TEST(RobotSteering, ADifferentialDriveSlowsDownToTurn) {
   DifferentialDriveParameters p;

@@ -65,7 +65,8 @@ class Unicycle2 : public PlanarBody {
     ds[4] = u[1];
   }
   /// Turns no faster than it can stop turning when it faces the target, and drives the slower the further the target
-  /// lies to the side, on the spot where it lies behind.
+  /// lies to the side, on the spot where it lies behind. Where its turn need not be the sharpest it drives on, the
+  /// faster the less sharp it is.
   void steer(StateView s, const Target& target, Steering& steering, ControlRef u) const;
   /// Brings it back to its reference's line within some body lengths.
   void track(StateView s, StateView reference, float dt, ControlRef u) const;
