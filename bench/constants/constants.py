@@ -163,7 +163,9 @@ STEERING = {
 SECTIONS = {
     "include/krait/parameters.hpp": ["update_regions", "goal_near_radius"],
     "lib/search/search.hpp": ["kUnitRegions", "kShortestTry"],
-    "lib/improve/improver.hpp": ["kLongChain", "kSearches"],
+    "lib/improve/corners.cpp": ["kTrailerCut"],
+    "lib/improve/improver.hpp": ["kLongChain", "kSearches", "kShortcut", "kTakeShortcut", "kOtherShots", "kLeastArcs",
+                                 "kMoreArcs", "kLeastLeads", "kMoreLeads"],
     "lib/last_metres/last_metres.hpp": ["kMostLegs"],
     "lib/last_metres/last_metres.cpp": ["kMoveRadius"],
     "lib/robot/pushing.cpp": ["kFading"],

@@ -15,6 +15,7 @@ constexpr Span kCircleLooks = {0.6F, 1.4F};    // so much of what the circle tak
 constexpr Span kLooksBefore = {0.25F, 0.95F};  // units: so much more
 constexpr Span kOutward = {-0.2F, 1.1F};       // of what the circle cuts off: how far outward a corner moves
 constexpr float kMostCut = 1.8F;               // units: what counts as cut off at most
+constexpr float kTrailerCut = 0.5F;            // of Turns::trail: how far outward a corner of 60 degrees moves at most
 constexpr float kSharpest = 0.5F;              // share of the turns at random that are the sharpest; the others are
 constexpr Span kTurns = {0.2F, 1.0F};          // so much of it
 constexpr float kLeaveOut = 0.06F;             // a number from 0 to 1 below this: a via is left out; else, below
@@ -71,7 +72,10 @@ void round_corner(Vec2 before, Via& via, Vec2 after, const Turns& turns, Random&
   const float scale = length(outward);
   const float most = kMostCut * turns.unit;
   const float cut = radius * excess < most ? radius * excess : most;
-  if (scale > 1e-3F) via.at = via.at + (cut * between(kOutward, random) / scale) * outward;
+  if (!(scale > 1e-3F)) return;
+  const float by_circle = cut * between(kOutward, random) / scale;
+  const float by_trailers = turns.trail > 0.0F ? kTrailerCut * turns.trail * random.unit() : 0.0F;
+  via.at = via.at + (by_circle + by_trailers) * outward;
 }
 
 void change_via(Route& route, std::uint32_t i, const Turns& turns, Random& random) {

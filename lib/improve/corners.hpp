@@ -15,6 +15,7 @@ struct Turns {
 
   float radius[kShares];  // metres: of a long turn at each
   float unit;             // metres: half the robot's length and what it drives in two time steps
+  float trail = 0.0F;     // metres: of one trailer that cuts corners as its trailers do; 0: no corner is moved for them
 };
 
 // A standard normal number, nearly: six uniform ones.
@@ -24,7 +25,7 @@ float normal(Random& random);
 void vary(Via& via, const Turns& turns, Random& random);
 
 // Rounds the corner at `via` by one of the turns: sets how it is driven to, and moves it outward by a random share of
-// what the turn's circle would cut off.
+// what the turn's circle would cut off, and what trailers would.
 void round_corner(Vec2 before, Via& via, Vec2 after, const Turns& turns, Random& random);
 
 // Makes a random change at via i, 1 … count - 1, of an unmeasured copy of a route: rounds the corner again, drives to

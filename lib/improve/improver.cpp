@@ -6,6 +6,16 @@
 namespace krait::detail {
 namespace {
 
+// Metres: of one trailer that cuts corners about as much as all of the robot's together.
+float trailing_length(const Pose* poses, int bodies) {
+  float sum = 0.0F;
+  for (int k = 1; k < bodies; ++k) {
+    const Vec2 hitch = poses[k].position - poses[k - 1].position;
+    sum += dot(hitch, hitch);
+  }
+  return std::sqrt(sum);
+}
+
 // The cosine of the angle between a heading and the way from a to b.
 float cosine(SinCos heading, Vec2 a, Vec2 b) {
   const Vec2 way = b - a;
@@ -39,6 +49,7 @@ void Improver::begin(const WayTools& tools, PlanProof& proof, const Regions& reg
   stride_ = 0.0F;
   share_ = 0;
   round_ = 0;
+  shortest_ = kInfinity;
   best_route_.clear();
   searches_ = 0;
   searched_ = 0;
@@ -75,6 +86,10 @@ bool Improver::iterate() {
 void Improver::take_plan(const PlanPath& plan) {
   plan_ = plan;
   plan_steps_ = size(plan).steps;
+  for (Index leg = plan.first(); leg != kNone; leg = plan.next(leg)) {
+    const float speed = plan.target(leg).speed;
+    if (speed != 0.0F) ends_ahead_ = speed > 0.0F;  // the last leg may be a brake
+  }
 }
 
 Improver::Size Improver::size(const PlanPath& plan) {
@@ -130,6 +145,8 @@ void Improver::measure_turn() {
   turns_.radius[share_] = path < most * turned ? path / turned : most;
   if (++share_ < Turns::kShares) return;
   turns_.unit = 0.5F * robot_length_ + 2.0F * stride_;
+  tools_.robot.place(tools_.start, pose);
+  turns_.trail = straightens() ? trailing_length(pose, tools_.robot.body_count()) : 0.0F;
   begin_round();
 }
 
@@ -145,6 +162,7 @@ void Improver::aim_aside(const Pose& pose, bool to_the_left) {
 void Improver::begin_round() {
   if (pushes_) searches_ = round_ > 0 && best_route_.count() == 0 ? 1 : 0;
   if (searches_next()) {
+    if (tools_.last_metres != nullptr) tools_.last_metres->draw_with({});
     ++searched_;
     stage_ = Stage::searching;
   } else {
@@ -154,7 +172,9 @@ void Improver::begin_round() {
 }
 
 void Improver::begin_line() {
-  if (best_route_.count() > 0 && random_.unit() < kAgain) {
+  if (takes_shortcut()) {
+    round_ += round_ % 2;  // so that this round's line is that of the regions
+  } else if (best_route_.count() > 0 && random_.unit() < kAgain) {
     route().copy(best_route_);
     return begin_search();
   }
@@ -166,6 +186,16 @@ void Improver::begin_line() {
   leg_ = plan_.first();
   step_ = 0;
   line_.add({tools_.start[0], tools_.start[1]});
+}
+
+bool Improver::straightens() const {
+  const LastMetres* const last_metres = tools_.last_metres;
+  return last_metres != nullptr && last_metres->asks_for_straight() && tools_.robot.body_count() > 1 && ends_ahead_;
+}
+
+bool Improver::takes_shortcut() {
+  const float plan = stride_ * static_cast<float>(plan_steps_);
+  return straightens() && shortest_ < kShortcut * plan && random_.unit() < kTakeShortcut;
 }
 
 bool Improver::trace_regions() {
@@ -234,12 +264,24 @@ void Improver::make_route() {
     }
   }
   route().measure();
+  if (round_ % 2 == 1) shortest_ = route().length();
   if (saves_turns_backwards() && random_.unit() < kBackwards) route().drive_in(-1.0F);
   if (chooses_shots()) change_shots(route());
 }
 
 bool Improver::chooses_shots() const {
   return tools_.last_metres != nullptr && tools_.robot.turning_radius(robot_length_) == 0.0F;
+}
+
+void Improver::vary_shots() {
+  if (tools_.last_metres == nullptr) return;
+  LastMetres::Lines lines;
+  if (straightens() && random_.unit() < kOtherShots) {
+    lines.radii = kLeastArcs + kMoreArcs * random_.unit();
+    lines.leads = kLeastLeads + kMoreLeads * random_.unit();
+    lines.detours = false;
+  }
+  tools_.last_metres->draw_with(lines);
 }
 
 float Improver::change_shots(Route& route) {
@@ -263,6 +305,7 @@ bool Improver::saves_turns_backwards() const {
 }
 
 void Improver::begin_search() {
+  vary_shots();
   current().clear();
   const std::uint32_t room = current().capacity() / (tools_.last_metres == nullptr ? 1 : 2);
   const std::uint32_t hold = std::max(plan_steps_ / room + 1, kHold);

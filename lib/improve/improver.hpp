@@ -4,6 +4,8 @@
 // so far is taken up. It is driven corner by corner: once there is a better way, each is passed some times, with random
 // changes, and the quickest time is kept. Where none gets past a corner, the route is changed around the place of the
 // failure. What is better than the plan is driven once more and proven as the plan was, and only then takes its place.
+// Where trailers must be straight at the goal and the plan does not back in, corners are moved outward for them, most
+// shots are tighter, and a line of the regions that is much shorter than the plan is taken in most rounds.
 // A long chain seldom gets along such a line: in most of its rounds the planner restarts its search. So it does for a
 // robot that pushes trailers, as long as no line has led to a better way: such a plan may end in a slow push.
 #pragma once
@@ -84,6 +86,13 @@ class Improver {
   static constexpr std::uint32_t kTurning = 30;    // steps of the turn,
   static constexpr std::uint32_t kMeasured = 15;   // the last ones of which are measured
   static constexpr float kBraking = 0.3F;          // of the sharpest: how shots brake
+  static constexpr float kShortcut = 0.75F;        // of the plan: a line of the regions that is shorter is worth
+  static constexpr float kTakeShortcut = 0.7F;     // so many rounds; in
+  static constexpr float kOtherShots = 0.75F;      // so many the shots have
+  static constexpr float kLeastArcs = 0.25F;       // arcs of so many times the usual radii, at least, and
+  static constexpr float kMoreArcs = 0.35F;        // so many more at most,
+  static constexpr float kLeastLeads = 0.5F;       // straight ends of so many times the usual lengths, at least, and
+  static constexpr float kMoreLeads = 1.0F;        // so many more at most, and no detours
   static constexpr float kSearchAhead = 2.4F;      // units: how far on along a route the robot's place is looked for
   static constexpr float kSpacing = 0.5F;          // units between the points of a line that is pulled taut
   static constexpr float kLeastDisc = 1.15F;       // of body 0's half width: what a line is pulled taut for, and
@@ -120,6 +129,13 @@ class Improver {
   // A new line: in turn that of the regions and that of the plan.
   void begin_line();
 
+  // Whether trailers must be straight at the goal, and the plan does not back in. Elsewhere no shortcut is taken, and
+  // shots have the usual lines.
+  bool straightens() const;
+
+  // Whether this round is one along the line of the regions since that is much shorter than the plan.
+  bool takes_shortcut();
+
   // The middles of the portals between the regions. False where they have no path.
   bool trace_regions();
 
@@ -139,6 +155,10 @@ class Improver {
   // Whether routes differ in where shots at the pose begin: for a robot that turns on the spot almost every shot ends
   // in the pose, and an early one keeps it from turning on its way.
   bool chooses_shots() const;
+
+  // Draws which lines the round's shots have: the usual arcs are those of a turn that lasts, and tighter ones leave
+  // more room for the straight end.
+  void vary_shots();
 
   // Draws again where a measured route's shots begin. Returns from where on along the route that matters.
   float change_shots(Route& route);
@@ -206,6 +226,7 @@ class Improver {
   const Regions* regions_ = nullptr;
   PlanPath plan_;
   std::uint32_t plan_steps_ = 0;
+  bool ends_ahead_ = true;  // whether its last motion is ahead
   EndDepth depth_;
   PlanMeasures measures_;
   Random random_;
@@ -219,6 +240,7 @@ class Improver {
   std::uint32_t searched_ = 0;  // those that have begun since the last one
   Stage stage_ = Stage::turning;
   std::uint32_t round_ = 0;
+  float shortest_ = kInfinity;  // metres: the last line that was that of the regions in its turn
   TautLine line_;
   Way best_;
   Way ways_[2];  // the best of this round, and the one that is driven

@@ -54,16 +54,10 @@ void LastMetres::assign(const Scene& scene, const Goal& goal, const Nimbleness& 
   goal_ = goal;
   robot_ = robot;
   braking_ = kBraking;
-  const float radius = least_radius(robot);
+  draw_with({});
   const bool spins = robot.turning_radius == 0.0F;
-  radii_[0] = 0.0F;
-  for (int i = spins ? 1 : 0; i < kRadii; ++i) radii_[i] = detail::kRadii[spins ? i - 1 : i] * radius;
-  const bool straightens = goal.facing().hitches < kInfinity;
-  const float* leads = straightens ? kHitchLeads : kLeads;
-  const float unit = straightens ? robot.train : robot.length;
-  for (int i = 0; i < kLeadCount; ++i) leads_[i] = leads[i] * (i < kShortLeadCount ? robot.length : unit);
-  short_leads_ = straightens || !spins ? kShortLeadCount : 0;
-  capture_ = kCaptureRadii * radius + kCaptureLengths * robot.length + leads_[kLeadCount - 1];
+  short_leads_ = asks_for_straight() || !spins ? kShortLeadCount : 0;
+  capture_ = kCaptureRadii * least_radius(robot) + kCaptureLengths * robot.length + leads_[kLeadCount - 1];
   sight_ = Sight::in(scene, kSightRoom * robot.half_width, kSightStep * robot.length);
   spin_ = Sight::in(scene, robot.reach, kSightStep * robot.length);
   near_ = kNearEnough * goal.radius();
@@ -72,6 +66,19 @@ void LastMetres::assign(const Scene& scene, const Goal& goal, const Nimbleness& 
   found_ways_ = false;
   hold_ = kHold;
   look_ = kLook * robot_.length;
+}
+
+void LastMetres::draw_with(const Lines& lines) {
+  const float radius = least_radius(robot_);
+  const bool spins = robot_.turning_radius == 0.0F;
+  radii_[0] = 0.0F;
+  for (int i = spins ? 1 : 0; i < kRadii; ++i) radii_[i] = lines.radii * detail::kRadii[spins ? i - 1 : i] * radius;
+  const float* leads = asks_for_straight() ? kHitchLeads : kLeads;
+  const float unit = asks_for_straight() ? robot_.train : robot_.length;
+  for (int i = 0; i < kLeadCount; ++i) {
+    leads_[i] = lines.leads * leads[i] * (i < kShortLeadCount ? robot_.length : unit);
+  }
+  detours_ = lines.detours;
 }
 
 void LastMetres::forget_shots(bool by_detour) {
@@ -193,7 +200,7 @@ bool LastMetres::looks_free(const CurvedLine& line) const {
 }
 
 bool LastMetres::next(const Pose* poses) {
-  if (shot_ == shot_count_ && !by_detour_) {
+  if (shot_ == shot_count_ && !by_detour_ && detours_) {
     if (robot_.parking != nullptr) robot_.parking->choose(*this, poses);
     if (robot_.docking != nullptr) robot_.docking->choose(*this, poses);
   }

@@ -43,8 +43,20 @@ class LastMetres {
   // How sharply later shots brake, of the sharpest: assign sets what keeps most of them on their lines.
   void brake(float share) { braking_ = share; }
 
+  // Which lines later shots have: with arcs and straight ends of so many times the size that assign sets, and with
+  // detours, ways out or stages or swings, where others fail.
+  struct Lines {
+    float radii = 1.0F;
+    float leads = 1.0F;
+    bool detours = true;
+  };
+  void draw_with(const Lines& lines);
+
   // Whether a position is so near to the goal that it pays to shoot.
   bool near(Vec2 position) const { return length(position - goal_.center()) <= capture_; }
+
+  // Whether trailers must be straight at the goal.
+  bool asks_for_straight() const { return goal_.facing().hitches < kInfinity; }
 
   // Metres within which it does.
   float capture() const { return capture_; }
@@ -162,6 +174,7 @@ class LastMetres {
   bool swung_;          // whether swings have been chosen
   bool by_detour_;      // whether the shots that were chosen last lead to ways out or to stages
   bool found_ways_;     // whether ways out have been looked for
+  bool detours_;        // whether ways out, swings and stages are
   PullOuts ways_;
   PullIn pull_in_;
   CurvedLine line_;      // that is driven

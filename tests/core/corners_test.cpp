@@ -43,6 +43,25 @@ TEST(Corners, AreRoundedOutwardByOneOfTheTurns) {
   EXPECT_GT(inward, 20);
 }
 
+TEST(Corners, MoveOutwardForTrailersByTheLengthOfThose) {
+  constexpr int kCount = 500;
+  constexpr float kTrail = 2.0F;
+  detail::Turns trailing = kTurns;
+  trailing.trail = kTrail;
+  const auto mean_way = [](const detail::Turns& turns) {
+    detail::Random random(1);
+    double sum = 0;
+    for (int i = 0; i < kCount; ++i) {
+      detail::Via via{{4, 0}, 0, 0, 0};
+      detail::round_corner({0, 0}, via, {4, 5}, turns, random);
+      EXPECT_NEAR(via.at.x - 4, -via.at.y, 1e-5F);
+      sum += static_cast<double>(via.at.x - 4);
+    }
+    return sum / kCount;
+  };
+  EXPECT_NEAR(mean_way(trailing) - mean_way(kTurns), 0.25 * static_cast<double>(kTrail), 0.05);
+}
+
 TEST(Corners, StraightLinesAndViasAtOnePlaceStayWhereTheyAre) {
   detail::Random random(1);
   for (const Vec2 after : {Vec2{8, 0}, Vec2{4, 0}}) {

@@ -93,6 +93,54 @@ TEST(ImprovePose, ARobotThatFacesAwayDrivesBackwards) {
   EXPECT_GE(static_cast<double>(backwards), 0.9 * static_cast<double>(path.controls.size()));
 }
 
+// A kink that is 0.6 m wide, or the way around: dynobench's kink_0.
+Room kink() {
+  Room room;
+  room.bounds = {0, 0, 7, 6};
+  room.boxes = {{2.5, 4.4, 5.5, 6}, {4.3, 3.6, 5.5, 4.4}, {2.5, 3, 3.7, 3.8}, {2.5, 1, 5.5, 3}};
+  room.goals = {{6, 3.5, 6.5, 4.5}};
+  return room;
+}
+
+KinematicTruck truck_for_kink() {
+  KinematicTruckParameters p;
+  p.trailers = 1;
+  p.body_length = 0.5F;
+  p.body_width = 0.25F;
+  p.wheelbase = 0.25F;
+  p.hitch_length = 0.5F;
+  p.max_speed = 0.5F;
+  p.min_speed = -0.1F;
+  p.max_steering = kPi / 3.0F;
+  KinematicTruck truck(p);
+  constexpr Vec2 kCar[] = {{-0.25F, -0.125F}, {0.25F, -0.125F}, {0.25F, 0.125F}, {-0.25F, 0.125F}};
+  constexpr Vec2 kTrailer[] = {{-0.15F, -0.125F}, {0.15F, -0.125F}, {0.15F, 0.125F}, {-0.15F, 0.125F}};
+  truck.set_body(0, {kCar, 4});
+  truck.set_body(1, {kTrailer, 4});
+  return truck;
+}
+
+// First plans lead around the outside: behind the kink the trailer can be straightened on tight arcs only.
+TEST(ImprovePose, ATruckTakesTheShorterWayThroughAKink) {
+  constexpr int kSearches = 8;
+  double first = 0;
+  double better = 0;
+  for (std::uint64_t seed = kSeed; seed < kSeed + kSearches; ++seed) {
+    Bench<KinematicTruck> bench(kink(), truck_for_kink());
+    bench.limits.way_legs = kManyLegs;
+    ASSERT_TRUE(bench.init().ok());
+    std::vector<float> start(static_cast<std::size_t>(bench.robot.state_size()));
+    bench.robot.rest({1.5F, 4}, 0.5F * kPi, nullptr, start.data());
+    const Goal goal = Goal::pose({6.5F, 4}, kNear, {0.5F * kPi, kNear, false, kNear});
+    ASSERT_EQ(bench.solve({start.data(), goal, seed}), Status::solved);
+    const std::uint64_t most = 60 * bench.planner.statistics().collision_checks;
+    first += bench.planner.plan().steps();
+    while (bench.planner.statistics().collision_checks < most) EXPECT_EQ(bench.planner.improve(10), Status::solved);
+    better += bench.planner.plan().steps();
+  }
+  EXPECT_LE(better / first, 0.7);
+}
+
 TEST(ImprovePose, ThePlanDoesNotDependOnHowCallsAreCut) {
   expect_independent_of_cuts(small_car(), pose(1));
   expect_independent_of_cuts(DifferentialDrive(DifferentialDriveParameters()), pose(2));
