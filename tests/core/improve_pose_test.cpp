@@ -102,31 +102,13 @@ Room kink() {
   return room;
 }
 
-KinematicTruck truck_for_kink() {
-  KinematicTruckParameters p;
-  p.trailers = 1;
-  p.body_length = 0.5F;
-  p.body_width = 0.25F;
-  p.wheelbase = 0.25F;
-  p.hitch_length = 0.5F;
-  p.max_speed = 0.5F;
-  p.min_speed = -0.1F;
-  p.max_steering = kPi / 3.0F;
-  KinematicTruck truck(p);
-  constexpr Vec2 kCar[] = {{-0.25F, -0.125F}, {0.25F, -0.125F}, {0.25F, 0.125F}, {-0.25F, 0.125F}};
-  constexpr Vec2 kTrailer[] = {{-0.15F, -0.125F}, {0.15F, -0.125F}, {0.15F, 0.125F}, {-0.15F, 0.125F}};
-  truck.set_body(0, {kCar, 4});
-  truck.set_body(1, {kTrailer, 4});
-  return truck;
-}
-
 // First plans lead around the outside: behind the kink the trailer can be straightened on tight arcs only.
 TEST(ImprovePose, ATruckTakesTheShorterWayThroughAKink) {
   constexpr int kSearches = 8;
   double first = 0;
   double better = 0;
   for (std::uint64_t seed = kSeed; seed < kSeed + kSearches; ++seed) {
-    Bench<KinematicTruck> bench(kink(), truck_for_kink());
+    Bench<KinematicTruck> bench(kink(), car_with_trailer());
     bench.limits.way_legs = kManyLegs;
     ASSERT_TRUE(bench.init().ok());
     std::vector<float> start(static_cast<std::size_t>(bench.robot.state_size()));

@@ -22,6 +22,24 @@ inline Room two_rooms(double door = 2) {
   return room;
 }
 
+// The first-order car with a trailer of dynobench's problems (github.com/quimortiz/dynobench), which backs at a fifth
+// of its speed.
+inline KinematicTruck car_with_trailer() {
+  KinematicTruckParameters p;
+  p.trailers = 1;
+  p.body_length = 0.5F;
+  p.body_width = 0.25F;
+  p.wheelbase = 0.25F;
+  p.hitch_length = 0.5F;
+  p.max_speed = 0.5F;
+  p.min_speed = -0.1F;
+  p.max_steering = 1.047F;
+  KinematicTruck robot(p);
+  static constexpr Vec2 kTrailer[] = {{-0.15F, -0.125F}, {0.15F, -0.125F}, {0.15F, 0.125F}, {-0.15F, 0.125F}};
+  robot.set_body(1, {kTrailer, 4});
+  return robot;
+}
+
 template <class R, class P = Planner>
 struct Bench {
   template <class... PlannersOwn>

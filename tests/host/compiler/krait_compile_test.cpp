@@ -39,7 +39,7 @@ class KraitCompile : public testing::Test {
   Outcome run(const std::string& arguments) const {
     const std::string log = (folder_ / "log").string();
     const int status =
-        std::system((krait::test::program_path("krait-compile ") + arguments + " >" + log + " 2>&1").c_str());
+        std::system((krait::test::program_path("krait-compile") + " " + arguments + " >" + log + " 2>&1").c_str());
     std::ostringstream text;
     text << std::ifstream(log).rdbuf();
     return {WEXITSTATUS(status), text.str()};
