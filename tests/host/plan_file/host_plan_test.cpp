@@ -10,6 +10,7 @@
 #include "../scratch.hpp"
 #include "host/input/json.hpp"
 #include "host/plan_file/plan_file.hpp"
+#include "host/plan_file/plan_table.hpp"
 
 namespace krait::host {
 namespace {
@@ -50,6 +51,23 @@ TEST_F(PlanTest, ReadsBackWhatWasWritten) {
   EXPECT_EQ(to_json(copy), to_json(plan));
   EXPECT_EQ(copy.seed, plan.seed);
   EXPECT_EQ(copy.origin.x, 1234.5);
+}
+
+TEST_F(PlanTest, ATableHasAStateALineAndTheControlThatItIsLeftWith) {
+  PlanFile plan = example();
+  plan.states[1] = {0.5F, -0.25F, 1, 2, 1.0F / 3, -2.5F};
+  EXPECT_EQ(plan_table(plan),
+            "t,x,y,theta0,v,psi,theta1,acceleration,steering_rate\n"
+            "0,1234.5,-6,0,0,0,0,0.5,-4\n"
+            "0.1,1235,-6.25,1,2,0.333333343,-2.5,,\n");
+}
+
+TEST_F(PlanTest, ATableOfAPlanFarFromTheOriginKeepsItsMillimetres) {
+  PlanFile plan = example();
+  plan.origin = {5'000'000, 0};
+  plan.states = {{0.125F, 0.125F, 0, 0, 0, 0}};
+  plan.controls.clear();
+  EXPECT_THAT(plan_table(plan), HasSubstr("\n0,5000000.125,0.125,0,0,0,0,,\n"));
 }
 
 TEST_F(PlanTest, AHeadingOfTheGoalReadsBack) {

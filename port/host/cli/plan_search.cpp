@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "host/cli/plan_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "host/cli/plan_summary.hpp"
+#include "host/input/interrupt.hpp"
+#include "host/run/session.hpp"
+#include "host/workspace/printed.hpp"
+
+namespace krait::host {
+namespace {
+
+// "1200 iterations, 4 m to go", and of a plan that is improved how good it is.
+std::string detail_of(const SearchNews& news) {
+  const auto iterations = static_cast<unsigned long long>(news.iterations);
+  if (news.best.length > 0) {
+    return printed("best plan %.1f s, %.1f m, improved %s", news.best.duration, news.best.length,
+                   times(news.improvements).c_str());
+  }
+  if (std::isfinite(news.cost_to_go)) {
+    return printed("%llu iterations, cost still to go %.3g", iterations, news.cost_to_go);
+  }
+  return printed("%llu iterations, %llu vertices", iterations, static_cast<unsigned long long>(news.vertices));
+}
+
+// Ctrl-C ends the search with what there is; before and after it, the program.
+SearchResult search(const PlanOptions& options, const SearchRequest& request, const SceneBytes& bytes, Block& block,
+                    Progress& progress) {
+  const Interrupt interrupt;
+  SearchWatch watch;
+  watch.tell = [&](const SearchNews& news) {
+    progress.show(news.best.length > 0 ? "improving" : "planning", detail_of(news));
+  };
+  watch.stop = [&] { return interrupt.asked(); };
+  SearchResult result = run_search(options.scene, bytes, request, block, watch);
+  progress.end();
+  return result;
+}
+
+// Searches with the clearance that was asked for, or else the usual one and, where that search uses up its iterations,
+// the least; which one becomes the request's.
+Answer search_clear(const krait::Scene& scene, const Ground& ground, const PlanOptions& options, SearchRequest& request,
+                    Block& block, Progress& progress) {
+  if (options.clearance || options.paper) return {search(options, request, ground.scene, block, progress), {}};
+  Clearance clearance = usual_clearance(scene, request, ground.map, block);
+  request.parameters.clearance = clearance.kept;
+  SearchResult first = search(options, request, ground.scene, block, progress);
+  const bool in_vain = first.plan.status == to_string(Status::budget_used);
+  if (!in_vain || !(clearance.kept > kLeastClearance)) return {std::move(first), clearance};
+  clearance.in_vain = clearance.kept;
+  request.parameters.clearance = clearance.kept = kLeastClearance;
+  if (request.time_limit) *request.time_limit = std::max(*request.time_limit - first.seconds, 0.0);
+  return {search(options, request, ground.scene, block, progress), clearance};
+}
+
+// Searches; where obstacles are in the way that the compiler's default tolerance may have grown, the map is compiled
+// without it, and that scene, which replaces the first, is searched.
+Answer search_in(Ground& ground, const PlanOptions& options, SearchRequest& request, Progress& progress) {
+  Block block = block_of(request);
+  const krait::Scene scene = open_scene(options.scene, ground.scene);
+  const double growth = static_cast<double>(scene.header().tolerance);
+  if (!ground.map || !options.tolerance.empty() || !(growth > 0)) {
+    return search_clear(scene, ground, options, request, block, progress);
+  }
+  try {
+    Answer answer = search_clear(scene, ground, options, request, block, progress);
+    if (answer.result.plan.status != to_string(Status::no_route)) return answer;
+  } catch (const InObstacle&) {
+    progress.end();
+  }
+  compile_exactly(ground, options, growth);
+  return search_clear(open_scene(options.scene, ground.scene), ground, options, request, block, progress);
+}
+
+}  // namespace
+
+Answer search_for(Ground& ground, const PlanOptions& options, SearchRequest& request, Progress& progress) {
+  try {
+    return search_in(ground, options, request, progress);
+  } catch (const InObstacle& error) {
+    if (options.query.robot_given()) throw;
+    throw InObstacle(std::string(error.what()) + " (the robot is " + options.query.robot +
+                     ": --robot asks for another)");
+  }
+}
+
+}  // namespace krait::host
