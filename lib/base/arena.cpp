@@ -9,8 +9,8 @@ constexpr const char* kPoolNames[kPoolCount] = {"regions",    "portals", "groups
 
 const char* to_string(Pool pool) { return kPoolNames[static_cast<std::size_t>(pool)]; }
 
-void* Arena::allocate_bytes(Pool pool, std::uint64_t bytes) {
-  const std::uint64_t padded = (bytes + kAlignment - 1) / kAlignment * kAlignment;
+void* Arena::allocate_rows(Pool pool, std::uint32_t count, std::size_t bytes) {
+  const std::uint64_t padded = (std::uint64_t{count} * bytes + kAlignment - 1) / kAlignment * kAlignment;
   const std::uint64_t offset = needed_;
   needed_ += padded;
   by_pool_[static_cast<std::size_t>(pool)] += padded;

@@ -40,11 +40,12 @@ class Arena {
     KRAIT_ASSERT(reinterpret_cast<std::uintptr_t>(block) % kAlignment == 0);
   }
 
-  // Room for `count` objects, uninitialised; null while counting or when the block is too small. O(1).
+  // Room for `count` rows of `width` objects, uninitialised; null while counting or when the block is too small. A row
+  // has less than 4 GB. O(1).
   template <class T>
-  T* allocate(Pool pool, std::uint64_t count) {
+  T* allocate(Pool pool, std::uint32_t count, std::uint32_t width = 1) {
     static_assert(std::is_trivially_copyable_v<T> && alignof(T) <= kAlignment);
-    return static_cast<T*>(allocate_bytes(pool, count * sizeof(T)));
+    return static_cast<T*>(allocate_rows(pool, count, width * sizeof(T)));
   }
 
   // Bytes that all arrays so far need, whether or not they fitted.
@@ -54,7 +55,7 @@ class Arena {
   std::uint64_t bytes() const { return bytes_; }
 
  private:
-  void* allocate_bytes(Pool pool, std::uint64_t bytes);
+  void* allocate_rows(Pool pool, std::uint32_t count, std::size_t bytes);
 
   std::byte* block_ = nullptr;
   std::uint64_t bytes_ = 0;

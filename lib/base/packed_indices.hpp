@@ -12,7 +12,7 @@ inline constexpr std::uint16_t kNone16 = 0xFFFF;  // where two bytes are enough 
 class PackedIndices {
  public:
   // Room for `count` indices below `limit`, or kNone.
-  void allocate(Arena& arena, Pool pool, std::uint64_t count, std::uint64_t limit) {
+  void allocate(Arena& arena, Pool pool, std::uint32_t count, std::uint32_t limit) {
     wide_ = limit > kNone16;
     if (wide_) {
       data_ = arena.allocate<std::uint32_t>(pool, count);

@@ -8,7 +8,7 @@ namespace krait::detail {
 MotionCheck::MotionCheck() = default;
 
 void MotionCheck::allocate(Arena& arena, const Robot& robot) {
-  const auto bodies = static_cast<std::uint64_t>(robot.body_count());
+  const auto bodies = static_cast<std::uint32_t>(robot.body_count());
   circles_ = arena.allocate<Circle>(Pool::work, bodies);
   needed_ = arena.allocate<float>(Pool::work, bodies);
   farthest_ = arena.allocate<float>(Pool::work, bodies);
@@ -19,7 +19,7 @@ void MotionCheck::allocate(Arena& arena, const Robot& robot) {
     placement = {arena.allocate<Pose>(Pool::work, bodies), arena.allocate<float>(Pool::work, bodies)};
   }
   for (float*& state : middle_)
-    state = arena.allocate<float>(Pool::work, static_cast<std::uint64_t>(robot.state_size()));
+    state = arena.allocate<float>(Pool::work, static_cast<std::uint32_t>(robot.state_size()));
   checks_ = 0;
 }
 

@@ -12,7 +12,7 @@ void MotionTree::allocate(Arena& arena, std::uint32_t vertices, std::uint32_t ex
   state_size_ = static_cast<std::size_t>(state_size);
   records_ = arena.allocate<Expansion>(Pool::expansions, expansions);
   branches_ = arena.allocate<std::uint32_t>(Pool::vertices, vertices);
-  states_ = arena.allocate<float>(Pool::states, std::uint64_t{vertices} * state_size_);
+  states_ = arena.allocate<float>(Pool::states, vertices, static_cast<std::uint32_t>(state_size));
 }
 
 void MotionTree::reset(const Box& bounds, std::uint32_t spare) {

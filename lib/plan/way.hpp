@@ -28,7 +28,7 @@ class Way {
     state_size_ = static_cast<std::size_t>(state_size);
     capacity_ = legs;
     legs_ = arena.allocate<Leg>(Pool::improvement, legs);
-    states_ = arena.allocate<float>(Pool::improvement, (legs / kLegsAState + 1) * state_size_);
+    states_ = arena.allocate<float>(Pool::improvement, legs / kLegsAState + 1, static_cast<std::uint32_t>(state_size));
   }
 
   void clear() {

@@ -14,7 +14,7 @@ class RecentStates {
   // 16 bytes a component of the state.
   void allocate(Arena& arena, const Robot& robot) {
     size_ = robot.state_size();
-    states_ = arena.allocate<float>(Pool::work, std::uint64_t{kCount} * static_cast<std::uint32_t>(size_));
+    states_ = arena.allocate<float>(Pool::work, kCount, static_cast<std::uint32_t>(size_));
   }
 
   // Keeps the state after `step` steps, and its region.

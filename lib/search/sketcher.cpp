@@ -4,8 +4,8 @@
 namespace krait::detail {
 
 void Sketcher::allocate(Arena& arena, const Robot& robot) {
-  const auto bodies = static_cast<std::uint64_t>(robot.body_count());
-  state_ = arena.allocate<float>(Pool::work, static_cast<std::uint64_t>(robot.state_size()));
+  const auto bodies = static_cast<std::uint32_t>(robot.body_count());
+  state_ = arena.allocate<float>(Pool::work, static_cast<std::uint32_t>(robot.state_size()));
   centers_ = arena.allocate<Vec2>(Pool::work, bodies);
   poses_ = arena.allocate<Pose>(Pool::work, bodies);
   looks_ = arena.allocate<Look>(Pool::work, bodies);

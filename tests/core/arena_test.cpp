@@ -75,7 +75,7 @@ TEST(Arena, OneByteLessGivesNullForWhatNoLongerFits) {
 
 TEST(Arena, SizesBeyond32BitsAreCounted) {
   detail::Arena arena;
-  arena.allocate<std::uint64_t>(detail::Pool::states, std::uint64_t{1} << 40U);
+  arena.allocate<std::uint64_t>(detail::Pool::states, 1U << 31U, 1U << 9U);
   EXPECT_EQ(arena.needed(), std::uint64_t{1} << 43U);
 }
 

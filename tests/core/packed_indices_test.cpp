@@ -13,7 +13,7 @@ namespace krait::test::packed_indices_test {
 namespace {
 
 struct Fixture {
-  Fixture(std::uint64_t count, std::uint64_t limit) {
+  Fixture(std::uint32_t count, std::uint32_t limit) {
     detail::Arena counting;
     indices.allocate(counting, detail::Pool::regions, count, limit);
     bytes = counting.needed();
