@@ -28,8 +28,8 @@ double since(Clock::time_point begin) { return std::chrono::duration<double>(Clo
 
 PeerProblem problem_of(const PeerPlanner& planner, const PeerRobot& robot, const Scene& scene,
                        const host::ResolvedQuery& query, const Parameters& parameters, const PeerTuning& tuning) {
-  const float tenth = 0.1F * query.goal.size(scene);
-  const float depth = parameters.goal_margin < tenth ? parameters.goal_margin : tenth;
+  const float deepest = query.goal.deepest(scene);
+  const float depth = parameters.goal_margin < deepest ? parameters.goal_margin : deepest;
   return {robot, scene, query.goal, depth, parameters, planner.controls, tuning};
 }
 

@@ -71,6 +71,10 @@ class Goal {
   /// polygon).
   float size(const Scene& scene) const;
 
+  /// Metres, above 0: how deep inside the goal a plan can be made to end: a tenth of size(), and less of a polygon that
+  /// is long and narrow. Some point of the goal lies twice as deep. O(vertices of the polygon).
+  float deepest(const Scene& scene) const;
+
  private:
   Goal(Index index, Vec2 center, float radius) : index_(index), center_(center), radius_(radius) {}
 

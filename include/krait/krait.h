@@ -454,8 +454,8 @@ typedef struct krait_parameters {
   float dt;                   /**< seconds, 0.001 to 1, default 0.1: a time step */
   float clearance;            /**< metres, 0 to 10, default 0.001: a plan keeps it between bodies and everything, on top
                                    of rounding */
-  float goal_margin;          /**< metres, 0 to 10, at most a tenth of the goal's size, default 0.03: how deep inside
-                                   the plan must end */
+  float goal_margin;          /**< metres, 0 to 10, at most a tenth of the goal's size, less where it is long and
+                                   narrow, default 0.03: how deep inside the plan must end */
   float end_speed;            /**< m/s, 0 to INFINITY, default 0: a plan ends no faster, to 5 mm/s; 0: at rest;
                                    INFINITY: at any speed */
   krait_search_tuning tuning; /**< how the search goes about it */

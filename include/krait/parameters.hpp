@@ -81,7 +81,7 @@ struct ParameterRange {
 struct Parameters {
   float dt = 0.1F;            ///< 0.001 … 1 s: a time step
   float clearance = 1e-3F;    ///< 0 … 10 m: a plan keeps it between bodies and everything, on top of rounding
-  float goal_margin = 0.03F;  ///< 0 … 10 m, at most a tenth of the goal's size: how deep inside the plan must end
+  float goal_margin = 0.03F;  ///< 0 … 10 m, at most Goal::deepest: how deep inside the goal the plan must end
   float end_speed = 0.0F;  ///< m/s, 0 … infinity: a plan ends no faster, to 5 mm/s; 0: at rest; infinity: at any speed
   SearchTuning tuning;     ///< how the search proceeds
 

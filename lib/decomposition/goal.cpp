@@ -110,4 +110,20 @@ float Goal::size(const Scene& scene) const {
   return format::kGrid * std::sqrt(0.5F * static_cast<float>(static_cast<std::int64_t>(twice_area)));
 }
 
+float Goal::deepest(const Scene& scene) const {
+  const float side = size(scene);
+  const float tenth = 0.1F * side;
+  if (is_disc()) return tenth;
+  // The largest circle in any polygon has a radius of its area by its perimeter at least (Bonnesen).
+  const Polygon polygon = scene.goal_polygon(index_);
+  float perimeter = 0.0F;
+  Vec2 last = polygon[polygon.count - 1];
+  for (int i = 0; i < polygon.count; ++i) {
+    perimeter += length(polygon[i] - last);
+    last = polygon[i];
+  }
+  const float half_radius = 0.5F * side * side / perimeter;
+  return half_radius < tenth ? half_radius : tenth;
+}
+
 }  // namespace krait

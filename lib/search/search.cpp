@@ -90,9 +90,9 @@ Status Search::begin(const Query& query, const Keeper& keeper) {
   tree_.reset(scene_->bounds(), spare_expansions());
   failure_ = check_query(query);
   if (status() != Status::searching) return status();
-  const float tenth = 0.1F * query.goal.size(*scene_);
-  goal_depth_ = parameters_.goal_margin < tenth ? parameters_.goal_margin : tenth;
-  end_depth_ = {kDepthKept * goal_depth_, tenth};
+  const float deepest = query.goal.deepest(*scene_);
+  goal_depth_ = parameters_.goal_margin < deepest ? parameters_.goal_margin : deepest;
+  end_depth_ = {kDepthKept * goal_depth_, deepest};
   equip_expander(keeper);
   const bool fits = !parameters_.tuning.prune_portals || disc_route().fits();
   if (!find_paths()) return finish(Status::goal_in_obstacle);

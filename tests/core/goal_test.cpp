@@ -113,6 +113,38 @@ TEST(Goal, SizeIsTheSideOfASquareOfItsArea) {
   EXPECT_NEAR(static_cast<double>(Goal::disc({5, 5}, 2).size(opened.scene)), std::sqrt(4 * 3.14159265358979), 1e-5);
 }
 
+// How deep the deepest of a grid of points lies.
+float depth_of_grid(const Scene& scene, float step) {
+  const Box box = Goal::named(0).box(scene);
+  float depth = 0.0F;
+  for (Vec2 p = box.min; p.x <= box.max.x; p.x += step) {
+    for (p.y = box.min.y; p.y <= box.max.y; p.y += step) {
+      while (Goal::named(0).contains(scene, p, depth + 0.25F * step)) depth += 0.25F * step;
+    }
+  }
+  return depth;
+}
+
+TEST(Goal, HasRoomTwiceAsDeepAsAPlanIsMadeToEnd) {
+  const std::vector<std::vector<Vec2>> goals = {
+      {{1, 1}, {3, 1}, {3, 3}, {1, 3}},                                      // a square
+      {{1, 1}, {9, 1}, {9, 1.0625F}, {1, 1.0625F}},                          // a line
+      {{1, 1}, {9, 9}, {8.9375F, 9.0625F}, {0.9375F, 1.0625F}},              // a slanting one
+      {{1, 1}, {9, 1}, {9, 9}, {8.875F, 9}, {8.875F, 1.125F}, {1, 1.125F}},  // two lines that meet
+      {{1, 1}, {9, 1}, {5, 1.5F}}};                                          // a flat triangle
+  for (const std::vector<Vec2>& goal : goals) {
+    const Opened opened(with_polygon(goal));
+    const float deepest = Goal::named(0).deepest(opened.scene);
+    EXPECT_GT(deepest, 0.0F);
+    EXPECT_GE(depth_of_grid(opened.scene, 0.0078125F), 1.9F * deepest);
+  }
+  const Opened square(with_polygon(goals[0]));
+  EXPECT_FLOAT_EQ(Goal::named(0).deepest(square.scene), 0.2F);
+  EXPECT_FLOAT_EQ(Goal::disc({5, 5}, 2).deepest(square.scene), 0.1F * Goal::disc({5, 5}, 2).size(square.scene));
+  const Opened line(with_polygon(goals[1]));
+  EXPECT_NEAR(static_cast<double>(Goal::named(0).deepest(line.scene)), 0.0155, 1e-4);
+}
+
 // Slivers that floats say have no area, or a negative one: a long side, and a corner a grid step or two off it.
 TEST(Goal, SizeOfASliverIsThatOfItsArea) {
   std::mt19937 random(3);

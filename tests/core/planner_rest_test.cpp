@@ -77,6 +77,18 @@ TEST(PlannerRest, WeakBrakesBeginFarFromTheGoal) {
   EXPECT_LE(rests.fastest_end(Goal::named(0)), detail::kRestSpeed);
 }
 
+// A finishing line, which is shrunk by less than other goals, so that something of it is left.
+TEST(PlannerRest, StopsOnALineOfTwoCentimetres) {
+  Room room = two_rooms();
+  room.goals[0] = {9.5, 1, 9.52, 7};
+  Bench<Car> bench(room, Car(Car::defaults()));
+  ASSERT_TRUE(bench.init().ok());
+  const std::vector<float> start = standing(bench.robot, {3, 4});
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    EXPECT_EQ(bench.solve({start.data(), Goal::named(0), seed}), Status::solved) << seed;
+  }
+}
+
 TEST(PlannerRest, TheStateOfAUnicycleHasNoSpeed) {
   Rests<Unicycle> rests(small_unicycle());
   EXPECT_EQ(rests.fastest_end(Goal::named(0)), 0.0F);
