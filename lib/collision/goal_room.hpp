@@ -13,8 +13,9 @@ struct GoalRoom {
   Vec2 at{};            // that point
 };
 
-// Whether a point within `reach` metres of the goal may have a clearance of `enough` metres. By branch and bound over
-// squares: at most 1,365 distances of a point, and one where the middle of the goal has enough.
+// Whether a point within `reach` metres of the goal, or where that is below 0 so deep inside, may have a clearance of
+// `enough` metres. By branch and bound over squares: at most 1,365 distances of a point, and one where the middle of
+// the goal has enough.
 GoalRoom goal_room(const Scene& scene, const Obstacles& obstacles, const Goal& goal, float reach, float enough);
 
 }  // namespace krait::detail

@@ -12,9 +12,9 @@ float least_portal_width(const Robot& robot, float clearance) {
   return inner > 0.0F ? 2.0F * (inner + clearance) : 0.0F;
 }
 
-DiscRoute::DiscRoute(const Robot& robot, Regions& regions, const Goal& goal, float clearance, Vec2 start,
+DiscRoute::DiscRoute(const Robot& robot, Regions& regions, const Goal& goal, float depth, float clearance, Vec2 start,
                      const Pose& body)
-    : regions_(regions), scene_(regions.scene()), goal_(goal) {
+    : regions_(regions), scene_(regions.scene()), goal_(goal), depth_(depth) {
   const Polygon polygon = robot.body(0);
   const Vec2 center = middle(polygon);
   around_middle_ = {body.position + turned(body.heading, center), inner_radius(polygon, center) + clearance,
@@ -35,7 +35,7 @@ Bottleneck DiscRoute::narrowest(bool failed) {
 
 GoalRoom DiscRoute::room_at_goal(const Disc& disc) const {
   const Obstacles obstacles(scene_, 0.0F);
-  return goal_room(scene_, obstacles, goal_, disc.reach, disc.radius - 2.0F * obstacles.margin());
+  return goal_room(scene_, obstacles, goal_, disc.reach - depth_, disc.radius - 2.0F * obstacles.margin());
 }
 
 Bottleneck DiscRoute::narrowest(const Disc& disc) {

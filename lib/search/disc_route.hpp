@@ -15,8 +15,9 @@ float least_portal_width(const Robot& robot, float clearance);
 class DiscRoute {
  public:
   // Robot, scene and regions must outlive this. `body` is the pose of body 0 at the start, `start` the robot's
-  // position.
-  DiscRoute(const Robot& robot, Regions& regions, const Goal& goal, float clearance, Vec2 start, const Pose& body);
+  // position, `depth` metres: how deep inside the goal the position must be in the end.
+  DiscRoute(const Robot& robot, Regions& regions, const Goal& goal, float depth, float clearance, Vec2 start,
+            const Pose& body);
 
   // False when a disc finds no room in the goal, or no way from the start to so near the goal that the position could
   // be inside. Uses the regions' tables as scratch. Work: O(R), and at most 2,730 distances of a point.
@@ -45,6 +46,7 @@ class DiscRoute {
   Regions& regions_;
   const Scene& scene_;
   Goal goal_;
+  float depth_;
   Disc around_middle_;    // of body 0
   Disc around_position_;  // smaller, but where the position is
 };

@@ -158,7 +158,8 @@ Status Search::add_root(bool fits) {
 
 DiscRoute Search::disc_route() {
   check_.begin(expander_.state());
-  return {robot_, regions_, ending_.goal(), parameters_.clearance, start_position(), check_.poses()[0]};
+  const Pose& body = check_.poses()[0];
+  return {robot_, regions_, ending_.goal(), goal_depth_, parameters_.clearance, start_position(), body};
 }
 
 // The search.

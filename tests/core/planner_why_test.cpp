@@ -79,7 +79,7 @@ TEST(PlannerWhy, AGoalWhereTheRobotCannotStandIsRefusedAtOnce) {
   ASSERT_TRUE(bench.init().ok());
   const struct {
     Vec2 center;
-    float radius, room;                          // the most clearance in the goal
+    float radius, room;                          // the most clearance in the goal, a little more than where a plan ends
   } cramped[] = {{{0.1F, 0.1F}, 0.05F, 0.135F},  // in a corner
                  {{11.95F, 3}, 0.1F, 0.15F},     // at the bounds
                  {{6.3F, 1}, 0.1F, 0.15F},       // behind the wall
@@ -88,10 +88,23 @@ TEST(PlannerWhy, AGoalWhereTheRobotCannotStandIsRefusedAtOnce) {
     ASSERT_EQ(bench.planner.start({kStart, Goal::disc(goal.center, goal.radius)}), Status::no_route);
     const Bottleneck bottleneck = bench.planner.bottleneck();
     EXPECT_TRUE(bottleneck.at_goal);
-    EXPECT_NEAR(static_cast<double>(bottleneck.width), 2 * static_cast<double>(goal.room), 0.02);
+    EXPECT_NEAR(static_cast<double>(bottleneck.width), 2 * static_cast<double>(goal.room), 0.03);
     EXPECT_LE(length(bottleneck.at - goal.center), goal.radius + 0.02F);
   }
   EXPECT_EQ(bench.planner.start({kStart, Goal::disc({0.25F, 0.25F}, 0.05F)}), Status::searching);
+}
+
+// A plan ends 3 cm inside, where this goal's room is less than at its border.
+TEST(PlannerWhy, AGoalWithRoomOnlyAtItsBorderIsRefusedAtOnce) {
+  Bench<Unicycle> bench(two_rooms(), small_unicycle());
+  ASSERT_TRUE(bench.init().ok());
+  const Goal goal = Goal::disc({0, 4}, 0.22F);
+  ASSERT_EQ(bench.planner.start({kStart, goal}), Status::no_route);
+  EXPECT_TRUE(bench.planner.bottleneck().at_goal);
+  EXPECT_NEAR(static_cast<double>(bench.planner.bottleneck().width), 2 * 0.19, 0.02);
+  bench.parameters.goal_margin = 0.0F;
+  ASSERT_TRUE(bench.init().ok());
+  EXPECT_EQ(bench.solve({kStart, goal}), Status::solved);
 }
 
 TEST(PlannerWhy, TheBottleneckLeavesTheCostsAsTheyWere) {
