@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "krait/robots/differential_drive.hpp"
 
+#include <algorithm>
+
 #include "robot/limits.hpp"
 #include "robot/shape.hpp"
 #include "robot/tracking.hpp"
@@ -21,6 +23,8 @@ using detail::stoppable_turn;
 namespace {
 
 constexpr PidGains kHeadingGains{3.0F, 0.05F, 0.1F};  // rad/s per radian of heading error
+constexpr float kCatchUp = 0.1F;                      // of the speed: by which what lags may be faster, or
+constexpr float kCreep = 1e-3F;                       // metres a second, if that is more
 
 }  // namespace
 
@@ -63,13 +67,20 @@ void DifferentialDrive::approach(StateView s, const float* wanted, float share, 
   }
 }
 
+// Where a wheel would be too fast, catching up yields to turning. What lags far catches up by a tenth of the
+// reference's speed at most, so that it comes to rest where the reference does, and does not drive on.
 void DifferentialDrive::track(StateView s, StateView reference, float dt, ControlRef u) const {
   const DifferentialDriveParameters& p = parameters_;
   const float speed = 0.5F * p.wheel_radius * (reference[3] + reference[4]);
   const Correction change = correction(deviation(s, reference), speed, p.body_length, dt);
-  const float turn = 0.5F * p.track_width * kHeadingShare * change.heading / dt;
-  const float wanted[2] = {reference[3] + u[0] * dt + (change.speed - turn) / p.wheel_radius,
-                           reference[4] + u[1] * dt + (change.speed + turn) / p.wheel_radius};
+  const float half_turn = 0.5F * p.track_width * kHeadingShare * change.heading / (dt * p.wheel_radius);
+  float wanted[2] = {reference[3] + u[0] * dt - half_turn, reference[4] + u[1] * dt + half_turn};
+  const float most = p.max_wheel_speed * kInside;
+  const float reach = std::max(kCatchUp * math::absolute(speed), kCreep);
+  const float faster = math::clamp(change.speed, -reach, reach) / p.wheel_radius;
+  const float least = -most - std::min(wanted[0], wanted[1]);
+  const float kept = std::min(std::max(faster, least), most - std::max(wanted[0], wanted[1]));
+  for (float& wheel : wanted) wheel += kept;
   approach(s, wanted, 1.0F, dt, u);
 }
 
