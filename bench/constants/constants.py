@@ -66,8 +66,8 @@ CONSTANTS = {
     "straight": {"lib/last_metres/last_metres.cpp": {"kHitchLeads": ()}},
     "improve": {
         "lib/improve/improver.hpp": {
-            "kHold": (), "kAgain": (), "kTries": (), "kMostTries": (), "kPast": (), "kAhead": (), "kAskew": (),
-            "kPatience": (), "kNearer": (), "kAsNear": (), "kTakenAsNear": (),
+            "kHold": (), "kAgain": (), "kTries": (), "kMostTries": (), "kStraightOn": (0.95, 1.0095),
+            "kPast": (), "kAhead": (), "kAskew": (), "kPatience": (), "kNearer": (), "kAsNear": (), "kTakenAsNear": (),
             "kRounded": (0.5, 1.5), "kRunUp": (), "kTurning": (), "kMeasured": (),
             "kSearchAhead": (), "kSpacing": (), "kLeastDisc": (0.9, 1.3), "kMoreDisc": (), "kPullStep": (),
             "kBeforeFailure": (), "kAroundFailure": (), "kNearFailure": (), "kSpread": (), "kFar": ()},

@@ -476,7 +476,7 @@ typedef struct krait_limits {
   uint32_t expansions; /**< kept, 2 to 4,192,256; 0: half as many as vertices */
   uint64_t iterations; /**< expansions made, at least 1 */
   uint8_t when_full;   /**< KRAIT_RECYCLE or KRAIT_STOP; krait_init refuses every other number */
-  uint32_t way_legs;   /**< room for krait_improve: 0, or 16 to 1e6, best a third of a plan's steps; 0: none, no
+  uint32_t way_legs;   /**< room for krait_improve: 0, or 16 to 1e6, best half of a plan's steps; 0: none, no
                             memory */
 } krait_limits;
 

@@ -115,7 +115,7 @@ struct Limits {
   std::uint32_t expansions = 0;  ///< kept, 2 … kMost; 0: half as many as vertices
   std::uint64_t iterations = 1'000'000;    ///< expansions made, at least 1
   WhenFull when_full = WhenFull::recycle;  ///< what it does when one of these is used up
-  std::uint32_t way_legs = 0;  ///< 0, or 16 … 1e6: room for improve, best a third of a plan's steps; 0: none, no memory
+  std::uint32_t way_legs = 0;  ///< 0, or 16 … 1e6: room for improve, best half of a plan's steps; 0: none, no memory
 
   /// The number that `expansions` stands for. O(1).
   std::uint32_t kept_expansions() const { return expansions != 0 ? expansions : vertices / 2 + 1; }

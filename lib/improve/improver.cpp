@@ -146,7 +146,8 @@ void Improver::measure_turn() {
   if (++share_ < Turns::kShares) return;
   turns_.unit = 0.5F * robot_length_ + 2.0F * stride_;
   tools_.robot.place(tools_.start, pose);
-  turns_.trail = straightens() ? trailing_length(pose, tools_.robot.body_count()) : 0.0F;
+  trailing_ = trailing_length(pose, tools_.robot.body_count());
+  turns_.trail = straightens() ? trailing_ : 0.0F;
   begin_round();
 }
 
@@ -264,9 +265,19 @@ void Improver::make_route() {
     }
   }
   route().measure();
+  divide_stretches();
   if (round_ % 2 == 1) shortest_ = route().length();
   if (saves_turns_backwards() && random_.unit() < kBackwards) route().drive_in(-1.0F);
   if (chooses_shots()) change_shots(route());
+}
+
+void Improver::divide_stretches() {
+  const float near = kSpread * turns_.unit;
+  const std::uint32_t last = route().count() - 1;
+  for (std::uint32_t i = last - 1; i > 0 && !route().full(); --i) {
+    if (route()[i].arc - route()[i - 1].arc > kFar * near) route().divide(route()[i].arc - near);
+  }
+  if (route()[1].arc > kFar * near && !route().full()) route().divide(near);
 }
 
 bool Improver::chooses_shots() const {
@@ -345,11 +356,19 @@ void Improver::next_corner() {
   drive_corner();
 }
 
+bool Improver::turns() const {
+  const Route& route = routes_[here_of_routes_];
+  if (corner_ == 1 || corner_ + 1 == route.count()) return true;
+  const Vec2 in = route[corner_].at - route[corner_ - 1].at;
+  const Vec2 out = route[corner_ + 1].at - route[corner_].at;
+  return !(dot(in, out) > kStraightOn * (length(in) * length(out)));
+}
+
 void Improver::drive_corner() {
   float until = kInfinity;
   if (corner_ + 1 < changed().count()) {
     const float at = changed()[corner_].arc;
-    until = at + std::min(kPast * turns_.unit, 0.5F * (changed()[corner_ + 1].arc - at));
+    until = at + std::min(kPast * turns_.unit + trailing_, 0.5F * (changed()[corner_ + 1].arc - at));
   }
   begin_drive(from_leg_, until);
 }
@@ -358,7 +377,7 @@ void Improver::learn_corner(Outcome outcome) {
   ++tries_;
   if (outcome == Outcome::passed) learn_passed();
   const bool passed = least_steps_ < kInfinity;
-  const std::uint32_t enough = best_route_.count() > 0 ? kTries : 1;
+  const std::uint32_t enough = best_route_.count() > 0 && turns() ? kTries : 1;
   if (tries_ < (passed ? enough : kMostTries)) return try_corner();
   if (passed) return next_corner();
   if (outcome == Outcome::blocked) return begin_repair();

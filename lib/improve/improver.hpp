@@ -66,11 +66,13 @@ class Improver {
   // Measured: bench/ABLATIONS.md, "Constants".
   static constexpr int kLongChain = 4;             // bodies of a chain for which searches restart, and
   static constexpr std::uint32_t kSearches = 7;    // such rounds before each one along a line
-  static constexpr std::uint32_t kHold = 3;        // steps of a leg, or more where a way would not have room
+  static constexpr std::uint32_t kHold = 2;        // steps of a leg, or more where a way would not have room
   static constexpr float kAgain = 0.5F;            // how often a round takes up the best way's route, once it has one
   static constexpr std::uint32_t kTries = 6;       // drives past a corner, once it has a way, and
   static constexpr std::uint32_t kMostTries = 12;  // at most, where none gets past it
-  static constexpr float kPast = 0.7F;             // units after a corner, or half way to the next one: there they end,
+  static constexpr float kStraightOn = 0.99F;      // cosine of a turn that is no corner: such a via is passed once
+  static constexpr float kPast = 0.7F;             // units after a corner, and the trailers' length, or half way to the
+                                                   // next one: there they end,
   static constexpr float kAhead = 2.0F;            // and so far on, in units, the robot should look,
   static constexpr float kAskew = 1.0F;            // units that it loses where it looks aside
   static constexpr std::uint32_t kPatience = 12;   // changes in vain around a failure that end a round
@@ -101,7 +103,7 @@ class Improver {
   static constexpr float kBeforeFailure = 6.0F;    // units before the place of a failure, at most, a via is changed, of
   static constexpr float kAroundFailure = 8.0F;    // as many units of the route around it; a new via there is
   static constexpr float kNearFailure = 2.0F;      // units from others
-  static constexpr float kSpread = 4.0F;           // units around a change, outside of which the route stays where vias
+  static constexpr float kSpread = 4.0F;           // units around a change and before a corner, where vias are added if
   static constexpr float kFar = 1.5F;              // as many times as far away are the nearest
 
   Way& current() { return ways_[here_]; }
@@ -149,6 +151,10 @@ class Improver {
   // Makes the line a route.
   void make_route();
 
+  // Adds vias on the route a little before its corners, and a little after its begin: what is tried at one is then
+  // driven from near there.
+  void divide_stretches();
+
   // Whether a robot of one body turns less at the line's ends if it drives the line backwards.
   bool saves_turns_backwards() const;
 
@@ -173,6 +179,9 @@ class Improver {
 
   // Goes on to the next corner of the route.
   void next_corner();
+
+  // Whether the route turns at the corner, or is at one of its ends.
+  bool turns() const;
 
   // Drives the changed route past the corner, or to its end after the last one.
   void drive_corner();
@@ -227,15 +236,16 @@ class Improver {
   PlanPath plan_;
   std::uint32_t plan_steps_ = 0;
   bool ends_ahead_ = true;  // whether its last motion is ahead
+  bool pushes_ = false;     // whether searches are restarted since the robot pushes trailers
   EndDepth depth_;
   PlanMeasures measures_;
   Random random_;
   float robot_length_ = 1.0F;
   float half_width_ = 0.0F;
-  float stride_ = 0.0F;  // metres: the longest step that the robot made
+  float trailing_ = 0.0F;  // metres: of one trailer that cuts corners as all do
+  float stride_ = 0.0F;    // metres: the longest step that the robot made
   Turns turns_{};
   std::uint32_t share_ = 0;     // of the turns, that is measured next
-  bool pushes_ = false;         // whether searches are restarted since the robot pushes trailers
   std::uint32_t searches_ = 0;  // before each round along a line, and
   std::uint32_t searched_ = 0;  // those that have begun since the last one
   Stage stage_ = Stage::turning;
