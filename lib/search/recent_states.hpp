@@ -37,7 +37,7 @@ class RecentStates {
 
   int size_ = 0;
   float* states_ = nullptr;  // of step s at place s % kCount, and
-  Index regions_[kCount];    // their regions
+  Index regions_[kCount]{};  // their regions
 };
 
 }  // namespace krait::detail
