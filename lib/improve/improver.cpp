@@ -271,12 +271,17 @@ void Improver::make_route() {
   if (chooses_shots()) change_shots(route());
 }
 
-void Improver::divide_stretches() {
+bool Improver::divide_before(Route& route, std::uint32_t i) const {
   const float near = kSpread * turns_.unit;
-  const std::uint32_t last = route().count() - 1;
-  for (std::uint32_t i = last - 1; i > 0 && !route().full(); --i) {
-    if (route()[i].arc - route()[i - 1].arc > kFar * near) route().divide(route()[i].arc - near);
-  }
+  const float arc = route[i].arc;
+  if (!(arc - route[i - 1].arc > kFar * near) || route.full()) return false;
+  route.divide(arc - near);
+  return true;
+}
+
+void Improver::divide_stretches() {
+  for (std::uint32_t i = route().count() - 2; i > 0; --i) (void)divide_before(route(), i);
+  const float near = kSpread * turns_.unit;
   if (route()[1].arc > kFar * near && !route().full()) route().divide(near);
 }
 
@@ -356,11 +361,10 @@ void Improver::next_corner() {
   drive_corner();
 }
 
-bool Improver::turns() const {
-  const Route& route = routes_[here_of_routes_];
-  if (corner_ == 1 || corner_ + 1 == route.count()) return true;
-  const Vec2 in = route[corner_].at - route[corner_ - 1].at;
-  const Vec2 out = route[corner_ + 1].at - route[corner_].at;
+bool Improver::turns() {
+  if (corner_ == 1 || corner_ + 1 == route().count()) return true;
+  const Vec2 in = route()[corner_].at - route()[corner_ - 1].at;
+  const Vec2 out = route()[corner_ + 1].at - route()[corner_].at;
   return !(dot(in, out) > kStraightOn * (length(in) * length(out)));
 }
 
@@ -468,10 +472,7 @@ std::uint32_t Improver::via_near_failure() {
 std::uint32_t Improver::spread_around(std::uint32_t i) {
   const float arc = changed()[i].arc;
   const float near = kSpread * turns_.unit;
-  if (arc - changed()[i - 1].arc > kFar * near && !changed().full()) {
-    changed().divide(arc - near);
-    ++i;
-  }
+  if (divide_before(changed(), i)) ++i;
   const bool far = i + 1 < changed().count() && changed()[i + 1].arc - arc > kFar * near;
   if (far && !changed().full()) changed().divide(arc + near);
   return i;

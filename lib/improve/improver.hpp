@@ -151,6 +151,10 @@ class Improver {
   // Makes the line a route.
   void make_route();
 
+  // Adds a via to a measured route a little before its via i, where the one before that is far away and there is room.
+  // Returns whether it did: via i is then via i + 1.
+  bool divide_before(Route& route, std::uint32_t i) const;
+
   // Adds vias on the route a little before its corners, and a little after its begin: what is tried at one is then
   // driven from near there.
   void divide_stretches();
@@ -181,7 +185,7 @@ class Improver {
   void next_corner();
 
   // Whether the route turns at the corner, or is at one of its ends.
-  bool turns() const;
+  bool turns();
 
   // Drives the changed route past the corner, or to its end after the last one.
   void drive_corner();
