@@ -157,8 +157,7 @@ STEERING = {
     "lib/robot/pushing.cpp": ["kNear", "kSharpest", "kLockShare", "kShortest", "kLongest", "kBack"],
     "lib/robot/tracking.hpp": ["kHeadingShare", "kShare"],
     "lib/robot/trailers.hpp": ["kUnfoldRate", "kFoldBound"],
-    "lib/robot/turning.hpp": ["kSteered", "kTurnBrake"],
-    "lib/robot/unicycle2.cpp": ["kTurnTimes"],
+    "lib/robot/turning.hpp": ["kSteered", "kTurnBrake", "kTurnTimes"],
 }
 SECTIONS = {
     "include/krait/parameters.hpp": ["update_regions", "goal_near_radius"],

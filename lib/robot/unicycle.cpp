@@ -3,6 +3,7 @@
 
 #include "robot/shape.hpp"
 #include "robot/tracking.hpp"
+#include "robot/turning.hpp"
 
 namespace krait {
 
@@ -11,6 +12,7 @@ using detail::Correction;
 using detail::deviation;
 using detail::kHeadingShare;
 using detail::positive;
+using detail::speed_in_turn;
 
 namespace {
 
@@ -33,7 +35,12 @@ void Unicycle::steer(StateView s, const Target& target, Steering& steering, Cont
   }
   const float error = heading_error(s, target);
   const float along = math::sin_cos(error).cos;
-  const float speed = target.speed * (target.speed < 0.0F ? -p.min_speed : p.max_speed) * (along > 0.0F ? along : 0.0F);
+  const float top = target.speed * (target.speed < 0.0F ? -p.min_speed : p.max_speed);
+  float speed = along > 0.0F ? top * along : 0.0F;
+  if (target.turn < 1.0F) {
+    const float turning = math::absolute(error) / p.max_turn_rate;
+    speed = speed_in_turn(top, target.turn, turning, length(target.point - position(s)));
+  }
   u[0] = speed > p.min_speed ? speed : p.min_speed;
   u[1] = math::clamp(steering.heading(kHeadingGains, error, target.dt), -p.max_turn_rate, p.max_turn_rate);
 }

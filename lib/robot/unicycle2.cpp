@@ -17,14 +17,9 @@ using detail::kInside;
 using detail::kSteered;
 using detail::kTurnBrake;
 using detail::positive;
+using detail::speed_in_turn;
 using detail::stoppable_turn;
 using detail::turn_time;
-
-namespace {
-
-constexpr float kTurnTimes = 2.5F;  // times as long as its nearly sharpest turn a way to the target takes
-
-}  // namespace
 
 bool Unicycle2::sound() const {
   const Unicycle2Parameters& p = parameters_;
@@ -35,8 +30,7 @@ bool Unicycle2::sound() const {
 
 // Where it turns so fast that it will pass the direction behind it, it turns on and not back. Speed yields by the
 // cosine's square: a machine that takes two seconds to its top speed finds its way with fewer vertices so than with the
-// cosine. Where its turn need not be the sharpest it drives on while it turns, so fast that the way to the target takes
-// kTurnTimes and its squared share of the sharpest turn times as long as the turn would take from rest to rest.
+// cosine. Where its turn need not be the sharpest it drives on while it turns, as if it turned from rest to rest.
 void Unicycle2::steer(StateView s, const Target& target, Steering&, ControlRef u) const {
   const Unicycle2Parameters& p = parameters_;
   if (target.speed == 0.0F) {
@@ -53,9 +47,7 @@ void Unicycle2::steer(StateView s, const Target& target, Steering&, ControlRef u
   float speed = along > 0.0F ? top * along * along : 0.0F;
   if (target.turn < 1.0F) {
     const float turning = turn_time(math::absolute(around), p.max_turn_rate, kSteered * p.max_turn_acceleration);
-    const float way = kTurnTimes * target.turn * target.turn * turning * math::absolute(top);
-    const float distance = length(target.point - position(s));
-    speed = distance < way ? top * (distance / way) : top;
+    speed = speed_in_turn(top, target.turn, turning, length(target.point - position(s)));
   }
   approach(s, speed, remaining < 0.0F ? -rate : rate, kSteered, target.dt, u);
 }

@@ -85,7 +85,7 @@ TEST(ImprovePose, ARobotThatIsSlowToTurnShootsWhereThatHelps) {
 // Facing away from the way, and from the goal where that asks for the same heading.
 TEST(ImprovePose, ARobotThatFacesAwayDrivesBackwards) {
   EXPECT_LE(share_of_steps(slow_to_turn(), kInfinity, kPi, kManyLegs), 0.83);
-  Solved<Unicycle> bench(slow_to_turn(), kSeed, kManyLegs, pose(2), kPi);
+  Solved<Unicycle> bench(slow_to_turn(0.3F), kSeed, kManyLegs, pose(2), kPi);
   EXPECT_EQ(bench.planner.improve(1500), Status::solved);
   const Path path(bench.planner.plan());
   const auto backwards = std::count_if(path.controls.begin(), path.controls.end(),

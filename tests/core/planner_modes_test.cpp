@@ -85,7 +85,7 @@ TEST(PlannerModes, WhereEveryRegionMeetsTheGoalItIsFoundAndNoCostRises) {
   EXPECT_EQ(bench.planner.statistics().regions_repaired, 0U);
 }
 
-// The expansions from each update of searches to the next, and the regions that the former found anew. The searches
+// The expansions from each update of a try to the next, and the regions that the former found anew. The searches
 // look ahead a little only, so that they last.
 struct Updates {
   std::vector<std::uint64_t> waits, repaired;
@@ -101,15 +101,19 @@ Updates updates_of(std::uint32_t kappa, std::uint32_t update_regions) {
   Updates updates;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     EXPECT_EQ(bench.planner.start({start, Goal::named(0), seed}), Status::searching);
-    Statistics last = bench.planner.statistics();
+    Statistics last = bench.planner.statistics();  // at the last update, or where the try began
+    std::uint64_t repaired = 0;                    // by the last update of this try
     while (bench.planner.advance(1) == Status::searching) {
       const Statistics now = bench.planner.statistics();
-      if (now.regions_repaired == last.regions_repaired) continue;
-      if (last.regions_repaired > 0) updates.waits.push_back(now.iterations - last.iterations);
-      updates.repaired.push_back(now.regions_repaired - last.regions_repaired);
+      const bool another_try = now.restarts != last.restarts;
+      if (!another_try && now.regions_repaired == last.regions_repaired) continue;
+      if (!another_try && repaired > 0) {
+        updates.waits.push_back(now.iterations - last.iterations);
+        updates.repaired.push_back(repaired);
+      }
+      repaired = another_try ? 0 : now.regions_repaired - last.regions_repaired;
       last = now;
     }
-    updates.repaired.resize(updates.waits.size());
   }
   EXPECT_GT(updates.waits.size(), 10U);
   return updates;

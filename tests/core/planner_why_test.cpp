@@ -129,7 +129,7 @@ TEST(PlannerWhy, OfASearchInVainItIsOnTheWayFromTheStart) {
     Bench<Unicycle> bench(walled({{3, 6, 0.5}, {6, 2, 0.8}}), small_unicycle());
     bench.limits.iterations = iterations;
     ASSERT_TRUE(bench.init().ok());
-    if (bench.solve({kStart, Goal::disc({10.5F, 6.5F}, 1e-4F)}) != Status::budget_used) continue;
+    if (bench.solve({kStart, Goal::disc({10.5F, 6.5F}, 1e-6F)}) != Status::budget_used) continue;
     ++in_vain;
     const Bottleneck bottleneck = bench.planner.bottleneck();
     EXPECT_NEAR(static_cast<double>(bottleneck.width), 0.5, 0.02) << iterations;

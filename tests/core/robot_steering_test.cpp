@@ -164,6 +164,33 @@ TEST(RobotSteering, ASecondOrderUnicycleDrivesOnThroughATurnThatIsNotTheSharpest
   EXPECT_LT(speed({0, 1}, 1.0F, 1.0F), 0.01F);   // the sharpest: on the spot
 }
 
+// A turn by 90 degrees takes it pi / 2 over its turn rate, in seconds.
+TEST(RobotSteering, AUnicycleDrivesOnThroughATurnThatIsNotTheSharpest) {
+  UnicycleParameters p;
+  p.min_speed = -0.5F;
+  p.max_turn_rate = 0.5F;
+  const Unicycle robot(p);
+  const auto speed = [&](Vec2 point, float turn, float share) {
+    const float state[] = {0, 0, 0};
+    Target target;
+    target.point = point;
+    target.speed = share;
+    target.turn = turn;
+    Steering steering;
+    float control[2];
+    robot.steer(StateView(state, 3), target, steering, ControlRef(control, 2));
+    return control[0];
+  };
+  const float takes = 0.5F * kPi / 0.5F;
+  EXPECT_NEAR(speed({0, 1}, 0.8F, 1.0F), 1.0F / (2.5F * 0.64F * takes), 1e-4F);
+  EXPECT_NEAR(speed({0, -1}, 0.8F, 1.0F), 1.0F / (2.5F * 0.64F * takes), 1e-4F);
+  EXPECT_NEAR(speed({0, 2}, 0.8F, 0.7F), 2.0F / (2.5F * 0.64F * takes), 1e-4F);  // the way in the time, at any speed
+  EXPECT_NEAR(speed({0, 1}, 0.8F, -1.0F), -1.0F / (2.5F * 0.64F * takes), 1e-4F);
+  EXPECT_EQ(speed({0, 1}, 0.2F, 1.0F), 1.0F);
+  EXPECT_EQ(speed({1, 0}, 0.99F, 1.0F), 1.0F);          // straight ahead
+  EXPECT_NEAR(speed({0, 1}, 1.0F, 1.0F), 0.0F, 1e-5F);  // the sharpest: on the spot
+}
+
 // Half left at full speed would need a wheel faster than it can be: the drive goes slower, and turns as it should.
 TEST(RobotSteering, ADifferentialDriveSlowsDownToTurn) {
   DifferentialDriveParameters p;

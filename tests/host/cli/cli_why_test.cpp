@@ -90,7 +90,7 @@ const std::vector<Hopeless> kHopeless = {
     {{"--goal", "10,2,0.5"}, 1, "the goal's middle, 10,2, lies in an obstacle"},
     {{"--goal", "17,5,0.001", "--iterations", "500"}, 1, "  most expansions, "},
     {{"--goal", "17,5,0.001", "--iterations", "500", "--planner", "rrt"}, 1, "  try more --iterations\n"},
-    {{"--goal", "17,5,0.001", "--robot", "unicycle", "--memory", "6K", "--iterations", "100"}, 1, "--memory"}};
+    {{"--goal", "17,5,0.001", "--robot", "diff_drive", "--memory", "6K", "--iterations", "100"}, 1, "--memory"}};
 
 TEST_F(CliWhy, HopelessQueriesNameWhatIsInTheWayAndWhatToTry) {
   for (std::size_t i = 0; i < kHopeless.size(); ++i) {
