@@ -75,7 +75,7 @@ Equations chain(const RobotSpec& robot, bool slip) {
                     within("steering", number(robot, "max_steering"))};
   e.control_limits = {within("acceleration", number(robot, "max_acceleration")),
                       within("steering rate", number(robot, "max_steering_rate"))};
-  e.steered = true;
+  e.angles = {4};
   add_trailers(robot, e);
   e.motion = [slip, wheelbase = positive(robot, "wheelbase"), hitch_length = e.hitch_length](
                  const State& state, const Control& control, State& rate) {
@@ -218,6 +218,11 @@ State Dynamics::at_rest(const Point& position, double heading, const std::vector
   state[2] = heading;
   for (std::size_t i = 0; i < trailers_; ++i) state[front_size_ + i] = i < trailers.size() ? trailers[i] : heading;
   return state;
+}
+
+bool Dynamics::is_angle(std::size_t index) const {
+  const std::vector<std::size_t>& angles = equations_.angles;
+  return is_heading(index) || std::find(angles.begin(), angles.end(), index) != angles.end();
 }
 
 State Dynamics::derivative(const State& state, const Control& control) const {

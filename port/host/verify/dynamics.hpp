@@ -42,9 +42,9 @@ struct Limit {
 struct Equations {
   std::vector<std::string> state_names;  // but the trailers' headings
   std::vector<Limit> state_limits;
-  std::vector<Limit> control_limits;
-  bool steered = false;     // component 4 is the angle of the front wheels
-  double hitch_length = 0;  // metres; only with trailers
+  std::vector<Limit> control_limits;  // one for each component of a control, in their order
+  std::vector<std::size_t> angles;    // components that are angles but no headings, as that of front wheels
+  double hitch_length = 0;            // metres; only with trailers
   std::size_t self_collision_gap = 0;
   // Writes how fast all but the position changes, and returns the speed of body 0's axle along its x axis.
   std::function<double(const State&, const Control&, State& rate)> motion;
@@ -58,7 +58,7 @@ class Dynamics {
   explicit Dynamics(const RobotSpec& robot);
 
   std::size_t state_size() const { return equations_.state_names.size(); }
-  std::size_t control_size() const { return 2; }
+  std::size_t control_size() const { return equations_.control_limits.size(); }
   std::size_t body_count() const { return trailers_ + 1; }
   const std::vector<std::string>& state_names() const { return equations_.state_names; }
 
@@ -69,10 +69,9 @@ class Dynamics {
   bool is_heading(std::size_t index) const { return index == 2 || index >= front_size_; }
 
   // Component `index` is an angle: a heading, or the steering of a car.
-  bool is_angle(std::size_t index) const { return is_heading(index) || (index == 4 && equations_.steered); }
+  bool is_angle(std::size_t index) const;
 
-  // m/s, at least 0: of the front wheels, or of the faster wheel; 0 of a unicycle or kinematic_truck, whose states
-  // have no speed.
+  // m/s, at least 0: of the front wheels, or of the faster wheel; 0 of a robot whose states have no speed.
   double speed(const State& state) const { return equations_.speed(state); }
 
   State derivative(const State& state, const Control& control) const;

@@ -58,7 +58,7 @@ inline constexpr double kLargestClearance = 1.0;  // m, obstacles further away a
 //    negligible (drive.hpp). On this motion no body touches an obstacle of the workspace, leaves its bounds or meets
 //    another body, between sub-steps too, true to 2e-5 m; limits hold to 1e-4 of their size, between sub-steps too; and
 //    its end lies in the goal and is no faster than asked, to 1e-2 m/s. A car is as fast as its front wheels, a
-//    differential drive as its faster wheel; a unicycle or a kinematic_truck, whose control is its speed, ends at rest.
+//    differential drive as its faster wheel; a robot whose control is its speed, as a unicycle's is, ends at rest.
 // 3. Each stored state differs in no component by more than 5e-3 (m, rad, m/s, rad/s), 5e-6 a metre of way and float
 //    rounding from the driven one, and that difference changes in one step by no more than 1e-2 a second of the step
 //    and float rounding. Each keeps the limits and is free itself, and the last lies in the goal and is as slow.
