@@ -18,7 +18,10 @@ namespace {
 
 double parameter(const RobotSpec& robot, const char* name) { return robot.parameters.at(name); }
 
-bool has_steering(const RobotSpec& robot) { return robot.parameters.count("max_steering") > 0; }
+// Whether it has front wheels whose lock these names describe.
+bool has_steering(const RobotSpec& robot) {
+  return robot.parameters.contains("max_steering") && robot.parameters.contains("wheelbase");
+}
 
 double distance_to_edge(const Point& p, const Point& a, const Point& b) {
   const Point along{b.x - a.x, b.y - a.y};
@@ -198,8 +201,7 @@ double least_speed(const RobotSpec& robot) {
 
 double lock_radius(const RobotSpec& robot) {
   if (has_steering(robot)) return parameter(robot, "wheelbase") / std::tan(parameter(robot, "max_steering"));
-  const double least = least_speed(robot);
-  return least > 0 ? least / parameter(robot, "max_turn_rate") : 0;
+  return decimal(CoreRobot(robot).visit([](const auto& model) { return model.turning_radius(); }));
 }
 
 std::vector<Ring> bodies_in(const SteadyTurn& turn, const RobotSpec& robot) {

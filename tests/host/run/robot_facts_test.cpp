@@ -71,6 +71,18 @@ TEST(RobotFacts, WhatTurnsOnTheSpotSweepsADisc) {
   }
 }
 
+// Trailers that fold at full lock drive wider turns only.
+TEST(RobotFacts, NoModelsTurnIsSharperThanItsCoreDrives) {
+  for (const std::string& name : every_robot(2)) {
+    const RobotSpec robot = parse_robot(name);
+    const float core = CoreRobot(robot).view().turning_radius(1.0F);
+    const double lock = lock_radius(robot);
+    EXPECT_LT(lock, static_cast<double>(core) + 1e-6) << name;
+    if (robot.links > 0) continue;
+    EXPECT_NEAR(lock, static_cast<double>(core), 1e-6) << name;
+  }
+}
+
 // Whatever a ROBOT.json may say is within the library's ranges; no more of the two angles that have an end there.
 TEST(RobotFacts, TheCoreTakesEveryParameterOfItsRange) {
   const auto sound = [](const RobotSpec& robot) { return CoreRobot(robot).view().sound(); };
