@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/import/import.hpp"
 
-#include <array>
 #include <filesystem>
 
 #include "host/import/format.hpp"
@@ -14,8 +13,8 @@
 namespace krait::host {
 namespace {
 
-const std::array<const Format*, 8> kFormats = {&kSceneFile, &kSvg,      &kGeoJson,   &kNative,
-                                               &kTpcap,     &kMovingAi, &kMapServer, &kDynobench};
+const Format* const kFormats[] = {&kSceneFile, &kSvg,      &kGeoJson,   &kNative,
+                                  &kTpcap,     &kMovingAi, &kMapServer, &kDynobench};
 
 const Format* by_content(const Source& source) {
   for (const Format* format : kFormats) {

@@ -2,7 +2,6 @@
 #include "host/import/mistaken.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 #include "host/import/image.hpp"
@@ -22,32 +21,32 @@ constexpr const char* kPicture =
     "is a picture of a kind that is not read: convert it to PNG, and give a map_server YAML that names it";
 constexpr const char* kWebPage = "is a web page, not a map: give the map that it shows";
 
-constexpr std::array<Kind, 11> kFirstBytes = {{{"\x1F\x8B", kCompressed},
-                                               {"PK\x03\x04", kCompressed},
-                                               {"BZh", kCompressed},
-                                               {"\xFD"
-                                                "7zXZ",
-                                                kCompressed},
-                                               {"GIF8", kPicture},
-                                               {"II*", kPicture},
-                                               {"RIFF", kPicture},
-                                               {"%PDF", "is a PDF: save its drawing as SVG"},
-                                               {"SQLite format 3", "is a database: export its polygons as GeoJSON"},
-                                               {"#VRML", "is a three-dimensional model: draw its plan as SVG"},
-                                               {"version 1",
-                                                "is a list of MovingAI queries: give the .map that they "
-                                                "belong to"}}};
+constexpr Kind kFirstBytes[] = {{"\x1F\x8B", kCompressed},
+                                {"PK\x03\x04", kCompressed},
+                                {"BZh", kCompressed},
+                                {"\xFD"
+                                 "7zXZ",
+                                 kCompressed},
+                                {"GIF8", kPicture},
+                                {"II*", kPicture},
+                                {"RIFF", kPicture},
+                                {"%PDF", "is a PDF: save its drawing as SVG"},
+                                {"SQLite format 3", "is a database: export its polygons as GeoJSON"},
+                                {"#VRML", "is a three-dimensional model: draw its plan as SVG"},
+                                {"version 1",
+                                 "is a list of MovingAI queries: give the .map that they "
+                                 "belong to"}};
 
 constexpr std::string_view kUrdf = "<robot";
 
 // First elements of XML, in lower case.
-constexpr std::array<Kind, 7> kElements = {{{"<!doctype html", kWebPage},
-                                            {"<html", kWebPage},
-                                            {"<osm", "is OpenStreetMap's XML: convert it to GeoJSON"},
-                                            {"<kml", "is KML: convert it to GeoJSON"},
-                                            {"<gpx", "is a GPS track, not a map: a map has areas"},
-                                            {kUrdf, "is a robot's URDF, not a map"},
-                                            {"<world", "is a simulator's world, not a map: give the map_server YAML"}}};
+constexpr Kind kElements[] = {{"<!doctype html", kWebPage},
+                              {"<html", kWebPage},
+                              {"<osm", "is OpenStreetMap's XML: convert it to GeoJSON"},
+                              {"<kml", "is KML: convert it to GeoJSON"},
+                              {"<gpx", "is a GPS track, not a map: a map has areas"},
+                              {kUrdf, "is a robot's URDF, not a map"},
+                              {"<world", "is a simulator's world, not a map: give the map_server YAML"}};
 
 std::string head_of(const std::string& content) {
   std::string head = content.substr(0, 1024);
