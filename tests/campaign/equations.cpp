@@ -56,6 +56,11 @@ Equations::Equations(const Robot& robot) : model_(robot.model), state_size_(3), 
   }
 }
 
+bool Equations::is_angle(std::size_t i) const {
+  const bool steering = i == 4 && max_steering_ > 0;
+  return i == 2 || i >= static_cast<std::size_t>(state_size_ - bodies_ + 1) || steering;
+}
+
 void Equations::rates(const State& s, const double* u, State& ds) const {
   if (model_ == Model::unicycle) {
     ds[0] = u[0] * std::cos(s[2]);

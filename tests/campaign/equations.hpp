@@ -38,6 +38,9 @@ class Equations {
   // Of a hitch, radians.
   double max_hitch_angle() const { return max_hitch_; }
 
+  // Component i of a state is an angle: a body's heading, or the steering of a car.
+  bool is_angle(std::size_t i) const;
+
   // d state / d t under a control of two numbers.
   void rates(const State& s, const double* u, State& ds) const;
   void place(const State& s, Frames& frames) const;

@@ -51,8 +51,6 @@ class Judge {
   Judge(const Robot& robot, const Field& field, const Region& goal, const PlanRecord& plan)
       : equations_(robot), drive_(equations_), sweep_(equations_, bodies_of(robot), field), goal_(goal), plan_(plan) {
     size_ = static_cast<std::size_t>(equations_.state_size());
-    chain_ = robot.is_chain();
-    trailers_ = static_cast<std::size_t>(robot.trailers());
     const Convex first = bodies_of(robot).front();
     for (int i = 0; i < first.count; ++i) radius_ = std::max(radius_, std::hypot(first.x[i], first.y[i]));
   }
@@ -113,9 +111,7 @@ class Judge {
     const double position = std::hypot(said[0] - driven[0], said[1] - driven[1]);
     double angle = 0;
     for (std::size_t i = 2; i < size_; ++i) {
-      const bool heading = i == 2 || i + trailers_ >= size_;
-      if (!heading && !(chain_ && i == 4)) continue;  // a speed
-      angle = std::max(angle, std::abs(said[i] - driven[i]));
+      if (equations_.is_angle(i)) angle = std::max(angle, std::abs(said[i] - driven[i]));
     }
     if (step > 0) {
       const State before = stored(step - 1);
@@ -152,8 +148,6 @@ class Judge {
   const Region& goal_;
   const PlanRecord& plan_;
   std::size_t size_;
-  bool chain_;
-  std::size_t trailers_;
   Verdict verdict_;
   double radius_ = 0;  // m, of body 0 around its frame's origin
   double way_ = 0;     // m, of body 0's ends, up to the last state that was compared
