@@ -38,10 +38,8 @@ Workspace scaled(Workspace workspace, double by) {
 // Lengths, speeds and accelerations; a wheel's angles and times stay. Bodies are a quarter larger, since those of
 // the models just go through the scenes' narrow gaps or just not: there the scene's grid of half a millimetre decides.
 RobotSpec scaled(RobotSpec robot, double by) {
-  for (const char* name : {"hitch_length", "body_length", "body_width", "body_offset", "wheelbase", "max_speed",
-                           "min_speed", "max_acceleration", "wheel_radius", "track_width"}) {
-    const auto found = robot.parameters.find(name);
-    if (found != robot.parameters.end()) found->second *= by;
+  for (auto& [name, value] : robot.parameters) {
+    if (unit_of(robot.model, name).starts_with("metres")) value *= by;
   }
   for (Ring& body : robot.bodies) scale(body, 1.25 * by);
   return robot;

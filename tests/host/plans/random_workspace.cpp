@@ -86,8 +86,8 @@ void scale(RobotSpec& robot, const char* name, double factor) {
 // Larger or smaller, faster or slower; the bodies follow.
 RobotSpec of_own_size(RobotSpec robot, Draw& draw) {
   const double size = draw.uniform(0.6, 1.6), speed = draw.uniform(0.5, 1.5);
-  for (const char* length : {"body_length", "body_width", "wheelbase", "hitch_length", "wheel_radius", "track_width"}) {
-    scale(robot, length, size);
+  for (auto& [name, value] : robot.parameters) {
+    if (unit_of(robot.model, name) == "metres") value *= size;
   }
   for (const char* rate :
        {"max_speed", "max_acceleration", "max_turn_rate", "max_turn_acceleration", "max_wheel_speed"})
