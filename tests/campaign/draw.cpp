@@ -163,11 +163,15 @@ void draw_differential_drive(Draw& draw, const Measures& m, Robot& robot) {
   p.max_wheel_acceleration = limit(static_cast<double>(p.max_wheel_speed) / m.dt * draw.log_uniform(m.agile, 5));
 }
 
+constexpr Model kDrawn[] = {Model::snake,    Model::snake,      Model::truck,     Model::truck,          Model::car,
+                            Model::unicycle, Model::diff_drive, Model::unicycle2, Model::kinematic_truck};
+#define KRAIT_DRAWN(name, Class, file, trailers) \
+  static_assert(std::find(std::begin(kDrawn), std::end(kDrawn), Model::name) != std::end(kDrawn));
+KRAIT_MODELS(KRAIT_DRAWN)
+#undef KRAIT_DRAWN
+
 Robot draw_robot(Draw& draw, const Measures& m, double side) {
   Robot robot;
-  static constexpr Model kDrawn[] = {Model::snake,      Model::snake,     Model::truck,
-                                     Model::truck,      Model::car,       Model::unicycle,
-                                     Model::diff_drive, Model::unicycle2, Model::kinematic_truck};
   robot.model = kDrawn[draw.whole(0, std::size(kDrawn) - 1)];
   if (robot.model == Model::unicycle) {
     draw_unicycle(draw, m, robot);
