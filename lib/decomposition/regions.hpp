@@ -16,10 +16,10 @@ namespace krait::detail {
 
 // How much a failed expansion raises an edge's cost C (Eqn 9).
 struct CostRaise {
-  float gamma = 50.0F;  // square metres in the paper's form, plain number otherwise
+  float gamma;  // square metres in the paper's form, a plain number otherwise
   // Metres: C, which was C0 at first, rises by gamma * length * min(C0, length) / max(C, length), and so do the edges
   // of regions around; 0: C rises by gamma / C, as in the paper.
-  float length = 0.0F;
+  float length;
 };
 
 class Regions {
