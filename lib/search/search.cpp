@@ -49,9 +49,11 @@ Failure Search::check_setup(const Setup& setup, const Parameters& parameters, co
   return failure_ = {};
 }
 
+static_assert(Setup::kAlignment == Arena::kAlignment);
+
 Failure Search::take_block(void* block, std::uint64_t bytes, std::uint64_t needed) {
   if (bytes < needed) return failure_ = {Status::arena_too_small, 0, 0, needed};
-  const bool usable = block != nullptr && reinterpret_cast<std::uintptr_t>(block) % Arena::kAlignment == 0;
+  const bool usable = block != nullptr && reinterpret_cast<std::uintptr_t>(block) % Setup::kAlignment == 0;
   if (!usable) return failure_ = bad_argument(Argument::block);
   fingerprint_ = scene_->fingerprint();
   arena_ = Arena(block, bytes);
