@@ -7,8 +7,6 @@
 
 namespace krait::detail {
 
-inline constexpr std::uint16_t kNone16 = 0xFFFF;  // where two bytes are enough for each
-
 class PackedIndices {
  public:
   // Room for `count` indices below `limit`, or kNone.
@@ -36,6 +34,8 @@ class PackedIndices {
   }
 
  private:
+  static constexpr auto kNone16 = static_cast<std::uint16_t>(kNone);  // where two bytes are enough for each
+
   void* data_ = nullptr;
   bool wide_ = false;
 };
