@@ -18,8 +18,9 @@ inline constexpr std::uint16_t kVersion = KRAIT_SCENE_VERSION;   ///< the only o
 
 // Coordinates are multiples of this grid (a quarter of a millimetre), and at most kMaxCoordinate from the local origin,
 // so that grid coordinates fit 23 bits and every float is exact.
-inline constexpr int kGridBits = 12;              ///< a grid step is 2^-kGridBits metres
-inline constexpr float kGrid = 1.0F / 4096.0F;    ///< metres: a grid step, of which every coordinate is a multiple
+inline constexpr int kGridBits = 12;  ///< a grid step is 2^-kGridBits metres
+/// Metres: a grid step, of which every coordinate is a multiple.
+inline constexpr float kGrid = 1.0F / static_cast<float>(1 << kGridBits);
 inline constexpr float kMaxCoordinate = 2000.0F;  ///< metres, from the local origin, in x and in y
 
 // An absent neighbour, portal or goal: all bits set in the section's index width.

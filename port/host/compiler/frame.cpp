@@ -31,6 +31,8 @@ std::int32_t inwards_down(double steps) { return static_cast<std::int32_t>(std::
 
 }  // namespace
 
+std::string largest_reach() { return std::to_string(static_cast<int>(format::kMaxCoordinate)) + " m"; }
+
 Point Frame::local(Point world) const { return {(world.x - origin.x) * kSteps, (world.y - origin.y) * kSteps}; }
 
 GridPoint Frame::nearest(Point world) const {
@@ -56,9 +58,8 @@ Frame frame_of(const Workspace& w) {
   const Point low = frame.local(w.min), high = frame.local(w.max);
   const double limit = double(format::kMaxCoordinate) * kSteps;
   if (std::min(low.x, low.y) < -limit || std::max(high.x, high.y) > limit) {
-    throw InputError(
-        text(w) +
-        " are too large: a scene reaches at most 2000 m either way from the whole metre nearest to its middle");
+    throw InputError(text(w) + " are too large: a scene reaches at most " + largest_reach() +
+                     " either way from the whole metre nearest to its middle");
   }
   frame.bounds = {{inwards_up(low.x), inwards_up(low.y)}, {inwards_down(high.x), inwards_down(high.y)}};
   if (frame.bounds.min.x >= frame.bounds.max.x || frame.bounds.min.y >= frame.bounds.max.y) {

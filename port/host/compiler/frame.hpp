@@ -17,6 +17,9 @@ struct Frame {
   GridPoint nearest(Point world) const;
 };
 
+// How far a scene may reach from its local origin, for messages.
+std::string largest_reach();
+
 // Throws InputError if the bounds are not finite, empty, inverted or too large for the format.
 Frame frame_of(const Workspace& workspace);
 

@@ -20,7 +20,8 @@ GridRing on_grid(const Goal& goal, const std::string& label, const Frame& frame)
   for (const Point world : goal.polygon) {
     const Point p = frame.local(world);
     if (std::abs(p.x) > kLimit || std::abs(p.y) > kLimit) {
-      throw InputError(label + " reaches further than 2000 m from the middle of the scene: move it or make it smaller");
+      throw InputError(label + " reaches further than " + largest_reach() +
+                       " from the middle of the scene: move it or make it smaller");
     }
     const GridPoint q{static_cast<std::int32_t>(std::lround(p.x)), static_cast<std::int32_t>(std::lround(p.y))};
     if (ring.empty() || ring.back() != q) ring.push_back(q);

@@ -81,7 +81,9 @@ class Collector {
     const double columns = map.columns, rows = map.rows;
     const Ring frame_ring{cells.world(0, 0), cells.world(columns, 0), cells.world(columns, rows), cells.world(0, rows)};
     check_finite(frame_ring, "the map");
-    if (map.resolution * 4096 < 3) throw InputError("the map's cells are smaller than 0.75 mm: scale its resolution");
+    if (map.resolution < 3 * double(format::kGrid)) {
+      throw InputError("the map's cells are smaller than 0.75 mm: scale its resolution");
+    }
     const GridBox& b = frame_.bounds;
     const auto on_grid = [&](int column, int row) { return frame_.nearest(cells.world(column, row)); };
     Edges edges = outline(map, on_grid);
