@@ -150,9 +150,9 @@ ARGUED = {
 # How the models are steered: gains and shares of their controllers, which are part of what a model is, as its page in
 # lib/robot says, and are held by the tests of robots. They were found by driving and are not varied here.
 STEERING = {
-    "lib/robot/chain.cpp": ["kHeadingGains", "kSpeedGains"],
+    "lib/robot/chain.cpp": ["kSpeedGains"],
     "lib/robot/differential_drive.cpp": ["kHeadingGains", "kCatchUp", "kCreep"],
-    "lib/robot/kinematic_truck.cpp": ["kHeadingGains"],
+    "lib/robot/front_wheels.hpp": ["kSteeringGains"],
     "lib/robot/unicycle.cpp": ["kHeadingGains"],
     "lib/robot/pushing.cpp": ["kNear", "kSharpest", "kLockShare", "kShortest", "kLongest", "kBack"],
     "lib/robot/tracking.hpp": ["kHeadingShare", "kShare"],

@@ -14,6 +14,7 @@ using detail::deviation;
 using detail::farthest;
 using detail::inside;
 using detail::kInside;
+using detail::kSteeringGains;
 using detail::positive;
 using detail::recoverable_tangent;
 using detail::rest_trailers;
@@ -26,8 +27,7 @@ using detail::within_lock;
 
 namespace {
 
-constexpr PidGains kHeadingGains{4.0F, 0.05F, 0.05F};  // radians of steering per radian of heading error
-constexpr PidGains kSpeedGains{10.0F, 0.1F, 0.1F};     // m/s^2 per m/s
+constexpr PidGains kSpeedGains{10.0F, 0.1F, 0.1F};  // m/s^2 per m/s
 
 constexpr float kHitchReserve = 2e-3F;            // radians: the tree's hitch angles stay so far below their limit
 constexpr float kHitchError = 3e-4F;              // radians: what RK4 may be off by in a step
@@ -189,7 +189,7 @@ void Chain::steer(StateView s, const Target& target, Steering& steering, Control
 [[gnu::flatten]] void Chain::steer(StateView s, const Pose* poses, const Target& target, Steering& steering,
                                    ControlRef u) const {
   const float error = wheels_error(s, poses[0].heading, target.point, backs(s, target));
-  const float wanted = steering.heading(kHeadingGains, error, target.dt);
+  const float wanted = steering.heading(kSteeringGains, error, target.dt);
   const float lock = parameters_.max_steering * kInside * target.turn;
   turn_and_drive(s, within_lock(wanted, steering_limit(s, wanted, s[3]), lock), target, steering, u);
 }

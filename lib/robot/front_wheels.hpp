@@ -6,6 +6,8 @@
 
 namespace krait::detail {
 
+inline constexpr PidGains kSteeringGains{4.0F, 0.05F, 0.05F};  // radians of steering per radian of heading error
+
 // Radians that the wheels must be turned over by: the heading's error to the point, backwards that of the rear, on the
 // side to which the wheels then turn.
 [[gnu::always_inline]] inline float wheels_error(StateView s, SinCos heading, Vec2 point, bool backward) {

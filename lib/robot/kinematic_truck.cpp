@@ -8,6 +8,7 @@
 namespace krait {
 
 using detail::deviation;
+using detail::kSteeringGains;
 using detail::recoverable_tangent;
 using detail::rest_trailers;
 using detail::steady_tangent;
@@ -19,7 +20,6 @@ using detail::within_lock;
 
 namespace {
 
-constexpr PidGains kHeadingGains{4.0F, 0.05F, 0.05F};  // radians of steering per radian of heading error
 constexpr int kCarState = KinematicTruck::kCarState;
 constexpr float kNoControl[] = {0.0F, 0.0F};  // of a truck that holds its speed and steering angle
 
@@ -131,7 +131,7 @@ void KinematicTruck::steer(StateView s, const Pose* poses, const Target& target,
     return;
   }
   const float error = wheels_error(s, poses[0].heading, target.point, backward);
-  PidGains gains = kHeadingGains;
+  PidGains gains = kSteeringGains;
   if (gains.proportional * way > p.wheelbase) gains.proportional = p.wheelbase / way;
   const float wanted = steering.heading(gains, error, target.dt);
   const float side = steering_limit(s, wanted, speed);
