@@ -33,6 +33,7 @@ constexpr float kHitchReserve = 2e-3F;            // radians: the tree's hitch a
 constexpr float kHitchError = 3e-4F;              // radians: what RK4 may be off by in a step
 constexpr float kRounding = 4e-8F;                // of a float, and of the sines that are found of it
 constexpr float kNormError = 5.0F * kHitchError;  // of as many angles as there may be trailers, in the Euclidean norm
+static_assert(5 * 5 >= kMaxTrailers);
 
 // Largest |x| on the way from x at `rate` for dt.
 float largest(float x, float rate, float dt) {

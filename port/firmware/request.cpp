@@ -84,6 +84,7 @@ const char* parse_robot(const char* text, const char* model, bool has_trailers, 
   request.robot = text;
   if (!has_trailers) return *rest == '\0' ? nullptr : "--robot: this model has no trailers";
   std::uint64_t trailers = 0;
+  static_assert(kMaxTrailers == 25, "the message states it");
   if (*rest != ':' || !parse_number(rest + 1, trailers) || trailers > kMaxTrailers) {
     return "--robot: give the number of trailers, 0 to 25, as in snake:5";
   }
