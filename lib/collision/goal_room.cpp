@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "collision/goal_room.hpp"
 
+#include <algorithm>
+
 namespace krait::detail {
 namespace {
 
@@ -15,7 +17,7 @@ struct Square {
 
 Square around(const Box& box, float reach) {
   const Vec2 size = box.max - box.min;
-  return {0.5F * (box.min + box.max), 0.5F * (size.x > size.y ? size.x : size.y) + reach, 0};
+  return {0.5F * (box.min + box.max), 0.5F * std::max(size.y, size.x) + reach, 0};
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "collision/motion_check.hpp"
 
+#include <algorithm>
+
 #include "robot/shape.hpp"
 
 namespace krait::detail {
@@ -225,7 +227,7 @@ float MotionCheck::stray(int k) const {
   const Travel& most = travel(k);
   const float bent = most.bend + farthest_[k] * most.twist;
   const float half = 0.5F * (most.path + farthest_[k] * most.turn);
-  return bent < half ? bent : half;
+  return std::min(half, bent);
 }
 
 bool MotionCheck::hull_free(const Step& step, int k) {

@@ -58,8 +58,8 @@ struct ShiftedPiece {
 // Whether `cell` is the first of the query's cells that the box meets: lets each piece be tested once.
 bool first_meeting(const CellGrid& grid, const Box& box, Cell first, Cell cell) {
   const Cell corner = grid.cell(box.min);
-  const std::int32_t column = corner.column > first.column ? corner.column : first.column;
-  const std::int32_t row = corner.row > first.row ? corner.row : first.row;
+  const std::int32_t column = std::max(first.column, corner.column);
+  const std::int32_t row = std::max(first.row, corner.row);
   return cell.column == column && cell.row == row;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "collision/sight.hpp"
 
+#include <algorithm>
+
 namespace krait::detail {
 namespace {
 
@@ -61,7 +63,7 @@ bool Sight::line_free(Vec2 a, Vec2 b) const {
   for (int looks = 0; looks < kMostLooks; ++looks) {
     const float room = slack(a + gone * along);
     if (room < 0.0F) return false;
-    gone = gone + (room > step_ ? room : step_);
+    gone = gone + std::max(step_, room);
     if (!(gone < far)) return true;
   }
   return false;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "krait/goal.hpp"
 
+#include <algorithm>
+
 #include "scene/grid_point.hpp"
 
 namespace krait {
@@ -123,7 +125,7 @@ float Goal::deepest(const Scene& scene) const {
     last = polygon[i];
   }
   const float half_radius = 0.5F * side * side / perimeter;
-  return half_radius < tenth ? half_radius : tenth;
+  return std::min(tenth, half_radius);
 }
 
 }  // namespace krait

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "decomposition/regions.hpp"
 
+#include <algorithm>
+
 #include "krait/status.hpp"
 
 namespace krait::detail {
@@ -36,8 +38,8 @@ Vec2 random_point_in_disc(Vec2 center, float radius, Random& random) {
 
 // Eqn 9 in both forms.
 void raise_cost(float& cost, float base, const CostRaise& raise) {
-  const float least = base < raise.length ? base : raise.length;
-  const float most = cost > raise.length ? cost : raise.length;
+  const float least = std::min(raise.length, base);
+  const float most = std::max(raise.length, cost);
   cost = cost + (raise.length > 0.0F ? raise.gamma * raise.length * least : raise.gamma) / most;
 }
 
@@ -121,7 +123,7 @@ void Regions::find_widest_ways(float reach) {
       const Index n = scene_->neighbor(triangle, edge);
       if (n == kNone) continue;
       const float portal = -scene_->portal_width(scene_->portal(triangle, edge));
-      const float through = h_[triangle] > portal ? h_[triangle] : portal;
+      const float through = std::max(portal, h_[triangle]);
       if (!(through < h_[n])) continue;
       h_[n] = through;
       next_[n] = edge_to(n, triangle);
@@ -186,7 +188,7 @@ void Regions::set_costs(float least_width) {
 // C0: how far apart the centres of two regions are, but at least the least cost.
 float Regions::base_cost(Index a, Index b) const {
   const float apart = length(region_center(b) - region_center(a));
-  return apart > least_cost_ ? apart : least_cost_;
+  return std::max(least_cost_, apart);
 }
 
 void Regions::push_sources() {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "improve/corners.hpp"
 
+#include <algorithm>
+
 namespace krait::detail {
 namespace {
 
@@ -71,7 +73,7 @@ void round_corner(Vec2 before, Via& via, Vec2 after, const Turns& turns, Random&
   const Vec2 outward = (1.0F / length(in)) * in - (1.0F / length(out)) * out;
   const float scale = length(outward);
   const float most = kMostCut * turns.unit;
-  const float cut = radius * excess < most ? radius * excess : most;
+  const float cut = std::min(most, radius * excess);
   if (!(scale > 1e-3F)) return;
   const float by_circle = cut * between(kOutward, random) / scale;
   const float by_trailers = turns.trail > 0.0F ? kTrailerCut * turns.trail * random.unit() : 0.0F;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "improve/route.hpp"
 
+#include <algorithm>
+
 namespace krait::detail {
 
 void Route::insert(std::uint32_t i, const Via& via) {
@@ -64,7 +66,7 @@ Vec2 Route::point(float arc) const {
 }
 
 float Route::project(Vec2 p, float arc, float reach) const {
-  const float end = arc + reach < length() ? arc + reach : length();
+  const float end = std::min(length(), arc + reach);
   float nearest = arc;
   float least = kInfinity;
   for (std::uint32_t i = stretch(arc); i < count_ && vias_[i - 1].arc <= end; ++i) {
@@ -73,8 +75,8 @@ float Route::project(Vec2 p, float arc, float reach) const {
     const float begin = vias_[i - 1].arc;
     const float whole = vias_[i].arc - begin;
     const float scaled = whole > 0.0F ? dot(p - from, along) / whole : 0.0F;
-    const float low = arc > begin ? arc : begin;
-    const float high = vias_[i].arc < end ? vias_[i].arc : end;
+    const float low = std::max(begin, arc);
+    const float high = std::min(end, vias_[i].arc);
     const float at = math::clamp(begin + scaled, low, high);
     const Vec2 place = whole > 0.0F ? from + ((at - begin) / whole) * along : from;
     const Vec2 apart = p - place;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "last_metres/docking.hpp"
 
+#include <algorithm>
+
 #include "krait/robots/detail/functions.hpp"
 #include "last_metres/arc.hpp"
 #include "last_metres/last_metres.hpp"
@@ -142,7 +144,7 @@ void LastMetres::choose_stages(const Pose* poses) {
       shot.stage = stage * most_push_;
       shot.end.position = goal_.center() + shot.stage * direction(shot.end.heading);
       for (int lead = short_leads_; lead < kLeadCount; ++lead) {
-        shot.lead = leads_[lead] < shot.stage ? leads_[lead] : shot.stage;
+        shot.lead = std::min(shot.stage, leads_[lead]);
         consider_words(poses, shot);
       }
     }

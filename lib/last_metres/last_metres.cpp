@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "last_metres/last_metres.hpp"
 
+#include <algorithm>
+
 #include "last_metres/arc.hpp"
 #include "last_metres/docking.hpp"
 #include "last_metres/parking.hpp"
@@ -38,7 +40,7 @@ constexpr float kMoveRadius = 1.15F;  // of the arcs of ways out, in turning rad
 // Metres: of the tightest arcs that lines to a pose are drawn with, over 1.
 float least_radius(const Nimbleness& robot) {
   const float least = kLeastRadius * robot.length;
-  return robot.turning_radius > least ? robot.turning_radius : least;
+  return std::max(least, robot.turning_radius);
 }
 
 // Of a way; `otherwise` where it is no longer than `least`.
@@ -189,7 +191,7 @@ bool LastMetres::looks_free(const CurvedLine& line) const {
   const float whole = line.length();
   const float wanted = kSightStep * robot_.length;
   const float least = whole / static_cast<float>(kMostLooks);
-  const float step = wanted > least ? wanted : least;
+  const float step = std::max(least, wanted);
   float arc = whole;
   for (int look = 0; look < kMostLooks; ++look) {
     if (arc <= 0.0F) return true;
@@ -247,7 +249,7 @@ bool LastMetres::aim(const Moment& now, Target& target) {
 float LastMetres::least_remaining(const Moment& now) const {
   const float remaining = this->remaining();
   const float braked = math::absolute(now.robot.stopping_way(now.state)) / braking_;
-  return remaining + (braked < remaining ? braked : remaining);
+  return remaining + std::min(remaining, braked);
 }
 
 bool LastMetres::leg_over(std::uint32_t steps, const Moment& now) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "last_metres/pull_in.hpp"
 
+#include <algorithm>
+
 #include "last_metres/arc.hpp"
 
 namespace krait::detail {
@@ -48,7 +50,7 @@ bool PullIn::aim(const Moment& now, Target& target) {
   if (math::absolute(off.aside) > kAstray * robot_->length) return false;
   const bool stops = off.way <= near_;
   if (stops && ++stops_ > kMostMoveStops) return false;
-  const float share = pace(*robot_, off.way > 0.0F ? off.way : 0.0F, now.robot.speed(now.state),
+  const float share = pace(*robot_, std::max(0.0F, off.way), now.robot.speed(now.state),
                            now.robot.stopping_way(now.state), kMoveBraking);
   target.speed = stops || turns_wheels_ ? 0.0F : (move_.backward ? share : -share);
   const float curvature = this->curvature(off);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plan/ending.hpp"
 
+#include <algorithm>
+
 namespace krait::detail {
 
 void Ending::assign(const Robot& robot, const Scene& scene, const Goal& goal, float speed) {
@@ -39,7 +41,7 @@ bool Ending::faces(const float* state, float inside) const {
 bool Ending::within(float angle, float tolerance, float inside) {
   if (tolerance >= kPi) return true;
   const float least = kMostInside * tolerance;
-  return angle <= tolerance - (inside < least ? inside : least);
+  return angle <= tolerance - std::min(least, inside);
 }
 
 }  // namespace krait::detail

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plan/plan_proof.hpp"
 
+#include <algorithm>
+
 namespace krait::detail {
 
 void PlanProof::begin(const Robot& robot, const Scene& scene, const Parameters& parameters, MotionCheck& check,
@@ -22,7 +24,7 @@ void PlanProof::place() {
 }
 
 void PlanProof::keep() {
-  allowed_ = kSpare * strayed_ > kDriveError ? kSpare * strayed_ : kDriveError;
+  allowed_ = std::max(kDriveError, kSpare * strayed_);
   check_->keep(parameters_->clearance + error(), longest_plan_step(robot_, parameters_->dt));
 }
 
@@ -39,8 +41,8 @@ bool PlanProof::step() {
 }
 
 float PlanProof::end_depth(const EndDepth& depth) const {
-  const float off = error() < depth.most ? error() : depth.most;
-  return off > depth.least ? off : depth.least;
+  const float off = std::min(depth.most, error());
+  return std::max(depth.least, off);
 }
 
 bool PlanProof::carry_errors_on() {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "krait/robots/chain.hpp"
 
+#include <algorithm>
+
 #include "base/lanes/angles.hpp"
 #include "robot/front_wheels.hpp"
 #include "robot/limits.hpp"
@@ -39,7 +41,7 @@ static_assert(5 * 5 >= kMaxTrailers);
 float largest(float x, float rate, float dt) {
   const float before = math::absolute(x);
   const float after = math::absolute(x + rate * dt);
-  return before > after ? before : after;
+  return std::max(after, before);
 }
 
 // Returns at most the cosine of x, which lies between 0 and pi; 0 where the cosine could be negative.
@@ -179,7 +181,7 @@ float Chain::steering_limit(StateView s, float heading_error, float speed) const
   const float by_hitch = recoverable_tangent(p, side * (s[2] - s[5]), speed);
   if (by_hitch < tangent) tangent = by_hitch;
   const float limit = math::atan2(tangent, 1.0F);
-  return limit < p.max_steering ? limit : p.max_steering;
+  return std::min(p.max_steering, limit);
 }
 
 void Chain::steer(StateView s, const Target& target, Steering& steering, ControlRef u) const {
@@ -212,7 +214,7 @@ float Chain::turning_radius() const {
   if (p.trailers == 0) return steered;
   const float followed =
       slip_ ? p.hitch_length : kTurnReserve * p.hitch_length * std::sqrt(static_cast<float>(p.trailers));
-  return steered > followed ? steered : followed;
+  return std::max(followed, steered);
 }
 
 // The rear axle's, with the steering angle held.
@@ -264,7 +266,7 @@ float Chain::carry_errors(StateView s, const Pose* poses, ControlView u, float d
     const Body& body = bodies_[1 + k];
     shifted = shifted + d * math::absolute(error);
     const float corner = shifted + farthest(body.vertices, body.count) * math::absolute(error);
-    off = corner > off ? corner : off;
+    off = std::max(off, corner);
   }
   return off;
 }
@@ -294,14 +296,13 @@ bool Chain::hitches_within(StateView s, float most) const {
 
 float Chain::fastest_rate(float dt) const {
   const ChainParameters& p = parameters_;
-  const auto least = [](float a, float b) { return b < a ? b : a; };
-  const float arm = p.trailers > 0 ? least(p.wheelbase, p.hitch_length) : p.wheelbase;
+  const float arm = p.trailers > 0 ? std::min(p.wheelbase, p.hitch_length) : p.wheelbase;
   const float speed = detail::fastest(p);
-  const float acceleration = least(p.max_acceleration, (p.max_speed - p.min_speed) / dt);
-  const float steering = least(p.max_steering_rate, 2.0F * p.max_steering / dt);
+  const float acceleration = std::min(p.max_acceleration, (p.max_speed - p.min_speed) / dt);
+  const float steering = std::min(p.max_steering_rate, 2.0F * p.max_steering / dt);
   const float rates[] = {speed / arm, std::sqrt(acceleration / arm), 0.75F * steering};
   float most = 0.0F;
-  for (const float rate : rates) most = rate > most ? rate : most;
+  for (const float rate : rates) most = std::max(most, rate);
   return most;
 }
 
@@ -342,7 +343,7 @@ void Chain::derivative(StateView s, ControlView u, StateRef ds) const {
 bool Chain::changes_little(const float* s, const float* u, float dt) const {
   const float way = dt * largest(s[3], u[0], dt);
   const float steering = largest(s[4], u[1], dt);
-  const float turn = way * (steering < 1.0F ? steering : 1.0F) / parameters_.wheelbase;
+  const float turn = way * std::min(1.0F, steering) / parameters_.wheelbase;
   const float reach = way / parameters_.hitch_length;
   return 1.42F * reach <= kSmallAngle && turn + reach <= kSmallAngle && dt * math::absolute(u[1]) <= kSmallAngle;
 }
@@ -417,7 +418,7 @@ bool Chain::travel(StateView s, ControlView u, float dt, StateView next, Travel*
     float hitch = 0.5F * (ends + reach);  // lemma 5, and in the next lines
     if (hitch < 1.0F) hitch = ends / (2.0F - reach);
     kept = kept && hitch <= p.max_hitch_angle;
-    const float sine = hitch + kHitchError < 1.0F ? hitch + kHitchError : 1.0F;
+    const float sine = std::min(1.0F, hitch + kHitchError);
     const float own_turn = reach * sine;  // lemma 6
     // Lemma 8, with the sum of lemma 7 as far as the trailer ahead.
     const float twisting = ((pulled + way * folding) * sine + way * (turn_ahead + own_turn)) / p.hitch_length;
@@ -448,16 +449,16 @@ bool Chain::travel(StateView s, ControlView u, float dt, StateView next, Travel*
     before = s[i];
     after = next[i];
     const float sum = before + after;
-    most = ends > most ? ends : most;
+    most = std::max(most, ends);
     squares = squares + ends * ends;
-    high = sum > high ? sum : high;
-    low = sum < low ? sum : low;
+    high = std::max(high, sum);
+    low = std::min(low, sum);
   }
   const float first = (most + car_turn) / (2.0F - reach);  // lemma 10: of the first hitch, and of the others
   const float rest = most / (2.0F - 2.0F * reach);
-  const float hitch = (first > rest ? first : rest) + kHitchError;
-  const float sine = hitch < 1.0F ? hitch : 1.0F;
-  const float turn = car_turn > reach * sine ? car_turn : reach * sine;
+  const float hitch = std::max(rest, first) + kHitchError;
+  const float sine = std::min(1.0F, hitch);
+  const float turn = std::max(reach * sine, car_turn);
   // Lemma 11.
   const float norm = (std::sqrt(squares) + car_turn) / (2.0F - 2.0F * reach) + kNormError;
 
@@ -469,18 +470,17 @@ bool Chain::travel(StateView s, ControlView u, float dt, StateView next, Travel*
   const float swaying = pulled + way * norm * (2.0F * reach * norm + car_turn);
   const float twisting = (swaying * sine + 2.0F * way * turn) / p.hitch_length;
   const float bending = swaying + way * turn + slip * (speeding + way * turn);
-  return {
-      hitch <= p.max_hitch_angle,
-      separation(hitch, 0.5F * (high - low) + turn),
-      {way + way * slip, turn, 0.125F * bending, 0.125F * ((twisting > turning ? twisting : turning) + turn * turn)}};
+  return {hitch <= p.max_hitch_angle,
+          separation(hitch, 0.5F * (high - low) + turn),
+          {way + way * slip, turn, 0.125F * bending, 0.125F * (std::max(turning, twisting) + turn * turn)}};
 }
 
 // Lemma 13 of CHAIN.md.
 float Chain::separation(float hitch, float spread) const {
   const auto gap = static_cast<float>(parameters_.self_collision_gap);
-  const float near = least_cosine(0.5F * (gap * hitch < spread ? gap * hitch : spread)) * gap;
+  const float near = least_cosine(0.5F * std::min(spread, gap * hitch)) * gap;
   const float far = least_cosine(0.5F * spread) * (gap * hitch < spread ? spread / hitch : gap);
-  return parameters_.hitch_length * (near < far ? near : far);
+  return parameters_.hitch_length * std::min(far, near);
 }
 
 }  // namespace krait

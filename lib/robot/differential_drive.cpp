@@ -51,7 +51,7 @@ void DifferentialDrive::steer(StateView s, const Target& target, Steering& steer
   const float turn = math::clamp(steering.heading(kHeadingGains, error, target.dt), -fastest, fastest);
   const float half_turn = math::clamp(turn * 0.5F * p.track_width / p.wheel_radius, -most, most);
   const float room = most - math::absolute(half_turn);
-  const float forward = math::clamp(target.speed * most * (along > 0.0F ? along : 0.0F), -room, room);
+  const float forward = math::clamp(target.speed * most * std::max(0.0F, along), -room, room);
   const float wanted[2] = {forward - half_turn, forward + half_turn};
   approach(s, wanted, kSteered, target.dt, u);
 }
@@ -102,10 +102,10 @@ float DifferentialDrive::fastest_rate(float dt) const {
   const DifferentialDriveParameters& p = parameters_;
   const float per_wheel = 2.0F * p.wheel_radius / p.track_width;  // of two wheels that turn against each other
   const float whole = 2.0F * p.max_wheel_speed / dt;
-  const float acceleration = p.max_wheel_acceleration < whole ? p.max_wheel_acceleration : whole;
+  const float acceleration = std::min(whole, p.max_wheel_acceleration);
   const float turning = 0.5F * per_wheel * p.max_wheel_speed;
   const float twisting = std::sqrt(0.5F * per_wheel * acceleration);
-  return turning > twisting ? turning : twisting;
+  return std::max(twisting, turning);
 }
 
 // Each wheel's rim moves at most at the larger of its two speeds; the axle's middle at their mean, the body turns at
@@ -115,7 +115,7 @@ bool DifferentialDrive::travel(StateView s, ControlView u, float dt, StateView, 
   for (int wheel = 0; wheel < 2; ++wheel) {
     const float before = math::absolute(s[3 + wheel]);
     const float after = math::absolute(s[3 + wheel] + u[wheel] * dt);
-    sum += before > after ? before : after;
+    sum += std::max(after, before);
   }
   const float rims = dt * parameters_.wheel_radius * sum;
   const float path = 0.5F * rims;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "krait/robots/kinematic_truck.hpp"
 
+#include <algorithm>
+
 #include "robot/front_wheels.hpp"
 #include "robot/pushing.hpp"
 #include "robot/trailers.hpp"
@@ -97,7 +99,7 @@ float KinematicTruck::steering_limit(StateView s, float heading_error, float spe
   float most = recoverable_tangent(p, side * (s[2] - s[kCarState]), speed);
   if (p.trailers > 1 && steady_tangent(p) < most) most = steady_tangent(p);
   const float limit = math::atan2(most, 1.0F);
-  return limit < p.max_steering ? limit : p.max_steering;
+  return std::min(p.max_steering, limit);
 }
 
 void KinematicTruck::steer(StateView s, const Target& target, Steering& steering, ControlRef u) const {
@@ -120,7 +122,7 @@ void KinematicTruck::steer(StateView s, const Pose* poses, const Target& target,
   const float set_point = target.speed * (backward ? -p.min_speed : p.max_speed);
   const bool pushes = backward && backing_body() > 0;
   const float slowest = pushes ? -detail::fastest_push(detail::train_of(p), target.dt) : p.min_speed;
-  const float speed = set_point < slowest ? slowest : set_point;
+  const float speed = std::max(set_point, slowest);
   const float way = math::absolute(speed) * target.dt;
   const float lock = target.turn < 1.0F ? math::atan2(target.turn * lock_, 1.0F) : p.max_steering;
   u[0] = speed;
@@ -181,7 +183,7 @@ QuickBound KinematicTruck::quick_bound(StateView s, ControlView u, float dt, Sta
 float KinematicTruck::fastest_rate(float) const {
   const float turn = 0.5F * fastest() * lock_ / parameters_.wheelbase;
   const float pull = parameters_.trailers > 0 ? fastest() / parameters_.hitch_length : 0.0F;
-  return turn > pull ? turn : pull;
+  return std::max(pull, turn);
 }
 
 void KinematicTruck::derivative(StateView s, ControlView u, StateRef ds) const {

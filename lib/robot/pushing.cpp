@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robot/pushing.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace krait::detail {
@@ -44,7 +45,7 @@ float wanted_turn(const Train& train, const Pose& tail, Vec2 point) {
   if (dot(along, to) > 0.0F) return aside < 0.0F ? -sharpest : sharpest;
   const float near = kNear * static_cast<float>(1 + train.trailers) * train.hitch_length;
   const float far = length(to);
-  return math::clamp(2.0F * aside / (near * (far > near ? far : near)), -sharpest, sharpest);
+  return math::clamp(2.0F * aside / (near * std::max(near, far)), -sharpest, sharpest);
 }
 
 // 1/m: by how much the turn may differ from that of now. Where all hitches are off by as much, the wheels answer with
@@ -56,7 +57,7 @@ float agility(const Train& train, const Wheels& wheels) {
   const float swing = wheels.swing * train.hitch_length / (kFading * static_cast<float>(train.trailers));
   float answer = 1.0F;
   for (int i = 0; i < train.trailers; ++i) answer = -kFading * answer;
-  return (swing < most ? swing : most) / (train.wheelbase * math::absolute(1.0F - answer));
+  return std::min(most, swing) / (train.wheelbase * math::absolute(1.0F - answer));
 }
 
 // 1/m: what the last trailer shall turn by now, on the way to what is wanted.

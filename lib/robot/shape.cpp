@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robot/shape.hpp"
 
+#include <algorithm>
+
 namespace krait::detail {
 namespace {
 
@@ -35,7 +37,7 @@ float inner_radius(Polygon body, Vec2 center) {
     const float distance = distance_left(body[i], body[(i + 1) % body.count], center);
     if (distance < least) least = distance;
   }
-  return least > 0.0F ? least : 0.0F;
+  return std::max(0.0F, least);
 }
 
 Vec2 middle(Polygon body) {

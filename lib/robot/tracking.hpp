@@ -2,6 +2,8 @@
 // What models have in common that follow a reference motion which they are very near to.
 #pragma once
 
+#include <algorithm>
+
 #include "krait/robots/model.hpp"
 
 namespace krait::detail {
@@ -33,7 +35,7 @@ struct Correction {
 // Metres: `distance`, or eight time steps' way where that is more, below which tracking would not be stable.
 inline float tracking_distance(float speed, float distance, float dt) {
   const float way = math::absolute(speed) * dt;
-  return distance > 8.0F * way ? distance : 8.0F * way;
+  return std::max(8.0F * way, distance);
 }
 
 inline Correction correction(const Deviation& from, float speed, float distance, float dt) {

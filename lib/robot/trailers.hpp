@@ -4,6 +4,8 @@
 // hitch must not close in on its bound faster than it can recover (lemmas 14 and 15 of lib/robot/CHAIN.md).
 #pragma once
 
+#include <algorithm>
+
 #include "krait/robots/chain.hpp"
 
 namespace krait::detail {
@@ -40,8 +42,8 @@ template <class P>
 // forwards; in reverse the same number is the bound, and nothing is proven.
 template <class P>
 [[gnu::always_inline]] inline float recoverable_tangent(const P& p, float hitch, float speed) {
-  const float bound = p.max_hitch_angle < kFoldBound ? p.max_hitch_angle : kFoldBound;
-  const float recovery = kUnfoldRate * (bound - hitch) / (math::absolute(speed) > 0.1F ? math::absolute(speed) : 0.1F);
+  const float bound = std::min(kFoldBound, p.max_hitch_angle);
+  const float recovery = kUnfoldRate * (bound - hitch) / std::max(0.1F, math::absolute(speed));
   return p.wheelbase * (math::sin_cos(hitch).sin / p.hitch_length + recovery);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "krait/robots/truck.hpp"
 
+#include <algorithm>
+
 #include "robot/pushing.hpp"
 #include "robot/tracking.hpp"
 
@@ -14,7 +16,7 @@ float tangent(SinCos angle) { return angle.sin / angle.cos; }
 
 // What wheels do in a step of dt that moves the car at `speed`, their angle's tangent being `from`.
 detail::Wheels wheels_at(const ChainParameters& p, float from, float speed, float dt) {
-  const float way = speed * dt > kLeast ? speed * dt : kLeast;
+  const float way = std::max(kLeast, speed * dt);
   return {from, kLag * way, way, p.max_steering_rate * dt / way};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robot_check/steps.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "robot_check/answers.hpp"
@@ -127,7 +128,7 @@ void check_fastest_rate(const Case& c) {
   if (!check_number(c, "fastest_rate", holds, rate, "1/s", "It must be finite and not negative.")) return;
   const float longest = c.ranges.step_rate / rate;  // infinite for a robot that does not say
   if (!(longest > 0) || !finite(longest)) return;
-  check_step(c, rate, longest < c.sample.dt ? longest : c.sample.dt);
+  check_step(c, rate, std::min(c.sample.dt, longest));
 }
 
 }  // namespace krait::detail::checking

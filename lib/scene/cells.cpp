@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/cells.hpp"
 
+#include <algorithm>
+
 namespace krait::detail {
 namespace {
-
-template <class Integer>
-Integer least(Integer a, Integer b) {
-  return b < a ? b : a;
-}
-template <class Integer>
-Integer most(Integer a, Integer b) {
-  return b > a ? b : a;
-}
 
 // Rounded down and up; b > 0.
 template <class Integer>
@@ -30,8 +23,8 @@ struct Extent {
   std::int32_t high = INT32_MIN;
 
   void add(std::int32_t floor, std::int32_t ceil) {
-    low = least(low, ceil);
-    high = most(high, floor);
+    low = std::min(low, ceil);
+    high = std::max(high, floor);
   }
   // The point of the edge from `from` up to `to` at height y.
   void add(GridPoint from, GridPoint to, std::int32_t y) {
@@ -47,8 +40,8 @@ struct Extent {
 }  // namespace
 
 CellSpan CellSquares::span(std::int32_t low, std::int32_t high, std::int32_t cells) const {
-  return {most(std::int32_t{0}, ceil_divided(low - kMargin, size_) - 1),
-          least(cells - 1, floor_divided(high + kMargin, size_))};
+  return {std::max(std::int32_t{0}, ceil_divided(low - kMargin, size_) - 1),
+          std::min(cells - 1, floor_divided(high + kMargin, size_))};
 }
 
 CellSpan CellSquares::columns_of(const GridPolygon& polygon, std::int32_t row) const {
@@ -63,8 +56,8 @@ CellSpan CellSquares::columns_of(const GridPolygon& polygon, std::int32_t row) c
       to = upper;
     }
     if (to.y < strip.min.y || from.y > strip.max.y) continue;
-    extent.add(from, to, most(from.y, strip.min.y));
-    extent.add(from, to, least(to.y, strip.max.y));
+    extent.add(from, to, std::max(from.y, strip.min.y));
+    extent.add(from, to, std::min(to.y, strip.max.y));
   }
   return extent.low == INT32_MAX ? CellSpan{} : columns_between(extent.low, extent.high);
 }

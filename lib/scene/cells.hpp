@@ -2,6 +2,8 @@
 // Which cells of a bucket or clearance grid a box or a convex polygon meets, in exact integers.
 #pragma once
 
+#include <algorithm>
+
 #include "krait/scene.hpp"
 #include "scene/grid_point.hpp"
 
@@ -81,7 +83,7 @@ class CellSquares {
   std::int32_t to_ends(std::int32_t low, std::int32_t length) const {
     const std::int32_t before = low - kMargin;
     const std::int32_t after = length - (low + size_ + kMargin);
-    return before < after ? before : after;
+    return std::min(after, before);
   }
 
   GridBox bounds_;

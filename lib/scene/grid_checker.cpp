@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The part of the checker that holds the bucket lists and the clearances to the geometry: what they leave out or call
 // free a planner would drive through.
+#include <algorithm>
+
 #include "scene/cells.hpp"
 #include "scene/checker.hpp"
 #include "scene/grid_point.hpp"
@@ -97,8 +99,8 @@ bool within(const GridPolygon& piece, const GridBox& square, std::int32_t reach)
 }
 
 std::uint8_t difference(std::uint8_t a, std::uint8_t b) {
-  const std::uint8_t low = a < b ? a : b;
-  const std::uint8_t high = a < b ? b : a;
+  const std::uint8_t low = std::min(a, b);
+  const std::uint8_t high = std::max(a, b);
   return static_cast<std::uint8_t>(high - low);
 }
 
@@ -111,7 +113,7 @@ std::int32_t first_steep(const std::uint8_t* row, const std::uint8_t* other, std
   std::uint8_t most = 0;
   for (std::int32_t i = from; i < to; ++i) {
     const std::uint8_t step = difference(row[i], other[i + shift]);
-    most = step > most ? step : most;
+    most = std::max(most, step);
   }
   if (most <= format::kClearanceUnits) return columns;
   std::int32_t first = from;

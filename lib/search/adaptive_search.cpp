@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "search/adaptive_search.hpp"
 
+#include <algorithm>
+
 namespace krait::detail {
 
 std::uint64_t AdaptiveSearch::bytes_required(const Scene& scene, const Robot& robot, const Limits& limits) {
@@ -62,7 +64,7 @@ void AdaptiveSearch::reset_groups() {
 float AdaptiveSearch::sketched_step() const {
   const float step = kSketchTime * parameters_.dt;
   const float longest = longest_step(robot_, parameters_.dt, kSketchRate);
-  return step < longest ? step : longest;
+  return std::min(longest, step);
 }
 
 void AdaptiveSearch::iterate(const Watch& watch) {
@@ -164,7 +166,7 @@ void AdaptiveSearch::update_costs() {
   }
   const Index weighed = groups_.weigh(regions_);
   if (parameters_.tuning.update_regions == 0) return;
-  const Index most = repaired > weighed ? repaired : weighed;
+  const Index most = std::max(weighed, repaired);
   updates_wait_ = most / parameters_.tuning.update_regions;
 }
 

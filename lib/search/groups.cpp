@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "search/groups.hpp"
 
+#include <algorithm>
+
 #include "krait/status.hpp"
 
 namespace krait::detail {
@@ -86,7 +88,7 @@ void Groups::set_weight(const Regions& regions, Index region) { change_weight(re
 
 Index Groups::block_end(Index block) const {
   const Index end = block_begin(block + 1);
-  return end < region_count_ ? end : region_count_;
+  return std::min(region_count_, end);
 }
 
 float Groups::largest_in_block(Index block) const {

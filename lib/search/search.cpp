@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "search/search.hpp"
 
+#include <algorithm>
+
 #include "decomposition/locate.hpp"
 #include "krait/geometry.hpp"
 #include "robot/shape.hpp"
@@ -93,7 +95,7 @@ Status Search::begin(const Query& query, const Keeper& keeper) {
   failure_ = check_query(query);
   if (status() != Status::searching) return status();
   const float deepest = query.goal.deepest(*scene_);
-  goal_depth_ = parameters_.goal_margin < deepest ? parameters_.goal_margin : deepest;
+  goal_depth_ = std::min(deepest, parameters_.goal_margin);
   end_depth_ = {kDepthKept * goal_depth_, deepest};
   equip_expander(keeper);
   const bool fits = !parameters_.tuning.prune_portals || disc_route().fits();
@@ -117,7 +119,7 @@ Failure Search::check_query(const Query& query) {
 std::uint32_t Search::spare_expansions() const {
   if (!shoots()) return ending_.limits_speed() ? 1 : 0;
   const std::uint32_t half = limits_.kept_expansions() / 2;
-  return half < LastMetres::kMostLegs ? half : LastMetres::kMostLegs;
+  return std::min(LastMetres::kMostLegs, half);
 }
 
 void Search::equip_expander(const Keeper& keeper) {
@@ -153,7 +155,7 @@ Status Search::add_root(bool fits) {
   keep_root();
   begin_tries();
   finish(fits ? Status::searching : Status::no_route);
-  const float depth = kStartDepth < end_depth_.most ? kStartDepth : end_depth_.most;
+  const float depth = std::min(end_depth_.most, kStartDepth);
   if (ending_.holds(expander_.state(), depth)) begin_plan({});
   return status();
 }
