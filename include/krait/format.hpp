@@ -72,7 +72,7 @@ struct Header {
   std::uint32_t crc32;        ///< CRC-32 (IEEE 802.3, reflected) of the bytes from offset 16 to the end
 
   double origin_x;     ///< world = origin + local: whole metres, at most 1e9 either way
-  double origin_y;     ///< the same of y
+  double origin_y;     ///< in y as in x: whole metres, at most 1e9 either way
   float bounds_min_x;  ///< the least x of the workspace: local metres, on the grid
   float bounds_min_y;  ///< the least y: local metres, on the grid
   float bounds_max_x;  ///< the largest x: local metres, on the grid, above bounds_min_x

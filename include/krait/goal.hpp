@@ -16,8 +16,9 @@ struct Facing {
                               ///< it; infinite: any hitch angles will do
 };
 
-/// Where a plan ends. A value, which refers to nothing. Any numbers may be given; valid() says whether they can be
-/// used, and the functions after it, which get the same scene, are for goals of which it is true.
+/// Where a plan ends. A value, which refers to nothing. It may hold any numbers: valid() returns whether they can be
+/// used, and the functions after it, to which the same scene is passed, require that they can. Every function is O(1)
+/// where nothing else is stated.
 class Goal {
  public:
   /// The scene's goal of that number, 0 … Scene::goal_count() - 1.
@@ -47,18 +48,17 @@ class Goal {
   float radius() const { return radius_; }          ///< metres; of a disc or a pose
 
   /// Usable with this scene: the index exists; the disc is finite, has a radius, and its centre lies in the bounds; the
-  /// facing's numbers are in their ranges. O(1).
+  /// facing's numbers are in their ranges.
   [[nodiscard]] bool valid(const Scene& scene) const;
 
   /// Whether p, metres, local coordinates, lies inside and at least `depth` metres from the border; where that is below
   /// 0, inside or at most so far outside. O(vertices of the polygon).
   bool contains(const Scene& scene, Vec2 p, float depth) const;
 
-  /// Whether a triangle belongs to the goal: by its label, or by meeting the disc. O(1).
+  /// Whether a triangle belongs to the goal: by its label, or by meeting the disc.
   bool covers(const Scene& scene, Index triangle) const;
 
   /// False only when every point of the triangle is further than `reach` metres from the goal, whose box() is passed.
-  /// O(1).
   bool may_reach(const Scene& scene, Index triangle, float reach, const Box& box) const;
 
   /// Whether p lies in the goal or at most `reach` metres away from it. O(vertices of the polygon).

@@ -533,7 +533,7 @@ krait_goal krait_named_goal(uint32_t index);
 /** The disc around a point, metres, local coordinates, its heading free. O(1). */
 krait_goal krait_disc_goal(float x, float y, float radius);
 /** The disc, body 0 turned to `heading` within `heading_tolerance`, radians. A tolerance of 0 is refused by
-    krait_start, as in C++. O(1). */
+    krait_start. O(1). */
 krait_goal krait_pose_goal(float x, float y, float radius, float heading, float heading_tolerance);
 
 /** A planning problem. */
@@ -615,7 +615,7 @@ typedef struct krait_bottleneck {
 } krait_bottleneck;
 
 /** Returns the bottleneck of a search that ended without a plan, after KRAIT_NO_ROUTE too narrow for the robot; all
-    zero elsewhere. It lasts as long as krait_start: at most four Dijkstras and 4,095 distances of a point. */
+    zero elsewhere. It lasts as long as krait_start: at most four Dijkstras and 2,730 distances of a point. */
 krait_bottleneck krait_bottleneck_of(krait_planner* planner);
 
 /** Where a search has made most of its expansions since its last restart, as a rule in vain. */

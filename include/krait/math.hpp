@@ -38,7 +38,7 @@ struct SinCosOf {
 };
 using SinCos = SinCosOf<float>;  ///< of one angle
 
-/// Whether x is a number: false for NaN and infinities.
+/// Whether x is a number: false for NaN and infinities. O(1).
 inline bool finite(float x) { return x - x == 0.0F; }
 
 /// Arithmetic that has the same bits on every target. Everything here is O(1) and has no state.

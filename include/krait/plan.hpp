@@ -42,7 +42,8 @@ class PlanPath {
 }  // namespace detail
 
 /// Walks along a plan: s0 u0 s1 u1 … sL. It owns its memory, about a kilobyte. The robot and the planner must outlive
-/// it, and the planner's next start, improve or init invalidates it.
+/// it, and the planner's next start, improve or init invalidates it. Every function is O(1) where nothing else is
+/// stated.
 class PlanCursor {
  public:
   /// A cursor of no plan: it is done and has no state.
@@ -54,15 +55,15 @@ class PlanCursor {
   int state_size() const;    ///< floats of a state; 0 without a plan
   int control_size() const;  ///< floats of a control; 0 without a plan
 
-  /// Whether this is the last state. O(1).
+  /// Whether this is the last state.
   bool done() const;
-  /// state_size() floats in the cursor, valid until its next advance. O(1).
+  /// state_size() floats in the cursor, valid until its next advance.
   const float* state() const;
   /// control_size() floats in the cursor, held for dt from this state on, valid until its next advance; must not be
-  /// called when done. O(1).
+  /// called when done.
   const float* control() const;
   /// The state that the control leads to: state_size() floats in the cursor, valid until its next advance; must not be
-  /// called when done. O(1).
+  /// called when done.
   const float* next() const;
 
   /// Goes on to the next state; must not be called when done. Work: one control and the Runge-Kutta steps of a time
@@ -76,7 +77,8 @@ class PlanCursor {
   alignas(std::uint64_t) std::byte walk_[kWalkBytes];
 };
 
-/// What a search found, in the planner's memory: valid until its next start, improve or init.
+/// What a search found, in the planner's memory: valid until its next start, improve or init. Every function is O(1)
+/// where nothing else is stated.
 class Plan {
  public:
   Plan() = default;  ///< an empty one

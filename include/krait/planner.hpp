@@ -200,7 +200,7 @@ class Planner {
   Contact contact();
 
   /// The widest way of a search that ended without a plan, which after no_route is too narrow for the robot; all zeros
-  /// after every other status. Work: at most four Dijkstras, O(R log R), and 4,095 distances of a point.
+  /// after every other status. Work: at most four Dijkstras, O(R log R), and 2,730 distances of a point.
   Bottleneck bottleneck();
 
   /// Where a search has made most of its expansions since its last restart, the first among equals; zero before the

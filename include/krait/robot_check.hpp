@@ -29,10 +29,10 @@ struct RobotReport {
   std::vector<RobotFault> faults;  ///< one a broken promise; empty where none was found
   int samples = 0;                 ///< that were looked at
 
-  /// Whether no broken promise was found.
+  /// Whether no broken promise was found. O(1).
   bool ok() const { return faults.empty(); }
 
-  /// A line for each fault; empty where there is none.
+  /// A line for each fault; empty where there is none. O(length of the text).
   std::string text() const;
 };
 

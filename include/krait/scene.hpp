@@ -18,7 +18,7 @@ namespace detail {
 class SceneChecker;
 }
 
-/// Integers of the file's index width, in place: it refers to the file's bytes.
+/// Integers of the file's index width, in place: it refers to the file's bytes. Every function is O(1).
 class IndexArray {
  public:
   IndexArray() = default;  ///< of nothing
@@ -43,14 +43,14 @@ struct Cell {
   std::int32_t row;     ///< 0 … CellGrid::rows - 1, in the direction of y
 };
 
-/// Square cells over the bounds.
+/// Square cells over the bounds. Every function is O(1).
 struct CellGrid {
   Vec2 origin{};             ///< metres, local coordinates: the least corner of cell (0, 0)
   float per_metre = 1;       ///< cells in a metre
   std::int32_t columns = 0;  ///< cells in the direction of x
   std::int32_t rows = 0;     ///< cells in the direction of y
 
-  /// The cell that contains p, clamped to the grid; any finite p. O(1).
+  /// The cell that contains p, clamped to the grid; any finite p.
   Cell cell(Vec2 p) const {
     return {clamped((p.x - origin.x) * per_metre, columns), clamped((p.y - origin.y) * per_metre, rows)};
   }
@@ -66,7 +66,8 @@ struct CellGrid {
   }
 };
 
-/// A lower bound of the distance to the nearest obstacle or bound, by place. It refers to the file's bytes.
+/// A lower bound of the distance to the nearest obstacle or bound, by place. It refers to the file's bytes. Every
+/// function is O(1).
 class ClearanceGrid {
  public:
   ClearanceGrid() = default;  ///< 0 everywhere
@@ -80,7 +81,7 @@ class ClearanceGrid {
         stride_(header.clearance_columns),
         cells_(cells) {}
 
-  /// At most the distance from p to the nearest obstacle or bound, metres; 0 where p lies near one or outside. O(1).
+  /// At most the distance from p to the nearest obstacle or bound, metres; 0 where p lies near one or outside.
   float at(Vec2 p) const {
     const float column = (p.x - origin_.x) * per_metre_;
     const float row = (p.y - origin_.y) * per_metre_;
@@ -188,7 +189,7 @@ class Scene {
     return nth_name(1 + header_.goals + start);
   }
   /// A start of the scene, 0 … start_count() - 1, which is not checked. Its angles lie in the file's bytes and stay
-  /// valid for as long as these. O(1).
+  /// valid for as long as these.
   ScenePose start(Index start) const;
 
   // Obstacles.

@@ -102,7 +102,7 @@ struct Failure {
   std::uint64_t bytes_needed = 0;  ///< arena_too_small: the length of the block that suffices
   float most = 0.0F;               ///< bad_argument, dt: the longest time step in seconds that the robot allows
 
-  /// Whether nothing went wrong.
+  /// Whether nothing went wrong. O(1).
   [[nodiscard]] bool ok() const { return status == Status::ok; }
 };
 

@@ -34,7 +34,7 @@ struct ChainParameters {
   float max_hitch_angle =
       1.5707963F;  ///< radians, above 0, up to kMostHitch: the most of theta(i-1) - theta(i), either way
 
-  /// Calls see(field) for all of them, in their order.
+  /// Calls see(field) for each of them, in their order. Costs these calls.
   template <class See>
   static constexpr void describe(const See& see) {
     using P = ChainParameters;

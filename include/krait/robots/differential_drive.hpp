@@ -17,7 +17,7 @@ struct DifferentialDriveParameters {
   float max_wheel_speed = 12.0F;         ///< rad/s, > 0, both ways
   float max_wheel_acceleration = 24.0F;  ///< rad/s^2, > 0
 
-  /// Calls see(field) for all of them, in their order.
+  /// Calls see(field) for each of them, in their order. Costs these calls.
   template <class See>
   static constexpr void describe(const See& see) {
     using P = DifferentialDriveParameters;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// \file
 /// Names, units and ranges of the parameters of the library's robots, for the files, help and pages of a workstation. A
-/// program that does not use them does not contain them.
+/// program that does not use them does not contain them. Every function is O(1).
 ///
 /// These ranges lie within what a robot's sound() accepts, and are narrower on purpose. sound() is in the flash of
 /// every program and refuses only what the planner cannot compute with, such as a length that is 0, negative or not

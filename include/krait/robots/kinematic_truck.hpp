@@ -28,7 +28,7 @@ struct KinematicTruckParameters {
   /// Radians, above 0, up to ChainParameters::kMostHitch: the most of theta(i-1) - theta(i).
   float max_hitch_angle = kChain.max_hitch_angle;
 
-  /// Calls see(field) for all of them, in their order.
+  /// Calls see(field) for each of them, in their order. Costs these calls.
   template <class See>
   static constexpr void describe(const See& see) {
     using P = KinematicTruckParameters;

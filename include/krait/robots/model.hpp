@@ -27,7 +27,7 @@ inline constexpr int kMaxState = 32;   ///< the most components of a state, of a
 inline constexpr int kMaxControl = 8;  ///< the most components of a control, of any robot
 inline constexpr int kMaxBodies = 32;  ///< the most bodies, of any robot
 
-/// Metres: components 0 and 1 of a state.
+/// Metres: components 0 and 1 of a state. O(1).
 inline Vec2 position(const StateView& state) { return {state[0], state[1]}; }
 
 /// Where an expansion steers to.
@@ -41,7 +41,7 @@ struct Target {
 /// Bounds on how a body moves during a step. A point of it that is r metres from its frame's origin travels at most
 /// path + r turn, and is never further than bend + r twist from the straight line between its places at the step's
 /// ends. With accelerations of at most A and angular ones of at most W, bend = A dt^2 / 8 and twist = (W +
-/// (turn / dt)^2) dt^2 / 8; path / 2 and turn / 2 are always right.
+/// (turn / dt)^2) dt^2 / 8; path / 2 and turn / 2 are always right. All are 0 or more.
 struct Travel {
   float path;   ///< metres, of the frame's origin
   float turn;   ///< radians
@@ -52,7 +52,8 @@ struct Travel {
 /// A cheap bound on one step of the whole robot; travel is called only where it does not suffice.
 struct QuickBound {
   bool limits_kept = false;  ///< whether its limits are proven to hold throughout; the rest counts only then
-  float separation = 0.0F;   ///< between the origins of two bodies that are tested against each other, metres
+  float separation = 0.0F;   ///< metres, not NaN: a lower bound of the distance between the origins of two bodies that
+                             ///< are tested against each other
   Travel most = {};          ///< no body's travel is more
 };
 
@@ -64,7 +65,7 @@ struct BodyRates {
   float turn_acceleration;  ///< rad/s^2
 };
 
-/// The gains of a PID controller in discrete time, in units of its output for the error's unit.
+/// The gains of a PID controller in discrete time, finite, in units of its output for the error's unit.
 struct PidGains {
   float proportional;  ///< output for an error of 1
   float integral;      ///< output for an error of 1 that has lasted a second

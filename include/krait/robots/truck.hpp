@@ -22,7 +22,7 @@ class Truck : public Chain {
   /// The same, knowing the frames of all bodies. O(1).
   void steer(StateView s, const Pose* poses, const Target& target, Steering& steering, ControlRef u) const;
   /// Forwards Chain::track; backwards it brings the backing body back to its reference's line, and all hitches to
-  /// their reference angles.
+  /// their reference angles. O(trailers): it places all bodies.
   void track(StateView s, StateView reference, float dt, ControlRef u) const;
 };
 

@@ -16,7 +16,7 @@ struct UnicycleParameters {
   float min_speed = -1.0F;     ///< m/s, <= max_speed; below 0 it may reverse, above 0 it never stands still
   float max_turn_rate = 2.0F;  ///< rad/s, > 0, either way
 
-  /// Calls see(field) for all of them, in their order.
+  /// Calls see(field) for each of them, in their order. Costs these calls.
   template <class See>
   static constexpr void describe(const See& see) {
     using P = UnicycleParameters;

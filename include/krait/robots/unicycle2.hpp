@@ -18,7 +18,7 @@ struct Unicycle2Parameters {
   float max_acceleration = 2.0F;       ///< m/s^2, > 0, either way
   float max_turn_acceleration = 4.0F;  ///< rad/s^2, > 0, either way
 
-  /// Calls see(field) for all of them, in their order.
+  /// Calls see(field) for each of them, in their order. Costs these calls.
   template <class See>
   static constexpr void describe(const See& see) {
     using P = Unicycle2Parameters;
