@@ -13,10 +13,12 @@ class Car : public Truck {
   /// Copies the parameters, but for trailers, which are none, and body_offset, which is half the wheelbase.
   explicit Car(const ChainParameters& parameters) : Truck(centred(parameters)) {}
 
-  using Chain::steer;  ///< it has no trailers
-  using Chain::track;  ///< it has no trailers
+  /// A car has no trailers to push: it is steered as a chain.
+  using Chain::steer;
+  /// A car has no trailers to push: it is brought back to its reference as a chain.
+  using Chain::track;
 
-  /// The parameters of a car of 1.2 m by 0.6 m; the others are the chain's.
+  /// The parameters of a car of 1.2 m by 0.6 m; the others are the chain's. O(1).
   static ChainParameters defaults() {
     ChainParameters parameters;
     parameters.body_length = 1.2F;
