@@ -279,7 +279,7 @@ void measure(const Options& options) {
   benchmark::RunSpecifiedBenchmarks();
 }
 
-// Takes Google Benchmark's options, and no others. It copies them, but keeps the program's name where it is.
+// Accepts Google Benchmark's options, and no others. It copies them, but keeps the program's name where it is.
 void configure(char* program, std::vector<std::string> options) {
   std::vector<char*> arguments{program};
   for (std::string& option : options) arguments.push_back(option.data());

@@ -10,10 +10,10 @@ namespace krait {
 /// The headings of the bodies with which a plan must end.
 struct Facing {
   float heading = 0.0F;       ///< radians, of body 0, at most kMaxAngle either way
-  float tolerance = 0.1F;     ///< radians, above 0 and at most pi: how far off the heading may be; pi: any will do
-  bool either_way = false;    ///< whether the opposite heading will do as well
-  float hitches = kInfinity;  ///< radians, above 0: every other body's heading is so near to that of the body before
-                              ///< it; infinite: any hitch angles will do
+  float tolerance = 0.1F;     ///< radians, above 0 and at most pi: how far off the heading may be; pi: it is free
+  bool either_way = false;    ///< whether the opposite heading is accepted as well
+  float hitches = kInfinity;  ///< radians, above 0: how far the heading of every other body may differ from that of
+                              ///< the body before it; infinite: hitch angles are free
 };
 
 /// Where a plan ends. A value, which refers to nothing. It may hold any numbers: valid() returns whether they can be

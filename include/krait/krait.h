@@ -58,7 +58,7 @@ enum {
   KRAIT_START_OUTSIDE,      /**< the start's position lies outside the scene's bounds */
   KRAIT_START_IN_COLLISION, /**< a body of the robot is too near to an obstacle, the bounds or another body at the
                                  start, or its position lies in no triangle: krait_start_contact says which */
-  KRAIT_GOAL_IN_OBSTACLE,   /**< no free part of the goal is left */
+  KRAIT_GOAL_IN_OBSTACLE,   /**< no part of the goal is free */
   KRAIT_ARENA_TOO_SMALL,    /**< krait_failure's bytes_needed says how large the block must be */
   KRAIT_BAD_ARITHMETIC,     /**< floating point contracted, relaxed, rounded otherwise or flushed: build with
                                  -ffp-contract=off */
@@ -432,8 +432,8 @@ typedef struct krait_search_tuning {
       stray_share,      /**< 0 to 1, default 0.1: share of expansions toward a random point of the workspace instead */
       gentle_share;     /**< 0 to 1, default 0.35: share of expansions from a group that was often selected that turn
                              gently */
-  uint32_t sight_tries, /**< 0 to 64, default 16: points drawn for one in sight of the vertex; 0: any point will do */
-      candidates,       /**< 0 to 8, default 4: ways that are sketched before one is driven; 0: any way will do */
+  uint32_t sight_tries, /**< 0 to 64, default 16: points drawn for one in sight of the vertex; 0: any point is used */
+      candidates,       /**< 0 to 8, default 4: ways that are sketched before one is driven; 0: none is sketched */
       least_sketch;     /**< 0 to 20, default 8: sketched steps, of 2 dt at most, below which no way is driven and
                              costs are raised */
   uint32_t doomed_steps, /**< 0 to 3, default 2: this many states before a collision are not kept to grow from */
@@ -524,9 +524,9 @@ typedef struct krait_goal {
   float heading;           /**< radians, -8192 to 8192, of body 0 */
   float heading_tolerance; /**< radians, above 0 and at most pi: how far off the heading may be; 0: the heading is free,
                                 and the two fields below must be zero */
-  float hitch_tolerance;   /**< radians, > 0: every other body's heading is so near to that of the body before it; 0:
-                                free */
-  bool either_way;         /**< whether the opposite heading will do as well */
+  float hitch_tolerance;   /**< radians, > 0: how far the heading of every other body may differ from that of the
+                                body before it; 0: free */
+  bool either_way;         /**< whether the opposite heading is accepted as well */
 } krait_goal;
 /** The scene's goal of that number, its heading free. O(1). */
 krait_goal krait_named_goal(uint32_t index);
@@ -618,7 +618,7 @@ typedef struct krait_bottleneck {
     zero elsewhere. It lasts as long as krait_start: at most four Dijkstras and 2,730 distances of a point. */
 krait_bottleneck krait_bottleneck_of(krait_planner* planner);
 
-/** Where a search has made most of its expansions since its last restart, as a rule in vain. */
+/** Where a search has made most of its expansions since its last restart, as a rule without success. */
 typedef struct krait_effort {
   float x,        /**< metres, local coordinates: the middle of a triangle of the scene */
       y;          /**< metres, local coordinates, of the same point */

@@ -123,8 +123,8 @@ template <class T>
   return hidden;
 }
 
-// Inlined into each planner, whose copies' branches would count again; tests/arithmetic takes both sides of every one,
-// in programs built with other options or run in other modes. GCOVR_EXCL_BR_START
+// Inlined into the functions of each robot, where its branches would count again; tests/arithmetic runs both sides of
+// every one, in programs built with other options or run in other modes. GCOVR_EXCL_BR_START
 
 /// Whether the code around the call neither fuses, reorders nor simplifies float operations.
 [[gnu::always_inline]] inline bool operations_as_written() {

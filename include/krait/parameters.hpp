@@ -55,8 +55,8 @@ struct SearchTuning {
   float goal_near_radius = 0.0F;  ///< 0 … 10, the same of a target in the goal; 0: only the goal ends an expansion
   float stray_share = 0.1F;       ///< 0 … 1: share of expansions toward a random point of the workspace instead
   float gentle_share = 0.35F;  ///< 0 … 1: share of expansions from a group that was often selected that turn gently
-  std::uint32_t sight_tries = 16;  ///< 0 … 64: points drawn for one in sight of the vertex; 0: any point will do
-  std::uint32_t candidates = 4;    ///< 0 … 8: ways that are sketched before one is driven; 0: any way will do
+  std::uint32_t sight_tries = 16;  ///< 0 … 64: points drawn for one in sight of the vertex; 0: any point is used
+  std::uint32_t candidates = 4;    ///< 0 … 8: ways that are sketched before one is driven; 0: none is sketched
   std::uint32_t least_sketch = 8;  ///< 0 … 20: steps of a sketch, of 2 dt at most; below: no way is driven, costs rise
   std::uint32_t doomed_steps = 2;  ///< 0 … 3: this many states before a collision are not kept to grow from
   /// Expansions, 0 … 1e9, of a try where the way from the start has 90 regions. On one of n they are multiplied by

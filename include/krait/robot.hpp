@@ -83,7 +83,7 @@ class Robot {
                             float* d) const {
     functions_->integrate_lead(self_, s, leading_size_, poses, u, dt, lead, d);
   }
-  /// Writes to d what the same step adds to the components that integrate_lead has left out.
+  /// Writes to d what the same step adds to the components that integrate_lead does not integrate.
   void integrate_rest(const float* s, const Pose* poses, float dt, const detail::Lead& lead, float* d) const {
     if (functions_->leads) functions_->integrate_rest(self_, s, poses, dt, lead, d);
   }

@@ -36,7 +36,7 @@ enum class Status : std::uint8_t {
   start_outside,       ///< the start's position lies outside the scene's bounds
   start_in_collision,  ///< a body of the robot is too near to an obstacle, the bounds or another body at the start, or
                        ///< its position lies in no triangle: Planner::contact says which
-  goal_in_obstacle,    ///< no free part of the goal is left
+  goal_in_obstacle,    ///< no part of the goal is free
   arena_too_small,     ///< Failure::bytes_needed says how large the block must be
   bad_arithmetic,  ///< floating point contracted, relaxed, rounded otherwise or flushed: build with -ffp-contract=off
   internal         ///< the plan's replay did not reproduce it: a bug of krait
@@ -133,7 +133,7 @@ struct Bottleneck {
   bool at_goal = false;  ///< whether the place is the roomiest of the goal itself: the robot cannot stand in it
 };
 
-/// The place where a search has tried most, as a rule in vain.
+/// The place where a search has tried most, as a rule without success.
 struct Effort {
   Vec2 at{};                ///< metres, local coordinates: the middle of a region
   std::uint32_t tries = 0;  ///< expansions from there since the last restart; 0: none

@@ -6,7 +6,7 @@
 // a(k) + b(k) > t(k). Near obstacles, by the body itself: its vertices stay within e(k) of the straight lines between
 // their places at the ends, so that it never leaves the hull of both, grown by e(k); the hull must keep away by more.
 // Where that is not so, or the robot's limits are not proven to hold in between, the step is halved, down to one part
-// of max_substeps, and what was left to prove of the whole is proven of the parts; what is then still unproven counts
+// of max_substeps, and what remained to prove of the whole is proven of the parts; what is then still unproven counts
 // as a collision. So do results of a robot that cannot be used: a state, a control or a frame that is not finite, and a
 // Travel that is NaN or negative.
 #pragma once
@@ -78,7 +78,7 @@ class MotionCheck {
     const float* next;
   };
 
-  // What is to be proven of a step, or what is left of that.
+  // What is to be proven of a step, or what remains of that.
   struct Unproven {
     bool limits;           // that the robot's hold all the way
     bool self;             // that bodies keep away from each other
@@ -129,8 +129,8 @@ class MotionCheck {
   // Whether body k, standing, keeps the margin.
   bool keeps_margin(const Placement& placement, int k) const;
 
-  // Bounds the step by what all bodies have in common where that will do, else body by body; returns whether the limits
-  // hold.
+  // Bounds the step by what all bodies have in common where that suffices, else body by body; returns whether the
+  // limits hold.
   bool bound(const Step& step);
 
   bool bound_bodies(const Step& step);
@@ -159,10 +159,10 @@ class MotionCheck {
   // Whether body k is proven free on the whole step, by its hull.
   bool hull_free(const Step& step, int k);
 
-  // Judges the step by what is to be proven of it, of which it leaves what is not.
+  // Judges the step by what is to be proven of it, and reduces that to what it does not prove.
   Outcome judge(const Step& step, Unproven& unproven);
 
-  // Halves the step until what is left to prove is proven of every part. False when it is not.
+  // Halves the step until what remains to prove is proven of every part. False when it is not.
   bool prove_by_halves(const Step& step, const Unproven& whole);
 
   // Whether there are no two bodies at least gap_ apart.

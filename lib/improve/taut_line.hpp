@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pulls a line taut: from one of its points it goes straight to the farthest that a disc can go to, again and again,
-// and to and fro. What is left are its corners.
+// and to and fro. Its corners remain.
 #pragma once
 
 #include "base/arena.hpp"
@@ -13,7 +13,7 @@ class TautLine {
   // Room for two lines of `points` points, 2 at least, 8 bytes each.
   void allocate(Arena& arena, std::uint32_t points);
 
-  // An empty line. Points nearer than `spacing` metres, above 0, to the last one are left out; when it is full, every
+  // An empty line. Points nearer than `spacing` metres, above 0, to the last one are not added; when it is full, every
   // second point goes and the spacing doubles.
   void clear(float spacing);
   void add(Vec2 point);

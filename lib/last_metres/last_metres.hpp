@@ -83,10 +83,10 @@ class LastMetres {
   // Chooses the shots that pull the trailers straight ahead of the goal and then push them back to it.
   void choose_stages(const Pose* poses);
 
-  // Begins what is left of such a shot, whose line has ended ahead of the goal: the line back.
+  // Begins the rest of such a shot, whose line has ended ahead of the goal: the line back.
   void turn_back();
 
-  // Begins the next shot that was chosen, from the same place. False when there is none left.
+  // Begins the next shot that was chosen, from the same place. False when none remains.
   bool next(const Pose* poses);
 
   // The next leg's target. False when the shot has ended, the robot has left its line, or it does not turn.

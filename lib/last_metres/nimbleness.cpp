@@ -5,7 +5,7 @@ namespace krait::detail {
 namespace {
 
 // Measured: bench/ABLATIONS.md, "Constants".
-constexpr float kSettle = 3.0F;    // time steps in which the way that is left shrinks by e, at most
+constexpr float kSettle = 3.0F;    // time steps in which the remaining way shrinks by e, at most
 constexpr float kSlowest = 0.02F;  // of the top speed
 
 }  // namespace

@@ -48,8 +48,8 @@ class PullOuts {
   };
 
   // Finds the ways out of the poses that the goal allows, those with the least cost of all: with much room to
-  // obstacles, or else with less. At most kMostLooks placements of the body (Obstacles::room) a pose and room; what is
-  // left then is not found.
+  // obstacles, or else with less. At most kMostLooks placements of the body (Obstacles::room) a pose and room; what
+  // would take more is not found.
   void find(const Scene& scene, const Goal& goal, const Body& body);
 
   int count() const { return count_; }
@@ -99,7 +99,7 @@ class PullOuts {
 
   Body body_;
   Pose poses_[2];
-  int looks_;  // that are left
+  int looks_;  // that remain
   int count_;
   Way ways_[kMost];
 };

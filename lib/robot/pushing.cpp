@@ -20,7 +20,7 @@ float square(float x) { return x * x; }
 
 float hitch_sine(const Pose* poses, int k) { return (poses[k - 1].heading - poses[k].heading).sin; }
 
-// 1/m: the sharpest that the last trailer may turn for long, so that wheels and hitches have a share left to correct
+// 1/m: the sharpest that the last trailer may turn for long, so that wheels and hitches keep a share to correct
 // it.
 float sharpest_turn(const Train& train) {
   const SinCos lock = math::sin_cos(train.most_steering);
@@ -35,7 +35,7 @@ float sharpest_turn(const Train& train) {
   return 1.0F / std::sqrt(squared);
 }
 
-// 1/m: turns the last trailer away from the point, at a rate by the sine of the angle that is left; at the sharpest
+// 1/m: turns the last trailer away from the point, at a rate by the sine of the angle that remains; at the sharpest
 // where the point is not behind. Where the point is `near` metres away it is the circle through axle and point.
 float wanted_turn(const Train& train, const Pose& tail, Vec2 point) {
   const float sharpest = sharpest_turn(train);

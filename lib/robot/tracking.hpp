@@ -26,7 +26,7 @@ inline Deviation deviation(StateView s, StateView reference) {
 inline constexpr float kHeadingShare = 0.2F;  // of a heading's error that a time step removes, where nothing steers
 
 // What removes deviations: speed by a tenth of what lags a time step, heading toward the reference's line, so that
-// what is left of it shrinks within `distance` metres.
+// what remains of it shrinks within `distance` metres.
 struct Correction {
   float speed;    // metres a second, to be added
   float heading;  // radians, by which the heading should change

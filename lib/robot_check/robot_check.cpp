@@ -69,7 +69,7 @@ class RobotCheck {
     return check_ranges(robot_, ranges_, findings_);
   }
 
-  // A state within the limits; empty after many in vain.
+  // Returns a state within the limits, or an empty one where none of many draws is.
   std::vector<float> state_within_limits() {
     constexpr int kTries = 10'000;
     for (int i = 0; i < kTries; ++i) {

@@ -117,7 +117,7 @@ class Expander {
   // One step, and what becomes of it.
   Outcome grow(const Watch& watch);
 
-  // The next shot from the expansion's last state. False when there is none left.
+  // The next shot from the expansion's last state. False when none remains.
   bool begin_shot();
 
   // One step of a shot. Where none ends in the goal, the expansion goes on from where they began.

@@ -8,7 +8,7 @@
 namespace krait::detail {
 namespace {
 
-constexpr std::uint8_t kLeastBlockBits = 5;  // blocks of fewer regions than 32 would take memory in vain
+constexpr std::uint8_t kLeastBlockBits = 5;  // blocks of fewer regions than 32 would use memory for no gain
 
 // The logarithm to base 2 of how many regions a block has: the least with which there are not more blocks than regions
 // in one, so that a choice looks at the fewest numbers.

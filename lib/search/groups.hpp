@@ -27,7 +27,7 @@ class Groups {
   void clear(const GroupWeights& weights, std::uint32_t sample);
 
   // What becomes of a state that reached the region: it joins the group, or takes the place of a member other than the
-  // root, or is left out. Counts it. Each with the probability that keeps the sample uniform. O(sample).
+  // root, or is not kept. Counts it. Each with the probability that keeps the sample uniform. O(sample).
   struct Place {
     bool kept = false;
     Index replaced = kNone;
@@ -51,7 +51,7 @@ class Groups {
   void unselect(const Regions& regions, Index region);
 
   // The region whose group has the smallest weight of those with members besides the root, the largest number among
-  // equals, `besides` left out; kNone when there is no other. O(R).
+  // equals, `besides` excluded; kNone when there is no other. O(R).
   Index lightest(Index besides) const;
 
   // The logarithm of the weight that the region's group has, or would have with a member.

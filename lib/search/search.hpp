@@ -66,7 +66,7 @@ class Search {
   Search() = default;
   ~Search() = default;
 
-  // Takes from an arena that only counts what is kept here.
+  // Counts what is kept here, in an arena without a block.
   static void count(Arena& counting, const Scene& scene, const Robot& robot, const Limits& limits);
 
   // The limits with the most vertices for which required(limits) is at most `bytes`, at least 2. O(1).

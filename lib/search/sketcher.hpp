@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far a target leads before the robot would hit something, as far as a coarse roll-out tells in which bodies are
+// How far a target leads before the robot would hit something, as far as a coarse roll-out shows in which bodies are
 // discs.
 #pragma once
 

@@ -158,7 +158,7 @@ class Chain {
   };
   /// What a Runge-Kutta step adds to the car's part of the state, and in `lead` what integrate_rest needs of it.
   void integrate_lead(StateView s, const Pose* poses, ControlView u, float dt, Lead& lead, float* d) const;
-  /// What the same step adds to the trailers' headings, by what integrate_lead left.
+  /// What the same step adds to the trailers' headings, from what integrate_lead wrote to `lead`.
   void integrate_rest(StateView s, const Pose* poses, float dt, const Lead& lead, float* d) const;
 
  protected:

@@ -170,7 +170,7 @@ concept StatesRates = requires(const R& robot, StateView s, ControlView u, float
 /// - `Lead`, `integrate_lead(s, poses, u, dt, lead, d)`, `integrate_rest(s, poses, dt, lead, d)`: know the frames of s
 ///   and write to d, as many floats as s has, what a Runge-Kutta step of dt under u adds to s: that by derivative but
 ///   for rounding, at less cost; called instead of derivative throughout. First the leading components, which body 0 is
-///   checked by, then the rest by what the first left in lead, a plain struct of at most 64 bytes. The first also
+///   checked by, then the rest from what the first wrote to lead, a plain struct of at most 64 bytes. The first also
 ///   accepts states of leading_size()
 /// - `rest(position, heading, s)`, or `rest(position, heading, angles, s)`: writes to s the state in which it stands
 ///   still there; `angles` has the headings of all bodies but the first, or is null where they are that of the first,

@@ -122,7 +122,7 @@ void QueryOptions::add(CLI::App& command, const QueryDefaults& defaults) {
       .add_option("--heading-tolerance", heading_tolerance, "radians, 0.0001 to pi: how far off the heading it may end")
       ->check(number_in(kLeastTolerance, std::numbers::pi, "radians"))
       ->capture_default_str();
-  command.add_flag("--either-way", either_way, "the opposite heading will do as well");
+  command.add_flag("--either-way", either_way, "the opposite heading is accepted as well");
   command
       .add_option("--hitch-tolerance", hitch_tolerance,
                   "radians, 0.0001 to pi: how far a trailer's heading may end off that of the body before it,\n"

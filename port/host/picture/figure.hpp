@@ -26,7 +26,7 @@ double round_length(double limit);
 // A number without trailing zeros: "0.5", "20".
 std::string short_number(double value);
 
-// A line that is an arrow around the goal's middle for each heading that will do there, scene coordinates.
+// A line that is an arrow around the goal's middle for each heading that is accepted there, scene coordinates.
 std::vector<Ring> goal_arrows(const PlanFile& plan);
 
 // A line that is a chevron pointing ahead, in the frame of the first body and inside of it where that is a box; empty

@@ -134,7 +134,7 @@ class Judge {
     return std::abs(std::atan2(a.cos * b.sin - a.sin * b.cos, a.cos * b.cos + a.sin * b.sin));
   }
 
-  // Radians, from the nearer of the headings that will do.
+  // Radians, from the nearer of the headings that are accepted.
   double heading_error(const State& state, const GoalFacing& facing) const {
     const Frame wanted{{}, std::cos(facing.heading), std::sin(facing.heading)};
     const double error = angle(dynamics_.frames(state).front(), wanted);

@@ -29,7 +29,7 @@ struct Obstacle {
 struct GoalFacing {
   double heading = 0;                            // of the first body
   double tolerance = 0.1;                        // above 0 and at most pi: how far off the heading may be
-  bool either_way = false;                       // whether the opposite heading will do as well
+  bool either_way = false;                       // whether the opposite heading is accepted as well
   std::optional<double> hitches = std::nullopt;  // every other body's heading is so near to that of the body before it;
                                                  // absent: free
 };

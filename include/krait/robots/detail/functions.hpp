@@ -12,7 +12,7 @@
 
 namespace krait::detail {
 
-// What integrate_lead leaves for integrate_rest.
+// What integrate_lead hands to integrate_rest.
 struct alignas(8) Lead {
   std::byte bytes[64];
 };
