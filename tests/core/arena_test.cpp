@@ -16,7 +16,7 @@ struct Twelve {
   float values[3];
 };
 
-// Takes a mixed load; returns the addresses.
+// Allocates arrays of several types; returns their addresses.
 std::vector<const void*> take_all(detail::Arena& arena) {
   return {arena.allocate<std::uint8_t>(detail::Pool::regions, 3),
           arena.allocate<std::uint64_t>(detail::Pool::states, 2), arena.allocate<Twelve>(detail::Pool::states, 5),

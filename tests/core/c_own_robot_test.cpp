@@ -130,11 +130,11 @@ krait_functions bare(int trailers) {
   };
   f.travel = [](const void* self, const float* s, const float* u, float dt, const float* next, krait_travel* travel) {
     Travel most[kMaxBodies];
-    const bool limited = of(self).travel(view(self, s), ControlView(u, 2), dt, view(self, next), most);
+    const bool proven = of(self).travel(view(self, s), ControlView(u, 2), dt, view(self, next), most);
     for (int k = 0; k < of(self).body_count(); ++k) {
       travel[k] = {most[k].path, most[k].turn, most[k].bend, most[k].twist};
     }
-    return limited;
+    return proven;
   };
   return f;
 }
@@ -390,9 +390,9 @@ class Checked {
 struct Leaper : Whole {
   using Whole::Whole;
   bool travel(StateView s, ControlView u, float dt, StateView next, Travel* travel) const {
-    const bool limited = Whole::travel(s, u, dt, next, travel);
+    const bool proven = Whole::travel(s, u, dt, next, travel);
     for (int k = 0; k < body_count(); ++k) travel[k].path *= 0.5F;
-    return limited;
+    return proven;
   }
 };
 
@@ -405,9 +405,9 @@ TEST(OwnRobotInC, IsCheckedAsInCpp) {
   f.travel = [](const void* self, const float* s, const float* u, float dt, const float* next, krait_travel* travel) {
     Travel most[kMaxBodies];
     const Leaper leaper(2);
-    const bool limited = leaper.travel(view(self, s), ControlView(u, 2), dt, view(self, next), most);
+    const bool proven = leaper.travel(view(self, s), ControlView(u, 2), dt, view(self, next), most);
     for (int k = 0; k < 3; ++k) travel[k] = {most[k].path, most[k].turn, most[k].bend, most[k].twist};
-    return limited;
+    return proven;
   };
   const Leaper leaper(2);
   const std::string found = Checked(f).text();

@@ -63,7 +63,7 @@ double log_weight(const detail::Regions& regions, Index region, std::uint32_t se
          static_cast<double>(w.beta < 1 ? std::log(static_cast<double>(w.beta)) : 0) * selections;
 }
 
-// Groups told in the simplest way: by region, the members in the order in which they came.
+// Groups kept in the simplest way: by region, the members in the order in which they came.
 class Reference {
  public:
   Reference(const detail::Regions& regions, const detail::Groups& groups) : regions_(regions), groups_(groups) {}

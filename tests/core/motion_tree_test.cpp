@@ -116,7 +116,7 @@ class Grown {
     for (const auto& node : living) {
       ASSERT_EQ(++slots[node->slot], 1);
       ASSERT_LT(node->slot, expansions_);
-      expect_told(*node);
+      expect_stored(*node);
     }
     ASSERT_EQ(tree().bytes_untouched(),
               (vertices_ - most_vertices_) * (4 + 4 * kStateSize) + (expansions_ - most_nodes_) * 16);
@@ -182,7 +182,7 @@ class Grown {
     return result;
   }
 
-  void expect_told(const Node& node) {
+  void expect_stored(const Node& node) {
     const detail::Branch origin = tree().origin(node.slot);
     ASSERT_EQ(origin.expansion, node.before == nullptr ? kNone : node.before->slot);
     ASSERT_EQ(origin.step, node.before == nullptr ? 0 : node.at_step);

@@ -388,11 +388,12 @@ TEST(PlannerParameters, DefaultsAndThePapersAreInRange) {
   EXPECT_EQ(Parameters::paper().tuning.doomed_steps, 0U);
 }
 
-TEST(PlannerParameters, EachRangeIsTold) {
+TEST(PlannerParameters, EachRangeIsStated) {
   for (const ParameterRange& range : float_ranges()) {
-    const krait::ParameterRange told = Parameters::range(range.argument);
-    EXPECT_EQ(told.least, range.low_open ? std::nextafter(range.low, 1.0F) : range.low) << to_string(range.argument);
-    EXPECT_EQ(told.most, range.high_open ? std::nextafter(range.high, 0.0F) : range.high) << to_string(range.argument);
+    const krait::ParameterRange stated = Parameters::range(range.argument);
+    EXPECT_EQ(stated.least, range.low_open ? std::nextafter(range.low, 1.0F) : range.low) << to_string(range.argument);
+    EXPECT_EQ(stated.most, range.high_open ? std::nextafter(range.high, 0.0F) : range.high)
+        << to_string(range.argument);
   }
   EXPECT_EQ(Parameters::range(Argument::kappa).least, 1.0F);
   EXPECT_EQ(Parameters::range(Argument::kappa).most, 10000.0F);

@@ -71,10 +71,10 @@ Tally try_steps(const R& robot, float dt, int count, IsKept is_kept, double erro
 
 template <class R>
 Tally try_steps(const R& robot, float dt, int count) {
-  const auto limited = [&](const auto& s, const auto& u, const auto& next) {
+  const auto proven = [&](const auto& s, const auto& u, const auto& next) {
     return bounds_of(robot, s, u, dt, next).limits_kept;
   };
-  return try_steps(robot, dt, count, limited, 1e-5);
+  return try_steps(robot, dt, count, proven, 1e-5);
 }
 
 ChainParameters train(int trailers) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Limits hold under steering, exactly; and states outside them are told.
+// Limits hold under steering, exactly; and states outside them are recognised.
 #include <gtest/gtest.h>
 
 #include <algorithm>

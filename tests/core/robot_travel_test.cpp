@@ -213,13 +213,13 @@ double largest_hitch(const Chain& chain, std::size_t first, const std::vector<Nu
 }
 
 // Lemmas 5 and 10.
-TYPED_TEST(RobotSeparation, AHitchThatFoldsBetweenTwoStatesIsNeverCalledLimited) {
+TYPED_TEST(RobotSeparation, NoStepIsProvenBetweenWhoseStatesAHitchFolds) {
   ChainParameters p;
   p.trailers = 5;
   p.max_hitch_angle = 0.9F;
   const TypeParam robot(p);
   std::mt19937 random(6);
-  int folding = 0, folding_further_back = 0, limited = 0;
+  int folding = 0, folding_further_back = 0, proven = 0;
   for (int i = 0; i < 20'000; ++i) {
     auto s = random_state(robot, random);
     for (std::size_t k = 5; k < s.size(); ++k) s[k] = s[k == 5 ? 2 : k - 1] + uniform_float(random, -0.9, 0.9);
@@ -230,7 +230,7 @@ TYPED_TEST(RobotSeparation, AHitchThatFoldsBetweenTwoStatesIsNeverCalledLimited)
     for (int part = 0; part < 20; ++part) states.push_back(rk4(robot, states.back(), doubles(u), 0.1 / 20));
     const bool by_body = bounds_of(robot, s, u, 0.1F, next).limits_kept;
     const bool by_all = quick_bound_of(robot, s, u, 0.1F, next).limits_kept;
-    limited += by_all ? 1 : 0;
+    proven += by_all ? 1 : 0;
     if (largest_hitch(robot, 1, states) <= wide(p.max_hitch_angle)) continue;
     ++folding;
     folding_further_back += largest_hitch(robot, 2, states) > wide(p.max_hitch_angle) ? 1 : 0;
@@ -239,7 +239,7 @@ TYPED_TEST(RobotSeparation, AHitchThatFoldsBetweenTwoStatesIsNeverCalledLimited)
   }
   EXPECT_GT(folding, 5);
   EXPECT_GT(folding_further_back, 3);
-  EXPECT_GT(limited, 100);
+  EXPECT_GT(proven, 100);
 }
 
 // A chain that winds a little, some of them more.

@@ -228,10 +228,10 @@ class Faulty : public Slider {
     if (at(s, Fault::place_nan_heading)) poses[0].heading = {kNan, kNan};
   }
   bool travel(StateView s, ControlView u, float dt, StateView next, Travel* travel) const {
-    const bool limited = Slider::travel(s, u, dt, next, travel);
+    const bool proven = Slider::travel(s, u, dt, next, travel);
     if (at(s, Fault::travel_nan)) travel[0] = {kNan, kNan, kNan, kNan};
     if (at(s, Fault::travel_infinite)) travel[0] = {kInfinity, kInfinity, kInfinity, kInfinity};
-    return limited;
+    return proven;
   }
 
  private:
