@@ -10,25 +10,26 @@ struct Span {
   float low, high;
 };
 
-// Measured: bench/ABLATIONS.md, "Constants".
-constexpr Span kLooks = {0.8F, 2.8F};          // units: how far ahead the robot looks, at random, or
-constexpr Span kCornerLooks = {0.8F, 4.5F};    // units: within these on the way to a rounded corner:
-constexpr Span kCircleLooks = {0.6F, 1.4F};    // so much of what the circle takes of a side, and
-constexpr Span kLooksBefore = {0.25F, 0.95F};  // units: so much more
-constexpr Span kOutward = {-0.2F, 1.1F};       // of what the circle cuts off: how far outward a corner moves
-constexpr float kMostCut = 1.8F;               // units: what counts as cut off at most
-constexpr float kTrailerCut = 0.5F;            // of Turns::trail: how far outward a corner of 60 degrees moves at most
-constexpr float kSharpest = 0.5F;              // share of the turns at random that are the sharpest; the others are
-constexpr Span kTurns = {0.2F, 1.0F};          // so much of it
-constexpr float kLeaveOut = 0.06F;             // a number from 0 to 1 below this: a via is left out; else, below
-constexpr float kInsert = 0.16F;               // this: one is added; else it changes. A number from 0 to 1 below
-constexpr float kRound = 0.3F;                 // this: its corner is rounded; else, below
-constexpr float kVary = 0.5F;                  // this: it is driven to otherwise; else it is moved
-constexpr float kWithNext = 0.5F;              // share of rounded corners whose next via is driven to in the same way
-constexpr float kBeside = 0.35F;               // units: standard deviation of an added via from the line
-constexpr float kLittle = 0.15F;               // units: and of a moved one from its place, or, of half of them,
-constexpr float kMuch = 0.5F;                  // units
-constexpr float kVaryMoved = 0.5F;             // share of moved vias that are driven to otherwise, too
+// Measured: bench/ABLATIONS.md, "Constants" and "Plans are improved". A unit is Turns::unit; a number is drawn from a
+// span, each as likely.
+constexpr Span kLooks = {0.8F, 2.8F};          // units: how far ahead the robot looks where no corner is rounded
+constexpr Span kCornerLooks = {0.8F, 4.5F};    // units: how far ahead it looks toward a rounded corner: least and most
+constexpr Span kCircleLooks = {0.6F, 1.4F};    // times what the circle takes of a side: the first part of that look
+constexpr Span kLooksBefore = {0.25F, 0.95F};  // units: the second part, which is added
+constexpr Span kOutward = {-0.2F, 1.1F};       // times what the circle cuts off: how far outward a corner moves
+constexpr float kMostCut = 1.8F;               // units: the most that counts as cut off
+constexpr float kTrailerCut = 0.5F;    // times Turns::trail: how far outward a corner of 60 degrees moves at most
+constexpr float kSharpest = 0.5F;      // share of the turns at random that are the sharpest
+constexpr Span kTurns = {0.2F, 1.0F};  // times the sharpest turn: the other turns at random
+constexpr float kLeaveOut = 0.06F;     // share of the changes that remove a via
+constexpr float kInsert = 0.16F;       // share of the changes that remove or add a via; the others change one
+constexpr float kRound = 0.3F;         // share of the changed vias whose corner is rounded
+constexpr float kVary = 0.5F;          // share of those that are rounded or driven to otherwise; the others move
+constexpr float kWithNext = 0.5F;      // share of rounded corners whose next via is driven to in the same way
+constexpr float kBeside = 0.35F;       // units: standard deviation of an added via from the line, in x and y
+constexpr float kLittle = 0.15F;       // units: standard deviation of half of the moved vias, in x and y
+constexpr float kMuch = 0.5F;          // units: standard deviation of the other half, in x and y
+constexpr float kVaryMoved = 0.5F;     // share of the moved vias that are driven to otherwise, too
 
 float between(Span span, Random& random) { return span.low + (span.high - span.low) * random.unit(); }
 

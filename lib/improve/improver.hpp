@@ -63,48 +63,49 @@ class Improver {
   // Room for the line of a short plan, however few legs its ways may have.
   static constexpr std::uint32_t kLeastVias = 64;
   static constexpr std::uint32_t kLeastPoints = 256;
-  // Measured: bench/ABLATIONS.md, "Constants".
-  static constexpr int kLongChain = 4;             // bodies of a chain for which searches restart, and
-  static constexpr std::uint32_t kSearches = 7;    // such rounds before each one along a line
-  static constexpr std::uint32_t kHold = 2;        // steps of a leg, or more where a way would not have room
-  static constexpr float kAgain = 0.5F;            // how often a round takes up the best way's route, once it has one
-  static constexpr std::uint32_t kTries = 6;       // drives past a corner, once it has a way, and
-  static constexpr std::uint32_t kMostTries = 12;  // at most, where none gets past it
-  static constexpr float kStraightOn = 0.99F;      // cosine of a turn that is no corner: such a via is passed once
-  static constexpr float kPast = 0.7F;             // units after a corner, and the trailers' length, or half way to the
-                                                   // next one: there they end,
-  static constexpr float kAhead = 2.0F;            // and so far on, in units, the robot should look,
-  static constexpr float kAskew = 1.0F;            // units that it loses where it looks aside
-  static constexpr std::uint32_t kPatience = 12;   // changes in vain around a failure that end a round
-  static constexpr float kNearer = 0.06F;          // units of the route: a way that ends so much nearer is better
-  static constexpr float kAsNear = 0.025F;         // units: one that ends no further than this is as near,
-  static constexpr float kTakenAsNear = 0.3F;      // and how often it is taken
-  static constexpr float kRounded = 0.6F;          // how often the corners of a new route are rounded
-  static constexpr float kWorthBackwards = 0.3F;   // sum of cosines: how far away from its ends a robot must face, and
-  static constexpr float kBackwards = 0.5F;        // how often it then drives a route backwards
-  static constexpr float kNoShots = 0.3F;          // routes without shots before their end, for each that has some
-  static constexpr float kVaryShots = 0.1F;        // of changes, that draw again where shots begin
-  static constexpr std::uint32_t kRunUp = 15;      // steps straight on before a turn is measured,
-  static constexpr std::uint32_t kTurning = 30;    // steps of the turn,
-  static constexpr std::uint32_t kMeasured = 15;   // the last ones of which are measured
-  static constexpr float kBraking = 0.3F;          // of the sharpest: how shots brake
-  static constexpr float kShortcut = 0.75F;        // of the plan: a line of the regions that is shorter is worth
-  static constexpr float kTakeShortcut = 0.7F;     // so many rounds; in
-  static constexpr float kOtherShots = 0.75F;      // so many the shots have
-  static constexpr float kLeastArcs = 0.25F;       // arcs of so many times the usual radii, at least, and
-  static constexpr float kMoreArcs = 0.35F;        // so many more at most,
-  static constexpr float kLeastLeads = 0.5F;       // straight ends of so many times the usual lengths, at least, and
-  static constexpr float kMoreLeads = 1.0F;        // so many more at most, and no detours
-  static constexpr float kSearchAhead = 2.4F;      // units: how far on along a route the robot's place is looked for
-  static constexpr float kSpacing = 0.5F;          // units between the points of a line that is pulled taut
-  static constexpr float kLeastDisc = 1.15F;       // of body 0's half width: what a line is pulled taut for, and
-  static constexpr float kMoreDisc = 1.1F;         // as much more at most
-  static constexpr float kPullStep = 0.5F;         // of body 0's half width: of looks along a line of sight
-  static constexpr float kBeforeFailure = 6.0F;    // units before the place of a failure, at most, a via is changed, of
-  static constexpr float kAroundFailure = 8.0F;    // as many units of the route around it; a new via there is
-  static constexpr float kNearFailure = 2.0F;      // units from others
-  static constexpr float kSpread = 4.0F;           // units around a change and before a corner, where vias are added if
-  static constexpr float kFar = 1.5F;              // as many times as far away are the nearest
+  // Measured: bench/ABLATIONS.md, "Constants" and "Plans are improved". A unit is Turns::unit.
+  static constexpr int kLongChain = 4;             // bodies of a chain, from which on searches restart
+  static constexpr std::uint32_t kSearches = 7;    // rounds of such searches before each round along a line
+  static constexpr std::uint32_t kHold = 2;        // steps of a leg, or more where a way has no room for such legs
+  static constexpr float kAgain = 0.5F;            // share of the rounds along the best way's route, once there is one
+  static constexpr std::uint32_t kTries = 6;       // drives past a corner, once there is a best way
+  static constexpr std::uint32_t kMostTries = 12;  // drives past a corner that none gets past, at most
+  static constexpr float kStraightOn = 0.99F;      // cosine of a turn: above it a via is no corner and is passed once
+  // Units, beside the trailers' length: how far past a corner its drives end, at most half way to the next via.
+  static constexpr float kPast = 0.7F;
+  static constexpr float kAhead = 2.0F;  // units from where a drive ends to the point that the robot should face
+  static constexpr float kAskew = 1.0F;  // units of the way: what it costs to face at right angles to that point
+  static constexpr std::uint32_t kPatience = 12;  // changes without a nearer way, after which a round ends
+  static constexpr float kNearer = 0.06F;         // units of the route: a way that ends so much nearer is better
+  static constexpr float kAsNear = 0.025F;        // units: a way that ends at most so much further off is as near
+  static constexpr float kTakenAsNear = 0.3F;     // share of the ways that are as near which replace the one before
+  static constexpr float kRounded = 0.6F;         // share of the new routes whose corners are rounded
+  // Sum of the cosines at a route's ends: how far away from its ends a robot must face to drive it backwards.
+  static constexpr float kWorthBackwards = 0.3F;
+  static constexpr float kBackwards = 0.5F;       // share of such routes that are driven backwards
+  static constexpr float kNoShots = 0.3F;         // routes without shots before their end, for each that has some
+  static constexpr float kVaryShots = 0.1F;       // share of the changes that draw anew where shots begin
+  static constexpr std::uint32_t kRunUp = 15;     // steps straight on before a turn is measured
+  static constexpr std::uint32_t kTurning = 30;   // steps of that turn
+  static constexpr std::uint32_t kMeasured = 15;  // steps at the end of that turn, by which it is measured
+  static constexpr float kBraking = 0.3F;         // share of the sharpest braking: how shots brake
+  static constexpr float kShortcut = 0.75F;  // share of the plan's length: a shorter line of the regions is a shortcut
+  static constexpr float kTakeShortcut = 0.7F;   // share of the rounds that follow a shortcut
+  static constexpr float kOtherShots = 0.75F;    // share of the rounds with other lines of shots, without detours
+  static constexpr float kLeastArcs = 0.25F;     // times the usual radii: the least of such lines' arcs
+  static constexpr float kMoreArcs = 0.35F;      // times the usual radii: how much more than the least they are at most
+  static constexpr float kLeastLeads = 0.5F;     // times the usual lengths: the least of such lines' straight ends
+  static constexpr float kMoreLeads = 1.0F;      // times the usual lengths: how much more they are at most
+  static constexpr float kSearchAhead = 2.4F;    // units: how far on along a route the robot's place is looked for
+  static constexpr float kSpacing = 0.5F;        // units between the points of a line that is pulled taut
+  static constexpr float kLeastDisc = 1.15F;     // times body 0's half width: the least disc that a taut line is for
+  static constexpr float kMoreDisc = 1.1F;       // times body 0's half width: how much larger that disc is at most
+  static constexpr float kPullStep = 0.5F;       // times body 0's half width: step of looks along a line of sight
+  static constexpr float kBeforeFailure = 6.0F;  // units before a failure at which the stretch to be changed begins
+  static constexpr float kAroundFailure = 8.0F;  // units: length of that stretch
+  static constexpr float kNearFailure = 2.0F;    // units to the nearest via of that stretch, from which on one is added
+  static constexpr float kSpread = 4.0F;         // units around a change and before a corner at which vias are added
+  static constexpr float kFar = 1.5F;            // times kSpread: vias are added only where the next ones are further
 
   Way& current() { return ways_[here_]; }
   Way& trial() { return ways_[1 - here_]; }

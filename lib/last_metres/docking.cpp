@@ -12,18 +12,20 @@ namespace {
 
 // Measured: bench/ABLATIONS.md, "Trucks dock".
 constexpr float kHoldWay = 0.6F;     // lengths of body 0 that a leg goes at the top speed, at least
-constexpr float kPushLook = 1.125F;  // how far ahead of the last trailer it steers, in distances from body 0 to that
-constexpr float kMostPush = 6.5F;    // hitch lengths that it pushes, at most: then, of three trailers, what rounding
-                                     // leaves has grown as large as a plan's proof allows
-constexpr float kStages[] = {0.5F, 0.8F, 0.9F, 1.0F};  // of these: how far ahead of the pose it pulls them straight
-constexpr float kSwingRadius = 0.55F;                  // of a swing's arcs, in mean hitch lengths
-constexpr float kSwings[] = {0.4F, 0.5F};              // radians that it turns too far, and back
-constexpr float kSwingAim = 0.45F;       // how far ahead of the goal's centre and aside of it a swing ends, in radii,
-constexpr float kSwingTilt = 0.8F;       // and how far short of the heading, in tolerances
-constexpr float kDrawStep = 0.15F;       // mean hitch lengths, at most, of a step in which trailers are drawn,
-constexpr int kMostSteps = 128;          // or more, so that there are no more of them
-constexpr float kFold = 0.62F;           // the least cosine of a hitch angle on the way,
-constexpr float kStraightEnough = 0.9F;  // and the most sine at the end, in tolerances
+constexpr float kPushLook = 1.125F;  // distances from body 0 to the last trailer: how far ahead of that it steers
+// Mean hitch lengths that trailers are pushed, at most: after them what rounding has put three trailers off by is as
+// much as a plan's proof allows.
+constexpr float kMostPush = 6.5F;
+constexpr float kStages[] = {0.5F, 0.8F, 0.9F, 1.0F};  // shares of the longest push: where trailers are pulled straight
+constexpr float kSwingRadius = 0.55F;                  // mean hitch lengths: radius of a swing's arcs
+constexpr float kSwings[] = {0.4F, 0.5F};              // radians that a swing turns too far, and back
+constexpr float kSwingAim = 0.45F;  // radii of the goal: how far ahead of its centre, and aside of it, a swing ends
+constexpr float kSwingTilt = 0.8F;  // tolerances of the heading: how far short of the heading a swing ends
+constexpr float kDrawStep = 0.15F;  // mean hitch lengths: the longest step in which trailers are drawn along a line,
+                                    // unless that needs more than kMostSteps
+constexpr int kMostSteps = 128;     // steps in which trailers are drawn, at most
+constexpr float kFold = 0.62F;      // the least cosine of a hitch angle while trailers are drawn
+constexpr float kStraightEnough = 0.9F;  // tolerances of the hitches: the most sine of a hitch angle in the end
 
 void measure(LastMetres& last_metres, const Pose* poses) { last_metres.measure_push(poses); }
 void choose(LastMetres& last_metres, const Pose* poses) {

@@ -45,11 +45,12 @@ class PlanProof {
   PlanMeasures measures() { return meter_.end(drive_.state(), robot_.state_size()); }
 
  private:
-  static constexpr float kDriveError = 1e-4F;  // metres: how far the driven states may be off, and
-  static constexpr float kDriftShare = 5e-6F;  // by how much of the way of body 0's ends more
-  static constexpr float kMostError = 2e-3F;   // of a component, such as a heading in radians
-  static constexpr float kLarge = 256.0F;      // a component from which on as much larger an error is allowed
-  static constexpr float kSpare = 2.0F;        // of the errors' growth, before the check keeps more
+  // How far driven states may be from where the controls lead: lib/DESIGN.md, "Integration".
+  static constexpr float kDriveError = 1e-4F;  // metres: the least error that the check allows for
+  static constexpr float kDriftShare = 5e-6F;  // share of the way of body 0's ends that is added to the error
+  static constexpr float kMostError = 2e-3F;   // the largest error of a component, in its unit, where that is near 0
+  static constexpr float kLarge = 256.0F;  // a component, in its unit: of so large a one the error may be twice that
+  static constexpr float kSpare = 2.0F;    // times the errors that grew: what the check then allows for
 
   // Metres: how far the states so far may be from where the controls lead.
   float error() const { return allowed_ + kDriftShare * (meter_.length() + turned_ * robot_length(robot_)); }

@@ -23,8 +23,8 @@ using detail::stoppable_turn;
 namespace {
 
 constexpr PidGains kHeadingGains{3.0F, 0.05F, 0.1F};  // rad/s per radian of heading error
-constexpr float kCatchUp = 0.1F;                      // of the speed: by which what lags may be faster, or
-constexpr float kCreep = 1e-3F;                       // metres a second, if that is more
+constexpr float kCatchUp = 0.1F;                      // share of the speed by which a robot that lags may be faster
+constexpr float kCreep = 1e-3F;                       // metres a second by which it may be faster at any speed
 
 }  // namespace
 
