@@ -6,6 +6,7 @@
 namespace krait::detail {
 namespace {
 
+// Steps of a walk from triangle to triangle. After them the bucket is searched, which finds the same triangle.
 constexpr int kMaxWalk = 16;
 
 // The first edge that has p strictly on its right, or -1 when p is inside or on the border. Stands in the program once.

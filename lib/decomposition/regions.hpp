@@ -24,6 +24,7 @@ struct CostRaise {
 
 class Regions {
  public:
+  // Measured: bench/ABLATIONS.md, "Constants", and kRaiseReach also in "A failure raises what is around, too".
   static constexpr Index kMostAhead = 32;      // the last region that a distance can add
   static constexpr Index kMostRaised = 32;     // regions whose edges one failure raises
   static constexpr float kRaiseReach = 0.35F;  // as far around a region, in CostRaise::length

@@ -29,7 +29,8 @@ using detail::within_lock;
 
 namespace {
 
-constexpr PidGains kSpeedGains{10.0F, 0.1F, 0.1F};  // m/s^2 per m/s
+// m/s^2 per m/s of speed error. Found by driving, and part of the models: lib/robot/SNAKE.md, "Steering".
+constexpr PidGains kSpeedGains{10.0F, 0.1F, 0.1F};
 
 constexpr float kHitchReserve = 2e-3F;            // radians: the tree's hitch angles stay so far below their limit
 constexpr float kHitchError = 3e-4F;              // radians: what RK4 may be off by in a step

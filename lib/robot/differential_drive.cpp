@@ -22,9 +22,12 @@ using detail::stoppable_turn;
 
 namespace {
 
-constexpr PidGains kHeadingGains{3.0F, 0.05F, 0.1F};  // rad/s per radian of heading error
-constexpr float kCatchUp = 0.1F;                      // share of the speed by which a robot that lags may be faster
-constexpr float kCreep = 1e-3F;                       // metres a second by which it may be faster at any speed
+// rad/s per radian of heading error. Found by driving, and part of the model: lib/robot/DIFF_DRIVE.md, "Steering".
+constexpr PidGains kHeadingGains{3.0F, 0.05F, 0.1F};
+// Share of the speed by which a robot that lags may be faster. Measured: bench/ABLATIONS.md, "Plans are driven once
+// more".
+constexpr float kCatchUp = 0.1F;
+constexpr float kCreep = 1e-3F;  // metres a second by which it may be faster at any speed
 
 }  // namespace
 

@@ -6,7 +6,9 @@
 
 namespace krait::detail {
 
-inline constexpr PidGains kSteeringGains{4.0F, 0.05F, 0.05F};  // radians of steering per radian of heading error
+// Radians of steering per radian of heading error. Found by driving, and part of the models: lib/robot/SNAKE.md,
+// "Steering".
+inline constexpr PidGains kSteeringGains{4.0F, 0.05F, 0.05F};
 
 // Radians that the wheels must be turned over by: the heading's error to the point, backwards that of the rear, on the
 // side to which the wheels then turn.

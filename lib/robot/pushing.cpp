@@ -9,6 +9,7 @@ namespace {
 
 // What is off in a hitch fades by e to this in a hitch length. Measured: bench/ABLATIONS.md, "Trucks dock".
 constexpr float kFading = 3.0F;
+// The others were found by driving, and are part of the models: lib/robot/TRUCK.md, "Reverse".
 constexpr float kNear = 0.75F;       // hitch lengths a body: a point that is nearer counts as if it were so far away
 constexpr float kSharpest = 1.5F;    // hitch lengths: radius of the last trailer's sharpest turn
 constexpr float kLockShare = 0.75F;  // of the lock and of the hitches' bound, that a steady turn takes

@@ -23,10 +23,11 @@ inline Deviation deviation(StateView s, StateView reference) {
   return {dot(along, apart), cross(along, apart), s[2] - reference[2]};
 }
 
-inline constexpr float kHeadingShare = 0.2F;  // of a heading's error that a time step removes, where nothing steers
+// Share of a heading's error that a time step removes, where nothing steers. Found by driving.
+inline constexpr float kHeadingShare = 0.2F;
 
-// What removes deviations: speed by a tenth of what lags a time step, heading toward the reference's line, so that
-// what remains of it shrinks within `distance` metres.
+// What removes deviations (lib/DESIGN.md, "Integration"): speed by a tenth of what lags a time step, heading toward the
+// reference's line, so that what remains of it shrinks within `distance` metres.
 struct Correction {
   float speed;    // metres a second, to be added
   float heading;  // radians, by which the heading should change
