@@ -372,9 +372,9 @@ Vec2 Regions::random_point(Index region, Random& random) const {
   return is_goal(region) ? random_goal_point(random) : random_point_in_triangle(*scene_, region, random);
 }
 
-Index Regions::next(Index region) const {
-  const std::uint8_t edge = next_[region] & kEdgeMask;
-  return edge == kNoEdge ? kNone : this->region(scene_->neighbor(region, edge));
+Index Regions::next(Index r) const {
+  const std::uint8_t edge = next_[r] & kEdgeMask;
+  return edge == kNoEdge ? kNone : region(scene_->neighbor(r, edge));
 }
 
 Index Regions::regions_ahead(Index region, Index most, float distance) const {

@@ -63,7 +63,7 @@ class Regions {
   // Largest finite h (Eqn 7's h_max).
   float largest_cost() const { return largest_; }
   // The region after r on its shortest path, as of the last update; kNone at a goal and where there is no path.
-  Index next(Index region) const;
+  Index next(Index r) const;
   // The regions after r on its shortest path: the first `most`, and further ones, up to the kMostAhead-th, as long as
   // their centroids lie nearer to r's than `distance` metres. O(kMostAhead + most).
   Index regions_ahead(Index region, Index most, float distance = 0.0F) const;

@@ -247,9 +247,9 @@ bool LastMetres::aim(const Moment& now, Target& target) {
 }
 
 float LastMetres::least_remaining(const Moment& now) const {
-  const float remaining = this->remaining();
+  const float way = remaining();
   const float braked = math::absolute(now.robot.stopping_way(now.state)) / braking_;
-  return remaining + std::min(remaining, braked);
+  return way + std::min(way, braked);
 }
 
 bool LastMetres::leg_over(std::uint32_t steps, const Moment& now) {
@@ -281,10 +281,10 @@ bool LastMetres::begin_straight(const Shot& shot, const Pose& at) {
 }
 
 bool LastMetres::turn(const Pose& at, Target& target) {
-  const float off = this->off(at);
-  if (turning_ && off >= off_) return false;
+  const float angle = off(at);
+  if (turning_ && angle >= off_) return false;
   turning_ = true;
-  off_ = off;
+  off_ = angle;
   target.speed = kTurnCreep;
   target.turn = 1.0F;
   target.point = point_ahead(CurvedLine({at.position, facing_}, 1.0F), 0.0F, kTurnLook * robot_.length);

@@ -53,9 +53,9 @@ bool PullIn::aim(const Moment& now, Target& target) {
   const float share = pace(*robot_, std::max(0.0F, off.way), now.robot.speed(now.state),
                            now.robot.stopping_way(now.state), kMoveBraking);
   target.speed = stops || turns_wheels_ ? 0.0F : (move_.backward ? share : -share);
-  const float curvature = this->curvature(off);
-  target.turn = math::clamp(math::absolute(curvature) * robot_->turning_radius, kLeastTurn, 1.0F);
-  target.point = beside(now.at(), curvature < 0.0F ? -1.0F : 1.0F);
+  const float bend = curvature(off);
+  target.turn = math::clamp(math::absolute(bend) * robot_->turning_radius, kLeastTurn, 1.0F);
+  target.point = beside(now.at(), bend < 0.0F ? -1.0F : 1.0F);
   return true;
 }
 

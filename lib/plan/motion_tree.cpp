@@ -72,10 +72,10 @@ Index MotionTree::add(Branch branch, const float* state) {
   return vertex;
 }
 
-void MotionTree::replace(Index vertex, Branch branch, const float* state) {
+void MotionTree::replace(Index vertex, Branch by, const float* state) {
   KRAIT_ASSERT(vertex < vertex_high_);
-  const Branch before = this->branch(vertex);
-  write(vertex, branch, state);
+  const Branch before = branch(vertex);
+  write(vertex, by, state);
   release(before);
 }
 

@@ -61,7 +61,7 @@ class MotionTree {
   // Keeps a state; not when full.
   Index add(Branch branch, const float* state);
   // Keeps it in place of another.
-  void replace(Index vertex, Branch branch, const float* state);
+  void replace(Index vertex, Branch by, const float* state);
   void remove(Index vertex);
 
   const float* state(Index vertex) const {
