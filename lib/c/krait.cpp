@@ -84,6 +84,21 @@ constexpr std::uint64_t aligned(std::uint64_t bytes) {
 
 static_assert(alignof(Front) <= krait::Setup::kAlignment);
 
+// A robot on the stack, for one call.
+class MadeRobot {
+ public:
+  explicit MadeRobot(const krait_robot& from) : robot_(from.model->make(place_, from)) {}
+  MadeRobot(const MadeRobot&) = delete;
+  MadeRobot& operator=(const MadeRobot&) = delete;
+
+  const krait::Robot& robot() const { return robot_; }
+  bool usable() const { return robot_.sound() && robot_.sizes_valid(); }
+
+ private:
+  alignas(krait::Setup::kAlignment) std::byte place_[krait::c::kMostRobotBytes];
+  krait::Robot robot_;
+};
+
 // Bytes before the pools.
 std::uint64_t front_bytes(const krait_robot& robot) {
   return aligned(sizeof(Front)) + aligned(robot.model->robot_bytes);
@@ -120,14 +135,23 @@ const char* krait_goal_name(const krait_scene* scene, uint32_t goal) { return vi
 
 uint32_t krait_find_goal(const krait_scene* scene, const char* name) { return view(scene).find_goal(name); }
 
-uint32_t krait_state_size(const krait_robot* robot) { return is_made(robot) ? robot->model->state_size(*robot) : 0; }
+uint32_t krait_state_size(const krait_robot* robot) {
+  if (!is_made(robot)) return 0;
+  const MadeRobot made(*robot);
+  return made.usable() ? static_cast<std::uint32_t>(made.robot().state_size()) : 0;
+}
 
 uint32_t krait_control_size(const krait_robot* robot) {
-  return is_made(robot) ? robot->model->control_size(*robot) : 0;
+  if (!is_made(robot)) return 0;
+  const MadeRobot made(*robot);
+  return made.usable() ? static_cast<std::uint32_t>(made.robot().control_size()) : 0;
 }
 
 bool krait_rest(const krait_robot* robot, krait_pose pose, float* state) {
-  return is_made(robot) && robot->model->rest(*robot, pose, state);
+  if (!is_made(robot)) return false;
+  const MadeRobot made(*robot);
+  if (!made.robot().sound()) return false;
+  return made.robot().rest({pose.x, pose.y}, pose.heading, pose.angles, pose.angle_count, state);
 }
 
 krait_parameters krait_default_parameters() {
@@ -139,7 +163,9 @@ krait_parameters krait_default_parameters() {
 
 uint64_t krait_bytes_required(const krait_scene* scene, const krait_robot* robot, const krait_limits* limits) {
   if (!is_made(robot)) return 0;
-  return front_bytes(*robot) + robot->model->pools(view(scene), *robot, convert<krait::Limits>(*limits));
+  const MadeRobot made(*robot);
+  const krait::Limits from = convert<krait::Limits>(*limits);
+  return front_bytes(*robot) + krait::Planner::bytes_required(view(scene), made.robot(), from);
 }
 
 krait_limits krait_limits_for(uint64_t bytes, const krait_scene* scene, const krait_robot* robot) {
@@ -151,7 +177,8 @@ krait_limits krait_limits_to_improve(uint64_t bytes, const krait_scene* scene, c
   if (!is_made(robot)) return {};
   const std::uint64_t front = front_bytes(*robot);
   const std::uint64_t pools = bytes < front ? 0 : bytes - front;
-  return convert<krait_limits>(robot->model->limits_for(pools, view(scene), *robot, way_legs));
+  const MadeRobot made(*robot);
+  return convert<krait_limits>(krait::Planner::limits_for(pools, view(scene), made.robot(), way_legs));
 }
 
 krait_failure krait_init(krait_planner** planner, const krait_setup* setup, const krait_parameters* parameters,

@@ -2,6 +2,7 @@
 // What the C interface needs of a model of robot, and how it comes from the C++ class.
 #pragma once
 
+#include <algorithm>
 #include <cstring>
 #include <new>
 #include <type_traits>
@@ -9,18 +10,12 @@
 #include "krait/krait.h"
 #include "krait/krait.hpp"
 
-// What a model does with a robot as C describes it; one constant each, so that a program contains the models that it
-// names.
+// How a model's robot is made of what C describes it by; one constant each, so that a program contains the models that
+// it names.
 struct krait_model {
   std::size_t robot_bytes;
-  // Makes the robot at `place`.
+  // Makes the robot at `place`, which has robot_bytes and is aligned to krait::Setup::kAlignment.
   krait::Robot (*make)(void* place, const krait_robot& from);
-  std::uint32_t (*state_size)(const krait_robot& from);
-  std::uint32_t (*control_size)(const krait_robot& from);
-  bool (*rest)(const krait_robot& from, const krait_pose& pose, float* state);
-  std::uint64_t (*pools)(const krait::Scene& scene, const krait_robot& from, const krait::Limits& limits);
-  krait::Limits (*limits_for)(std::uint64_t pools, const krait::Scene& scene, const krait_robot& from,
-                              std::uint32_t way_legs);
 };
 
 namespace krait::c {
@@ -66,44 +61,22 @@ R make_robot(const krait_robot& from) {
   return robot;
 }
 
-// The functions of krait_model for the robot R.
-template <class R>
-struct Model {
-  static Robot make(void* place, const krait_robot& from) { return Robot(*::new (place) R(make_robot<R>(from))); }
-
-  static std::uint32_t state_size(const krait_robot& from) {
-    const R robot = make_robot<R>(from);
-    return usable(robot) ? static_cast<std::uint32_t>(robot.state_size()) : 0;
-  }
-
-  static std::uint32_t control_size(const krait_robot& from) {
-    const R robot = make_robot<R>(from);
-    return usable(robot) ? static_cast<std::uint32_t>(robot.control_size()) : 0;
-  }
-
-  static bool rest(const krait_robot& from, const krait_pose& pose, float* state) {
-    const R robot = make_robot<R>(from);
-    if (!robot.sound()) return false;
-    return detail::rest(robot, {pose.x, pose.y}, pose.heading, pose.angles, pose.angle_count, state);
-  }
-
-  static std::uint64_t pools(const Scene& scene, const krait_robot& from, const Limits& limits) {
-    const R robot = make_robot<R>(from);
-    return Planner::bytes_required(scene, robot, limits);
-  }
-
-  static Limits limits_for(std::uint64_t pools, const Scene& scene, const krait_robot& from, std::uint32_t way_legs) {
-    const R robot = make_robot<R>(from);
-    return Planner::limits_for(pools, scene, robot, way_legs);
-  }
-
- private:
-  static bool usable(const R& robot) { return robot.sound() && Robot(robot).sizes_valid(); }
+// The most bytes of a robot of any model: make asserts that those written in C have no more.
+template <class... Models>
+struct LargestOf {
+  static constexpr std::size_t kBytes = std::max({sizeof(Models)...});
 };
+inline constexpr std::size_t kMostRobotBytes = AllRobots<LargestOf>::kBytes;
 
 template <class R>
-inline constexpr krait_model kModel = {sizeof(R),      Model<R>::make,  Model<R>::state_size, Model<R>::control_size,
-                                       Model<R>::rest, Model<R>::pools, Model<R>::limits_for};
+Robot make(void* place, const krait_robot& from) {
+  static_assert(sizeof(R) <= kMostRobotBytes && alignof(R) <= Setup::kAlignment);
+  static_assert(std::is_trivially_destructible_v<R>);
+  return Robot(*::new (place) R(make_robot<R>(from)));
+}
+
+template <class R>
+inline constexpr krait_model kModel = {sizeof(R), make<R>};
 
 // The robot of the library's class R with its defaults, and as many trailers where it may have any.
 template <class R>
