@@ -14,6 +14,7 @@ namespace krait {
 namespace detail {
 
 class MotionTree;
+class Search;
 class TargetGrid;
 class Way;
 struct PackedTarget;
@@ -48,9 +49,6 @@ class PlanCursor {
  public:
   /// A cursor of no plan: it is done and has no state.
   PlanCursor();
-  /// For the library: Plan::cursor makes them. `start` is robot.state_size() floats, which must stay. As much work as
-  /// advance.
-  PlanCursor(const Robot& robot, const detail::PlanPath& path, const float* start, float dt);
 
   int state_size() const;    ///< floats of a state; 0 without a plan
   int control_size() const;  ///< floats of a control; 0 without a plan
@@ -71,6 +69,10 @@ class PlanCursor {
   void advance();
 
  private:
+  friend class Plan;
+  // `start` is robot.state_size() floats, which must stay. As much work as advance.
+  PlanCursor(const Robot& robot, const detail::PlanPath& path, const float* start, float dt);
+
   // The size of a detail::PlanWalk.
   static constexpr std::size_t kWalkBytes = sizeof(void*) == 8 ? 1104 : 1064;
 
@@ -82,8 +84,6 @@ class PlanCursor {
 class Plan {
  public:
   Plan() = default;  ///< an empty one
-  /// For the library: Planner::plan makes them. `start` is robot.state_size() floats, which must stay. O(legs).
-  Plan(const Robot& robot, const detail::PlanPath& path, const float* start, float dt);
 
   bool empty() const { return start_ == nullptr; }                          ///< whether there is no plan
   std::uint32_t steps() const { return steps_; }                            ///< controls, each held for dt()
@@ -107,6 +107,10 @@ class Plan {
   void copy(float* states, float* controls) const;
 
  private:
+  friend class detail::Search;
+  // `start` is robot.state_size() floats, which must stay. O(legs).
+  Plan(const Robot& robot, const detail::PlanPath& path, const float* start, float dt);
+
   Robot robot_;
   detail::PlanPath path_;
   const float* start_ = nullptr;

@@ -22,8 +22,6 @@ class SceneChecker;
 class IndexArray {
  public:
   IndexArray() = default;  ///< of nothing
-  /// The integers from `data` on, each of 4 bytes if `wide`, else of 2, and aligned to that; they must stay.
-  IndexArray(const std::byte* data, bool wide) : data_(data), wide_(wide) {}
 
   /// Integer i, or kNone; unchecked.
   Index operator[](std::size_t i) const {
@@ -33,6 +31,10 @@ class IndexArray {
   }
 
  private:
+  friend class Scene;
+  // The integers from `data` on, each of 4 bytes if `wide`, else of 2, and aligned to that; they must stay.
+  IndexArray(const std::byte* data, bool wide) : data_(data), wide_(wide) {}
+
   const std::byte* data_ = nullptr;
   bool wide_ = false;
 };
@@ -71,15 +73,6 @@ struct CellGrid {
 class ClearanceGrid {
  public:
   ClearanceGrid() = default;  ///< 0 everywhere
-  /// A grid of the cells of a file with this header, from `origin` on, local metres; the bytes must stay.
-  ClearanceGrid(Vec2 origin, const format::Header& header, const std::uint8_t* cells)
-      : origin_(origin),
-        per_metre_(1.0F / header.clearance_cell),
-        unit_(header.clearance_unit),
-        columns_(static_cast<float>(header.clearance_columns)),
-        rows_(static_cast<float>(header.clearance_rows)),
-        stride_(header.clearance_columns),
-        cells_(cells) {}
 
   /// At most the distance from p to the nearest obstacle or bound, metres; 0 where p lies near one or outside.
   float at(Vec2 p) const {
@@ -92,6 +85,17 @@ class ClearanceGrid {
   }
 
  private:
+  friend class Scene;
+  // A grid of the cells of a file with this header, from `origin` on, local metres; the bytes must stay.
+  ClearanceGrid(Vec2 origin, const format::Header& header, const std::uint8_t* cells)
+      : origin_(origin),
+        per_metre_(1.0F / header.clearance_cell),
+        unit_(header.clearance_unit),
+        columns_(static_cast<float>(header.clearance_columns)),
+        rows_(static_cast<float>(header.clearance_rows)),
+        stride_(header.clearance_columns),
+        cells_(cells) {}
+
   Vec2 origin_{};
   float per_metre_ = 1.0F;
   float unit_ = 0.0F;
