@@ -36,6 +36,7 @@ constexpr Range<float> kNumbers[] = {
     {offsetof(Parameters, tuning.stray_share), Argument::stray_share, 0.0F, 1.0F},
     {offsetof(Parameters, tuning.gentle_share), Argument::gentle_share, 0.0F, 1.0F},
     {offsetof(Parameters, tuning.slowest), Argument::slowest, 0.05F, 1.0F},
+    {offsetof(Parameters, tuning.stopping_ways), Argument::stopping_ways, 0.0F, 10.0F},
     {offsetof(Parameters, tuning.reverse_share), Argument::reverse_share, 0.0F, 1.0F},
     {offsetof(Parameters, clearance), Argument::clearance, 0.0F, 10.0F},
     {offsetof(Parameters, goal_margin), Argument::goal_margin, 0.0F, 10.0F},
@@ -91,6 +92,7 @@ Parameters Parameters::paper() {
   parameters.tuning.sight_tries = 0;
   parameters.tuning.candidates = 0;
   parameters.tuning.slowest = 0.75F;
+  parameters.tuning.stopping_ways = 0.0F;
   parameters.tuning.doomed_steps = 0;
   parameters.tuning.restart_unit = 0;
   parameters.tuning.raise_goal = true;

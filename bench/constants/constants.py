@@ -40,6 +40,7 @@ CONSTANTS = {
             "kappa": (), "max_steps": (), "open_steps": (0.04, 0.5), "path_regions": (), "path_lengths": (),
             "near_radius": (), "stray_share": (), "gentle_share": (), "sight_tries": (), "candidates": (),
             "least_sketch": (), "doomed_steps": (0.5, 1.5), "restart_unit": (), "slowest": (0.5, 0.75),
+            "stopping_ways": (),
             "max_substeps": (), "kTreeSlack": ()},
         "lib/decomposition/regions.hpp": {"kMostAhead": (), "kMostRaised": (), "kRaiseReach": ()},
         "lib/search/search.hpp": {"kPatience": (), "kLeastCost": (), "kDepthKept": ()},

@@ -43,6 +43,7 @@ ABLATIONS = {
     "states right before a collision kept": ("doomed_steps=0",),
     "no restarts": ("restart_unit=0",),
     "speeds from three quarters of the top": ("slowest=0.75",),
+    "targets driven to at any speed": ("stopping_ways=0",),
     "portals that are too narrow kept": ("prune_portals=0",),
     "states checked, not the steps between": ("continuous=0",),
     "plans end at any speed": ("end_speed=100",),

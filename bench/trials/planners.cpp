@@ -75,6 +75,7 @@ const std::vector<Setting>& settings_of_searches() {
       {"restart_unit", &SearchTuning::restart_unit, Argument::restart_unit},
       {"update_regions", &SearchTuning::update_regions, Argument::update_regions},
       {"slowest", &SearchTuning::slowest, Argument::slowest},
+      {"stopping_ways", &SearchTuning::stopping_ways, Argument::stopping_ways},
       {"raise_goal", &SearchTuning::raise_goal},
       {"continuous", &SearchTuning::continuous},
       {"prune_portals", &SearchTuning::prune_portals}};

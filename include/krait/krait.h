@@ -442,6 +442,9 @@ typedef struct krait_search_tuning {
                               at most; tries last 1, 1, 2, 1, 1, 2, 4, ... of that; 0: one for ever */
   float slowest,         /**< 0.05 to 1, default 1: speed set-points are uniform from this share of the top speed to all
                               of it */
+      stopping_ways,     /**< 0 to 10, default 1: a target nearer than this many of a robot's stopping ways is driven to
+                              at the speed from which that many end there, so that what brakes weakly grows no faster
+                              than it can stop; of a robot that has `speed`; 0: at any */
       reverse_share;     /**< 0 to 1, default 0.2: share of expansions from a group that was often selected that drive
                               backwards, of a robot that can */
   bool continuous;       /**< default true: whether whole steps are proven free, or states only */

@@ -63,6 +63,9 @@ struct SearchTuning {
   /// (n / 90)², 0.1 at least and 1 + n / 90 at most. Tries last 1, 1, 2, 1, 1, 2, 4, … of that; 0: one for ever.
   std::uint32_t restart_unit = 4000;
   float slowest = 1.0F;  ///< 0.05 … 1: speed set-points are uniform from this share of the top speed to all of it
+  /// 0 … 10: a target nearer than this many of a robot's stopping ways is driven to at the speed from which that many
+  /// end there, so that what brakes weakly grows no faster than it can stop. Of a robot that has `speed`. 0: at any.
+  float stopping_ways = 1.0F;
   /// 0 … 1: share of expansions from a group that was often selected that drive backwards, of a robot that can.
   float reverse_share = 0.2F;
   // Collision.

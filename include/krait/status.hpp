@@ -80,6 +80,7 @@ enum class Argument : std::uint8_t {
   doomed_steps,      ///< SearchTuning::doomed_steps
   restart_unit,      ///< SearchTuning::restart_unit
   slowest,           ///< SearchTuning::slowest
+  stopping_ways,     ///< SearchTuning::stopping_ways
   reverse_share,     ///< SearchTuning::reverse_share
   cost_length,       ///< SearchTuning::cost_length
   goal_margin,       ///< Parameters::goal_margin

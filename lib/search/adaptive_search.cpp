@@ -138,7 +138,7 @@ AdaptiveSearch::Way AdaptiveSearch::any_way(Index group, Index ahead) {
   way.cost = kInfinity;
   const Vec2 point = strays ? random_point_in_bounds() : point_ahead(group, ahead, position(way.vertex), way.cost);
   way.target = any_way_to(point, groups_.selections(group));
-  if (way.cost == 0.0F) slow_for(way.target, way.vertex);
+  slow_for(way.target, way.vertex, way.cost == 0.0F);
   return way;
 }
 

@@ -222,11 +222,16 @@ Target Search::any_way_to(Vec2 point, std::uint32_t tries) {
   return target;
 }
 
-void Search::slow_for(Target& target, Index from) const {
-  if (!ending_.limits_speed()) return;
-  const float way = math::absolute(robot_.stopping_way(tree_.state(from)));
+void Search::slow_for(Target& target, Index from, bool in_goal) const {
+  const float at_goal = ending_.limits_speed() ? 1.0F : 0.0F;
+  const float ways = in_goal ? at_goal : parameters_.tuning.stopping_ways;
+  if (!robot_.has_speed() || ways == 0.0F) return;
+  const float* state = tree_.state(from);
+  const float way = ways * math::absolute(robot_.stopping_way(state));
   const float distance = length(target.point - position(from));
-  if (distance < way) target.speed = target.speed * std::sqrt(distance / way);
+  if (distance >= way) return;
+  const float share = robot_.speed(state) / robot_.top_speed(robot_length_);
+  target.speed = target.speed * (share < 1.0F ? share : 1.0F) * std::sqrt(distance / way);
 }
 
 Vec2 Search::random_point_in_bounds() {

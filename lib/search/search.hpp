@@ -155,8 +155,9 @@ class Search {
   // robot drive backwards.
   Target any_way_to(Vec2 point, std::uint32_t tries);
 
-  // Lets the robot drive to a target in the goal so slowly that it can stop there.
-  void slow_for(Target& target, Index from) const;
+  // Lets a robot that is nearer to the target than stopping_ways of its stopping ways drive there at the speed from
+  // which that many end there; in the goal than one of them, where the plan must not end fast.
+  void slow_for(Target& target, Index from, bool in_goal) const;
 
   Vec2 random_point_in_bounds();
 

@@ -549,6 +549,7 @@ TEST(CInterface, EveryParameterIsInItsPlace) {
   EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, doomed_steps);
   EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, restart_unit);
   EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, slowest);
+  EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, stopping_ways);
   EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, reverse_share);
   EXPECT_SAME_PLACE(krait_parameters, Parameters, clearance);
   EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, continuous);

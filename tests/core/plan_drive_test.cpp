@@ -286,6 +286,7 @@ TEST(PlanDriveOfHitches, HasRoomBetweenTheTreeAndTheLimit) {
   bench.parameters.tuning.doomed_steps = 0;
   bench.parameters.tuning.candidates = 0;
   bench.parameters.tuning.path_lengths = 0.0F;
+  bench.parameters.tuning.stopping_ways = 0.0F;
   bench.parameters.dt = 0.01F;
   bench.limits.iterations = 2000;
   ASSERT_TRUE(bench.init().ok());

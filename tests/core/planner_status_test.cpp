@@ -365,6 +365,7 @@ std::vector<ParameterRange> float_ranges() {
           {Argument::stray_share, 0, 1, false, false, [](auto& p, float x) { p.tuning.stray_share = x; }},
           {Argument::gentle_share, 0, 1, false, false, [](auto& p, float x) { p.tuning.gentle_share = x; }},
           {Argument::slowest, 0.05F, 1, false, false, [](auto& p, float x) { p.tuning.slowest = x; }},
+          {Argument::stopping_ways, 0, 10, false, false, [](auto& p, float x) { p.tuning.stopping_ways = x; }},
           {Argument::reverse_share, 0, 1, false, false, [](auto& p, float x) { p.tuning.reverse_share = x; }},
           {Argument::clearance, 0, 10, false, false, [](auto& p, float x) { p.clearance = x; }},
           {Argument::goal_margin, 0, 10, false, false, [](auto& p, float x) { p.goal_margin = x; }}};

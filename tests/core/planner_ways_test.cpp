@@ -31,6 +31,7 @@ TEST(PlannerWays, AreNotThePapers) {
   EXPECT_EQ(Parameters::paper().tuning.sight_tries, 0U);
   EXPECT_EQ(Parameters::paper().tuning.candidates, 0U);
   EXPECT_EQ(Parameters::paper().tuning.slowest, 0.75F);
+  EXPECT_EQ(Parameters::paper().tuning.stopping_ways, 0.0F);
   EXPECT_NE(hash_with({}), hash_with(without_looks()));
 }
 
@@ -90,6 +91,71 @@ TEST(PlannerWays, LookAsFarWhereRegionsAreSmall) {
     vertices[far] = sum(vertices_of(bench, kStart, 40, true));
   }
   EXPECT_LT(2 * vertices[true], vertices[false]);
+}
+
+// It takes twenty seconds and 100 m to its top speed, or from it to rest.
+Truck weakly_braked() {
+  ChainParameters chain;
+  chain.trailers = 1;
+  chain.max_speed = 10.0F;
+  chain.max_acceleration = 0.5F;
+  return Truck(chain);
+}
+
+constexpr float kTruckStart[] = {3, 6, 0, 0, 0, 0};
+
+// Four halls of 15 m by 12 m, with doors of 1.6 m at alternate ends of the walls.
+Room halls() {
+  Room room;
+  room.bounds = {0, 0, 60, 12};
+  room.boxes = {{15, 0, 15.25, 9.4},  {15, 11, 15.25, 12}, {30, 0, 30.25, 1},
+                {30, 2.6, 30.25, 12}, {45, 0, 45.25, 9.4}, {45, 11, 45.25, 12}};
+  room.goals = {{55, 5, 57, 7}};
+  return room;
+}
+
+// Looks at each expansion's target: it is slowed for where, and as far as, the robot could not stop there.
+struct SlowedFor {
+  const detail::AdaptiveSearch* search;
+  const Truck* robot;
+  int* slowed;
+
+  void expands(Index vertex, const Target& target) const {
+    const StateView state(search->tree().state(vertex), robot->state_size());
+    const float way = std::abs(robot->stopping_way(state));
+    const float distance = length(target.point - position(state));
+    const float share = robot->speed(state) / robot->top_speed();
+    const bool slow = distance < way;
+    EXPECT_NEAR(std::abs(target.speed), slow ? std::min(1.0F, share) * std::sqrt(distance / way) : 1.0F, 2e-3F);
+    *slowed += slow ? 1 : 0;
+  }
+  void operator()(const float*, const float*) const {}
+};
+
+TEST(PlannerWays, EndWhereTheRobotCanStop) {
+  const Truck robot = weakly_braked();
+  Bench<Truck, detail::AdaptiveSearch> bench(halls(), robot);
+  ASSERT_TRUE(bench.init().ok());
+  int slowed = 0;
+  const SlowedFor watch{&bench.planner, &robot, &slowed};
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    ASSERT_EQ(bench.planner.start({kTruckStart, Goal::named(0), seed}), Status::searching);
+    (void)bench.planner.advance(100, watch);
+  }
+  EXPECT_GT(slowed, 100);
+}
+
+TEST(PlannerWays, AreFoundByARobotWithWeakBrakes) {
+  std::vector<std::uint64_t> vertices[2];
+  for (const bool slows : {false, true}) {
+    Bench<Truck> bench(halls(), weakly_braked());
+    bench.limits.iterations = 20'000;
+    if (!slows) bench.parameters.tuning.stopping_ways = 0.0F;
+    vertices[slows] = vertices_of(bench, kTruckStart, 20, slows);
+    std::sort(vertices[slows].begin(), vertices[slows].end());
+  }
+  EXPECT_LE(vertices[true][10], 2000U);
+  EXPECT_GE(vertices[false][10], 3 * vertices[true][10]);
 }
 
 // Where no sketch is long enough nothing is driven, and the regions ahead get dearer.

@@ -168,6 +168,8 @@ TEST(WrongUse, ParametersAtTheEndsOfTheirRangesPlanOrEnd) {
       [](Parameters& p) { p.tuning.restart_unit = 1; },
       [](Parameters& p) { p.tuning.slowest = 0.05F; },
       [](Parameters& p) { p.tuning.slowest = 1; },
+      [](Parameters& p) { p.tuning.stopping_ways = 0; },
+      [](Parameters& p) { p.tuning.stopping_ways = 10; },
       [](Parameters& p) { p.tuning.reverse_share = 1; },
       [](Parameters& p) { p.clearance = 0; },
       [](Parameters& p) { p.clearance = 10; },

@@ -264,10 +264,11 @@ TEST(ReferencePlannerRestarts, ForgetWhatTheTryHasLearnt) {
   EXPECT_EQ(bench.planner.statistics().restarts, 6U);  // after 30, 60, 120, 150, 180, 240 expansions
 }
 
-// Robots with states of their own: a car that pulls two trailers.
+// Robots with states of their own: a car that pulls two trailers. planner_ways_test holds how it slows for targets.
 TEST(ReferencePlannerChain, AgreesWithAdaptive) {
   Bench<Snake, detail::AdaptiveSearch> bench(dead_end(), Snake(small_chain(2)));
   bench.parameters = adaptive();
+  bench.parameters.tuning.stopping_ways = 0.0F;
   Choices choices(shares_of(bench.parameters));
   Seen seen;
   const Polygon body = bench.robot.body(0);
