@@ -111,21 +111,18 @@ float DifferentialDrive::fastest_rate(float dt) const {
   return std::max(twisting, turning);
 }
 
-// Each wheel's rim moves at most at the larger of its two speeds; the axle's middle at their mean, the body turns at
-// most at their sum over the track.
+// The wheels' speeds are linear in time, and so are their mean, at which the axle's middle moves, and their difference,
+// at which over the track the body turns: each is at most the larger of its values at the step's ends.
 bool DifferentialDrive::travel(StateView s, ControlView u, float dt, StateView, Travel* travel) const {
-  float sum = 0.0F;
-  for (int wheel = 0; wheel < 2; ++wheel) {
-    const float before = math::absolute(s[3 + wheel]);
-    const float after = math::absolute(s[3 + wheel] + u[wheel] * dt);
-    sum += std::max(after, before);
-  }
-  const float rims = dt * parameters_.wheel_radius * sum;
-  const float path = 0.5F * rims;
-  const float turn = rims / parameters_.track_width;
-  const float speeding = dt * dt * parameters_.wheel_radius;
-  const float forward = speeding * 0.5F * math::absolute(u[0] + u[1]);
-  const float sideways = speeding * math::absolute(u[1] - u[0]) / parameters_.track_width;
+  const float step = dt * parameters_.wheel_radius;
+  const float ahead = s[3] + s[4];
+  const float apart = s[4] - s[3];
+  const float faster = (u[0] + u[1]) * dt;
+  const float turning = (u[1] - u[0]) * dt;
+  const float path = 0.5F * step * std::max(math::absolute(ahead), math::absolute(ahead + faster));
+  const float turn = step / parameters_.track_width * std::max(math::absolute(apart), math::absolute(apart + turning));
+  const float forward = 0.5F * step * math::absolute(faster);
+  const float sideways = step / parameters_.track_width * math::absolute(turning);
   travel[0] = {path, turn, 0.125F * (forward + path * turn), 0.125F * (sideways + turn * turn)};
   return true;
 }
