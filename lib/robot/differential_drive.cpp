@@ -29,6 +29,16 @@ constexpr PidGains kHeadingGains{3.0F, 0.05F, 0.1F};
 constexpr float kCatchUp = 0.1F;
 constexpr float kCreep = 1e-3F;  // metres a second by which it may be faster at any speed
 
+// The wheels' speeds after a step in which each changes by `change` at most: half their difference comes as near as
+// that allows to half_turn, and their mean, by what then remains, to `forward`.
+void turn_first(StateView s, float forward, float half_turn, float change, float* wheels) {
+  const float turned = math::clamp(half_turn - 0.5F * (s[4] - s[3]), -change, change);
+  const float rest = change - math::absolute(turned);
+  const float driven = math::clamp(forward - 0.5F * (s[3] + s[4]), -rest, rest);
+  wheels[0] = s[3] + (driven - turned);
+  wheels[1] = s[4] + (driven + turned);
+}
+
 }  // namespace
 
 bool DifferentialDrive::sound() const {
@@ -37,7 +47,8 @@ bool DifferentialDrive::sound() const {
          positive(p.max_wheel_speed) && positive(p.max_wheel_acceleration);
 }
 
-// Wanted speed and turn rate become wheel speeds; where a wheel would be too fast, speed yields to turning.
+// Wanted speed and turn rate become wheel speeds; where a wheel would be too fast, or would have to be accelerated too
+// much, speed yields to turning.
 void DifferentialDrive::steer(StateView s, const Target& target, Steering& steering, ControlRef u) const {
   const DifferentialDriveParameters& p = parameters_;
   if (target.speed == 0.0F) {
@@ -55,8 +66,9 @@ void DifferentialDrive::steer(StateView s, const Target& target, Steering& steer
   const float half_turn = math::clamp(turn * 0.5F * p.track_width / p.wheel_radius, -most, most);
   const float room = most - math::absolute(half_turn);
   const float forward = math::clamp(target.speed * most * std::max(0.0F, along), -room, room);
-  const float wanted[2] = {forward - half_turn, forward + half_turn};
-  approach(s, wanted, kSteered, target.dt, u);
+  float wheels[2];
+  turn_first(s, forward, half_turn, kSteered * p.max_wheel_acceleration * target.dt, wheels);
+  approach(s, wheels, kSteered, target.dt, u);
 }
 
 // The control that brings the wheels' speeds as near to the wanted ones as their limit and `share` of the accelerations

@@ -210,6 +210,34 @@ TEST(RobotSteering, ADifferentialDriveSlowsDownToTurn) {
   EXPECT_GT(wheels[0], 0.0F);
 }
 
+// Wheels that speed up, or brake, with all that they have would not turn.
+TEST(RobotSteering, ADifferentialDriveTurnsBeforeItsSpeedChanges) {
+  DifferentialDriveParameters p;
+  p.max_wheel_acceleration = 10.0F;
+  const DifferentialDrive robot(p);
+  const auto control = [&](float wheels, Vec2 point, float share) {
+    const float state[] = {0, 0, 0, wheels, wheels};
+    Target target;
+    target.point = point;
+    target.speed = share;
+    Steering steering;
+    std::vector<float> u(2);
+    robot.steer(StateView(state, 5), target, steering, ControlRef(u.data(), 2));
+    return u;
+  };
+  const float error = std::atan(0.05F);
+  const float half_turn = 0.5F * (3.0F + 0.05F * 0.1F) * error * p.track_width / p.wheel_radius;
+  const std::vector<float> faster = control(0, {5, 0.25F}, 1);  // both are less than it could do alone
+  EXPECT_NEAR(faster[1], 9.8F, 1e-3F);
+  EXPECT_NEAR(0.5F * (faster[1] - faster[0]) * 0.1F, half_turn, 1e-3F);
+  const std::vector<float> slower = control(8, {5, 0.25F}, 0.1F);
+  EXPECT_NEAR(slower[0], -9.8F, 1e-3F);
+  EXPECT_NEAR(0.5F * (slower[1] - slower[0]) * 0.1F, half_turn, 1e-3F);
+  const std::vector<float> aside = control(5, {0, 5}, 1);  // the turn needs all
+  EXPECT_NEAR(aside[0], -9.8F, 1e-3F);
+  EXPECT_NEAR(aside[1], 9.8F, 1e-3F);
+}
+
 // Steered to rest for long enough; returns the state that it then stands in.
 template <class R>
 std::vector<float> stopped(const R& robot, std::vector<float> state, Vec2 toward) {
