@@ -17,6 +17,7 @@
 #include "host/picture/picture.hpp"
 #include "host/plan_file/plan_table.hpp"
 #include "host/run/robot_facts.hpp"
+#include "host/verify/obstacle_near.hpp"
 #include "host/verify/verify.hpp"
 #include "host/workspace/printed.hpp"
 #include "host/workspace/ring.hpp"
@@ -57,16 +58,36 @@ int judge(SearchResult& result, const Ground& ground, const SearchRequest& reque
   return kOwnBug;
 }
 
-void draw(const SearchRequest& request, const SceneBytes& bytes, const SearchResult& result, const PlanOptions& options,
-          Progress& progress) {
-  if (options.svg.empty() && options.png.empty() && options.html.empty()) return;
-  std::fflush(stdout);  // the answer: to draw, the whole search is repeated
-  progress.show("drawing");
-  const Picture picture = watch_search(options.scene, bytes, request, result.plan);
+void write_pictures(const PlanOptions& options, const Picture& picture) {
   if (!options.svg.empty()) write_file(options.svg, draw_svg(picture));
   if (!options.png.empty()) write_file(options.png, draw_png(picture));
   if (!options.html.empty()) write_file(options.html, draw_html(picture));
+}
+
+void draw(const SearchRequest& request, const SceneBytes& bytes, const SearchResult& result, const PlanOptions& options,
+          Progress& progress) {
+  if (!options.draws()) return;
+  std::fflush(stdout);  // the answer: to draw, the whole search is repeated
+  progress.show("drawing");
+  write_pictures(options, watch_search(options.scene, bytes, request, result.plan));
   progress.end();
+}
+
+// A start or goal in an obstacle is drawn, and refused.
+Answer answer_for(Ground& ground, const PlanOptions& options, SearchRequest& request, Progress& progress) {
+  try {
+    return search_for(ground, options, request, progress);
+  } catch (const InObstacle& refusal) {
+    progress.end();
+    if (options.draws()) write_pictures(options, picture_of_refusal(options.scene, ground.scene, request, refusal));
+    throw;
+  }
+}
+
+// Names the map's obstacles in the answers to the request, which the map must outlive.
+void name_obstacles(const Workspace& map, SearchRequest& request) {
+  constexpr double kReach = 1;  // m, as far as an obstacle may have grown from it on most maps
+  request.obstacle_at = [&map](const Point& at) { return obstacle_near(map, at, kReach); };
 }
 
 void plan(const PlanOptions& options) {
@@ -75,7 +96,8 @@ void plan(const PlanOptions& options) {
   warn_of_axle(options, request.robot);
   Progress progress("krait");
   Ground ground = read_ground(options, request, progress);
-  auto [result, clearance] = search_for(ground, options, request, progress);
+  if (ground.map) name_obstacles(*ground.map, request);
+  auto [result, clearance] = answer_for(ground, options, request, progress);
   Verdict verdict;
   const int code = judge(result, ground, request, options, verdict, progress);
   if (!options.json.empty()) write_file(options.json, to_json(result.plan).dump() + "\n");

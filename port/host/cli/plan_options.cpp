@@ -206,6 +206,8 @@ std::vector<std::string> PlanOptions::of_maps() const {
   return names;
 }
 
+bool PlanOptions::draws() const { return !svg.empty() || !png.empty() || !html.empty(); }
+
 std::vector<Output> PlanOptions::outputs() const {
   return {{"-o", json}, {"--csv", csv}, {"--svg", svg}, {"--png", png}, {"--html", html}};
 }

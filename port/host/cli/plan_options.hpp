@@ -47,6 +47,7 @@ struct PlanOptions {
   SearchRequest read() const;
 
   std::vector<std::string> of_maps() const;  // the names of those given that only a map heeds
+  bool draws() const;                        // a picture, or the page
   std::vector<Output> outputs() const;
   std::vector<std::string> inputs() const;  // files that the command reads
 

@@ -83,8 +83,8 @@ Answer search_for(Ground& ground, const PlanOptions& options, SearchRequest& req
     return search_in(ground, options, request, progress);
   } catch (const InObstacle& error) {
     if (options.query.robot_given()) throw;
-    throw InObstacle(std::string(error.what()) + " (the robot is " + options.query.robot +
-                     ": --robot asks for another)");
+    const std::string robot = " (the robot is " + options.query.robot + ": --robot asks for another)";
+    throw InObstacle(error.what() + robot, error.status(), error.where());
   }
 }
 

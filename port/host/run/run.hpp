@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "host/picture/picture.hpp"
@@ -18,6 +19,7 @@
 #include "host/verify/verify.hpp"
 #include "krait/parameters.hpp"
 #include "krait/scene.hpp"
+#include "krait/status.hpp"
 
 namespace krait::host {
 
@@ -49,6 +51,8 @@ struct SearchRequest {
   double improve_least = 0;  // collision checks: where `improve` times the first plan's are fewer, more multiples
   double stop_within = 0;    // ends that where the plan is longer than the shortest way by this share at most; 0: never
   Parameters parameters;
+  std::function<std::string(const Point&)> obstacle_at;  // the map's own name of the obstacle at a place of the world,
+                                                         // or nothing; may be empty: a compiled scene has pieces only
 
   // m/s: how fast the plan may end; absent: at any speed. Only the adaptive search is asked to brake.
   std::optional<double> end_speed() const {
@@ -81,10 +85,17 @@ class SceneBytes {
 // Whether the bytes of a file begin as those of a compiled scene do.
 bool is_scene_file(std::string_view content);
 
-// Obstacles are where the robot starts, or all over the goal.
+// Obstacles are where the robot starts, or all over the goal; the mark, in local coordinates, is where.
 class InObstacle : public InputError {
  public:
-  using InputError::InputError;
+  InObstacle(const std::string& line, Status status, Mark where)
+      : InputError(line), status_(status), where_(std::move(where)) {}
+  Status status() const { return status_; }
+  const Mark& where() const { return where_; }
+
+ private:
+  Status status_;
+  Mark where_;
 };
 
 // Opens the scene; throws InputError that names section and element of what is wrong.
@@ -136,5 +147,9 @@ double shortest_way_of(const PlanFile& plan, const SearchRequest& request, const
 // The same search again, watched: the workspace, its regions, the costs as they changed, the tree as it grew.
 Picture watch_search(const std::string& scene_path, const SceneBytes& bytes, const SearchRequest& request,
                      const PlanFile& plan);
+
+// Of a search that could not begin: the workspace, the robot at its start, and where it stands in an obstacle.
+Picture picture_of_refusal(const std::string& scene_path, const SceneBytes& bytes, const SearchRequest& request,
+                           const InObstacle& refusal);
 
 }  // namespace krait::host

@@ -6,6 +6,7 @@
 #include "host/rivals/plain.hpp"
 #include "host/rivals/prior.hpp"
 #include "host/rivals/rrt.hpp"
+#include "host/run/local_point.hpp"
 #include "host/run/planner_session.hpp"
 #include "host/run/robot_facts.hpp"
 #include "host/run/why.hpp"
@@ -39,7 +40,7 @@ std::string explanation(const Failure& failure, const krait::Scene& scene, const
     case Status::start_outside:
       return outside("the start", scene);
     case Status::goal_in_obstacle:
-      return "no free part of the goal is left: it lies in obstacles or outside";
+      return why_no_goal(scene, request);
     case Status::bad_robot:
       return argument + " cannot be used";
     case Status::bad_argument:
@@ -79,12 +80,14 @@ bool passes(Status status) {
 void refuse(const Failure& failure, const krait::Scene& scene, const SearchRequest& request) {
   if (passes(failure.status)) return;
   const std::string line = std::string(to_string(failure.status)) + ": " + explanation(failure, scene, request);
-  if (failure.status == Status::goal_in_obstacle) throw InObstacle(line);
+  if (failure.status == Status::goal_in_obstacle) throw InObstacle(line, failure.status, goal_mark(scene, request));
   throw InputError(line);
 }
 
 void refuse(const Contact& at_start, const krait::Scene& scene, const SearchRequest& request) {
-  throw InObstacle(std::string(to_string(Status::start_in_collision)) + ": " + why_not_there(at_start, scene, request));
+  constexpr Status kStatus = Status::start_in_collision;
+  throw InObstacle(std::string(to_string(kStatus)) + ": " + why_not_there(at_start, scene, request), kStatus,
+                   {local_point(at_start.at), at_start.distance > 0.0F ? "too near" : "in the way"});
 }
 
 std::unique_ptr<Session> start_session(const krait::Scene& scene, const SearchRequest& request, Block& block) {

@@ -8,6 +8,7 @@
 #include "decomposition/regions.hpp"
 #include "host/run/local_point.hpp"
 #include "host/run/query.hpp"
+#include "host/run/robots.hpp"
 #include "host/run/run.hpp"
 #include "host/run/session.hpp"
 #include "host/run/why.hpp"
@@ -171,6 +172,19 @@ Picture watch_search(const std::string& scene_path, const SceneBytes& bytes, con
   if (plan.status == to_string(Status::no_route)) {
     cut_off(session->bottleneck(), scene, resolve_goal(scene, request), picture);
   }
+  return picture;
+}
+
+Picture picture_of_refusal(const std::string& scene_path, const SceneBytes& bytes, const SearchRequest& request,
+                           const InObstacle& refusal) {
+  const krait::Scene scene = open_scene(scene_path, bytes);
+  const CoreRobot core(request.robot);
+  Picture picture;
+  picture.plan = plan_form(scene, request, resolve_goal(scene, request));
+  picture.plan.status = to_string(refusal.status());
+  draw_scene(scene, picture);
+  picture.start = state_at(core.view(), scene, resolve_start(scene, request));
+  picture.marks = {refusal.where()};
   return picture;
 }
 

@@ -6,6 +6,7 @@
 
 #include "decomposition/locate.hpp"
 #include "host/run/hindrance.hpp"
+#include "host/run/local_point.hpp"
 #include "host/run/query.hpp"
 #include "host/run/robot_facts.hpp"
 #include "host/run/shortest_way.hpp"
@@ -28,12 +29,17 @@ std::string body_name(const RobotSpec& robot, Index body) {
   return body == 0 ? "the car (body 0)" : "trailer " + std::to_string(body) + " (body " + std::to_string(body) + ")";
 }
 
-std::string other_name(const Contact& contact, const RobotSpec& robot) {
+std::string obstacle_name(const Contact& contact, const krait::Scene& scene, const SearchRequest& request) {
+  const std::string name = request.obstacle_at ? request.obstacle_at(world_of(scene, contact.at)) : "";
+  return "an obstacle (" + (name.empty() ? "piece " + std::to_string(contact.other) : name) + ")";
+}
+
+std::string other_name(const Contact& contact, const krait::Scene& scene, const SearchRequest& request) {
   switch (contact.kind) {
     case ContactKind::obstacle:
-      return "an obstacle (piece " + std::to_string(contact.other) + ")";
+      return obstacle_name(contact, scene, request);
     case ContactKind::body:
-      return body_name(robot, contact.other);
+      return body_name(request.robot, contact.other);
     default:
       return "the bounds of the workspace";
   }
@@ -88,7 +94,7 @@ std::string what_stops_it(const Hindrances& found, const krait::Scene& scene, co
   }
   if (found.stopped == 0) return "what is in the way there?";
   return share(found.stopped) + "with " + body_name(request.robot, found.contact.body) + " at " +
-         other_name(found.contact, request.robot) + ", as at " + place(scene, found.contact.at);
+         other_name(found.contact, scene, request) + ", as at " + place(scene, found.contact.at);
 }
 
 bool cannot_reverse(const RobotSpec& robot) {
@@ -154,7 +160,7 @@ std::string why_not_there(const Contact& contact, const krait::Scene& scene, con
     return "the position " + at + " lies in an obstacle, though no body does" + grown(scene, 0);
   }
   const std::string body = body_name(request.robot, contact.body);
-  const std::string other = other_name(contact, request.robot);
+  const std::string other = other_name(contact, scene, request);
   if (!(contact.distance > 0.0F)) {
     const bool outside = contact.kind == ContactKind::bounds;
     const std::string line = body + (outside ? " reaches to or beyond " : " overlaps ") + other + " at " + at;
@@ -170,6 +176,20 @@ std::string why_not_there(const Contact& contact, const krait::Scene& scene, con
   return contact.kind == ContactKind::obstacle
              ? line + grown(scene, 2 * (static_cast<double>(contact.needed) - distance))
              : line;
+}
+
+std::string why_no_goal(const krait::Scene& scene, const SearchRequest& request) {
+  const krait::Goal goal = resolve_goal(scene, request);
+  const std::string middle = place(scene, middle_of(scene, goal));
+  const std::string what = goal.is_disc()
+                               ? "all that lies within " + metres(static_cast<double>(goal.radius())) + " of " + middle
+                               : "all of goal '" + std::string(scene.goal_name(goal.index())) + "', around " + middle;
+  return "no free part of the goal is left: " + what + ", is in obstacles or outside" + grown(scene, 0) +
+         ": give another --goal" + (goal.is_disc() ? " or a larger radius" : "");
+}
+
+Mark goal_mark(const krait::Scene& scene, const SearchRequest& request) {
+  return {local_point(middle_of(scene, resolve_goal(scene, request))), "the goal"};
 }
 
 std::vector<std::string> why_no_plan(Session& session, const krait::Scene& scene, const SearchRequest& request) {
@@ -198,17 +218,16 @@ std::vector<std::string> why_no_plan(Session& session, const krait::Scene& scene
 }
 
 std::vector<Mark> where_no_plan(Session& session, const krait::Scene& scene, const SearchRequest& request) {
-  const auto local = [](Vec2 at) { return Point{static_cast<double>(at.x), static_cast<double>(at.y)}; };
   std::vector<Mark> marks;
   const Bottleneck bottleneck = session.bottleneck();
   if (bottleneck.width > 0.0F && is_tight(bottleneck)) {
-    marks.push_back({local(bottleneck.at), bottleneck.at_goal ? "roomiest place" : "narrowest place"});
+    marks.push_back({local_point(bottleneck.at), bottleneck.at_goal ? "roomiest place" : "narrowest place"});
   }
-  if (const Effort effort = session.effort(); effort.tries > 0) marks.push_back({local(effort.at), "tried most"});
+  if (const Effort effort = session.effort(); effort.tries > 0) marks.push_back({local_point(effort.at), "tried most"});
   const Hindrances found = hindrances_of(session, scene, request.parameters);
   if (found.stopped > 0 && found.stopped >= found.beyond) {
     const std::string body = request.robot.links > 0 ? " body " + std::to_string(found.contact.body) : " it";
-    marks.push_back({local(found.contact.at), "stops" + body});
+    marks.push_back({local_point(found.contact.at), "stops" + body});
   }
   return marks;
 }

@@ -13,6 +13,10 @@ namespace krait::host {
 // What a start in collision lies against.
 std::string why_not_there(const Contact& contact, const krait::Scene& scene, const SearchRequest& request);
 
+// Why no free part of the goal is left, and what to do; and a mark at the goal's middle.
+std::string why_no_goal(const krait::Scene& scene, const SearchRequest& request);
+Mark goal_mark(const krait::Scene& scene, const SearchRequest& request);
+
 // Why a search that has ended has no plan, a line each; empty where it has one.
 std::vector<std::string> why_no_plan(Session& session, const krait::Scene& scene, const SearchRequest& request);
 

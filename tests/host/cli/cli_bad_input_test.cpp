@@ -115,8 +115,9 @@ TEST_F(CliBadInput, Goals) {
   expect_plan_refused({"--goal", "nowhere"}, "east, south");
   expect_plan_refused({"--goal", "30,5,1"}, "outside");
   expect_plan_refused({"--goal", "10,2,0.2"},
-                      "goal_in_obstacle: no free part of the goal is left: it lies in obstacles "
-                      "or outside (the robot is snake:15: --robot asks for another)\n");
+                      "goal_in_obstacle: no free part of the goal is left: all that lies within 0.2 m of 10,2, is in "
+                      "obstacles or outside: give another --goal or a larger radius (the robot is snake:15: --robot "
+                      "asks for another)\n");
 }
 
 // As of a shell's variable that is not set: nothing is planned, judged or compiled with the default in its place.

@@ -104,6 +104,35 @@ TEST_F(CliWhy, HopelessQueriesNameWhatIsInTheWayAndWhatToTry) {
   }
 }
 
+TEST_F(CliWhy, AStartOrGoalInAnObstacleIsDrawnAndRefused) {
+  const auto refused = [&](const std::vector<std::string>& query) {
+    std::vector<std::string> arguments = {"plan",  "room.json", "--robot", "car",     "--svg", "no.svg",
+                                          "--png", "no.png",    "--html",  "no.html", "-o",    "no.json"};
+    arguments.insert(arguments.end(), query.begin(), query.end());
+    const Outcome outcome = krait(arguments);
+    EXPECT_EQ(outcome.code, 2);
+    for (const char* picture : {"no.svg", "no.png", "no.html"}) {
+      EXPECT_TRUE(std::filesystem::remove(path(picture))) << picture;
+    }
+    EXPECT_FALSE(std::filesystem::exists(path("no.json"))) << "there is no plan";
+    return outcome.errors;
+  };
+  EXPECT_THAT(refused({"--start", "9.8,1,0"}), testing::StartsWith("krait: start_in_collision: "));
+  EXPECT_THAT(refused({"--goal", "10,1,0.2"}), testing::StartsWith("krait: goal_in_obstacle: "));
+}
+
+TEST_F(CliWhy, ObstaclesHaveTheNamesThatTheMapHasForThem) {
+  const auto said = [&](const std::string& map, const std::string& start) {
+    return krait({"plan", map, "--robot", "car", "--goal", "17,5,1", "--start", start}).errors;
+  };
+  EXPECT_THAT(said("room.json", "9.8,1,0"), HasSubstr("the robot overlaps an obstacle (obstacles[0]) at "));
+  EXPECT_THAT(said("room.json", "9.8,9,0"), HasSubstr("the robot overlaps an obstacle (obstacles[1]) at "));
+  std::string cells = "type octile\nheight 10\nwidth 20\nmap\n";
+  for (int row = 0; row < 10; ++row) cells += row == 7 ? "....@...............\n" : "....................\n";
+  write("open.map", cells);
+  EXPECT_THAT(said("open.map", "4.5,2.5,0"), HasSubstr("an obstacle (map row 2, columns 4 to 4) at "));
+}
+
 TEST_F(CliWhy, BendsAreBlamedOnlyWhereTheWayHasSome) {
   const auto advice = [&](const std::vector<std::string>& more) {
     std::vector<std::string> arguments = {"plan", "room.krait", "--robot", "car", "--iterations", "500"};
@@ -138,7 +167,7 @@ TEST_F(CliWhy, TheBodyThatStopsMostWaysIsNamed) {
   EXPECT_EQ(outcome.code, 1);
   EXPECT_THAT(outcome.output, testing::ContainsRegex("most expansions, [0-9]+, grew from around 1[12]\\.[0-9,.]+: "
                                                      "[0-9]+ of [0-9]+ ways from there end with the robot at an "
-                                                     "obstacle \\(piece [0-9]+\\), as at 1[12]"));
+                                                     "obstacle \\(obstacles\\[[23]\\]\\), as at 1[12]"));
 }
 
 TEST_F(CliWhy, AHeadingInDegreesIsAskedAbout) {

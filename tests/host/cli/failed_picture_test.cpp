@@ -109,5 +109,26 @@ TEST_F(FailedPicture, CutsOffTheRegionsBeyondANarrowDoor) {
   }
 }
 
+// Where no search begins, there is no tree and no cost.
+TEST_F(FailedPicture, HasTheRobotInTheObstacleThatItsStartLiesIn) {
+  SearchRequest request;
+  request.robot = parse_robot("car");
+  request.start = StartPose{{9.5, 1}, 0};
+  const SceneBytes bytes = SceneBytes::read(path("room.krait"));
+  try {
+    run_search("room.krait", bytes, request, {});
+    FAIL() << "it stands in the wall";
+  } catch (const InObstacle& refusal) {
+    const Picture picture = picture_of_refusal("room.krait", bytes, request, refusal);
+    EXPECT_EQ(picture.plan.status, "start_in_collision");
+    EXPECT_EQ(picture.start.size(), 5U);
+    EXPECT_TRUE(picture.tree.empty());
+    ASSERT_EQ(picture.marks.size(), 1U);
+    EXPECT_EQ(picture.marks[0].text, "in the way");
+    EXPECT_NEAR(picture.marks[0].at.x + picture.plan.origin.x, 10, 0.5);
+    EXPECT_NEAR(picture.marks[0].at.y + picture.plan.origin.y, 1, 0.3);
+  }
+}
+
 }  // namespace
 }  // namespace krait::host
