@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "decomposition/locate.hpp"
+#include "host/run/depth.hpp"
 #include "host/run/hindrance.hpp"
 #include "host/run/local_point.hpp"
 #include "host/run/query.hpp"
@@ -51,6 +52,13 @@ std::string grown(const krait::Scene& scene, double lacking) {
   if (!(tolerance > 0) || lacking > 2 * tolerance) return "";
   return "; when the map was compiled, obstacles were grown by up to " + metres(tolerance) +
          " a side, which may be why: --tolerance 0 leaves them as they are";
+}
+
+// The same of a start in a body's way, which growth is not to blame for where the robot reaches deeper.
+std::string grown_around(const Start& start, const krait::Scene& scene, const RobotSpec& robot) {
+  const CoreRobot core(robot);
+  const auto tolerance = static_cast<double>(scene.header().tolerance);
+  return reaches_deeper(robot, state_at(core.view(), scene, start), scene, tolerance) ? "" : grown(scene, 0);
 }
 
 std::string why_no_route(const Bottleneck& bottleneck, const krait::Scene& scene, const SearchRequest& request) {
@@ -164,7 +172,8 @@ std::string why_not_there(const Contact& contact, const krait::Scene& scene, con
   if (!(contact.distance > 0.0F)) {
     const bool outside = contact.kind == ContactKind::bounds;
     const std::string line = body + (outside ? " reaches to or beyond " : " overlaps ") + other + " at " + at;
-    return contact.kind == ContactKind::obstacle ? line + grown(scene, 0) : line;
+    if (contact.kind != ContactKind::obstacle) return line;
+    return line + grown_around(resolve_start(scene, request), scene, request.robot);
   }
   const double distance = static_cast<double>(contact.distance);
   const double clearance = static_cast<double>(request.parameters.clearance);

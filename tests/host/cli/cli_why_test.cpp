@@ -133,6 +133,18 @@ TEST_F(CliWhy, ObstaclesHaveTheNamesThatTheMapHasForThem) {
   EXPECT_THAT(said("open.map", "4.5,2.5,0"), HasSubstr("an obstacle (map row 2, columns 4 to 4) at "));
 }
 
+// By a quarter of a metre, of a car of 0.6 m by 1.2 m.
+TEST_F(CliWhy, GrowthIsBlamedOnlyForAnOverlapThatIsNoDeeper) {
+  expect_done({"compile", "room.json", "--tolerance", "0.5", "-o", "grown.krait"});
+  const auto said = [&](const std::string& start) {
+    return krait({"plan", "grown.krait", "--robot", "car", "--start", start}).errors;
+  };
+  const std::string blame = "obstacles were grown by up to 0.25 m a side, which may be why";
+  EXPECT_THAT(said("8.5,2,0"), HasSubstr(blame));
+  EXPECT_THAT(said("9.5,2,0"), testing::AllOf(HasSubstr("overlaps an obstacle"), testing::Not(HasSubstr(blame))));
+  EXPECT_THAT(said("9.5,2,1.57"), testing::AllOf(HasSubstr("overlaps an obstacle"), testing::Not(HasSubstr(blame))));
+}
+
 TEST_F(CliWhy, BendsAreBlamedOnlyWhereTheWayHasSome) {
   const auto advice = [&](const std::vector<std::string>& more) {
     std::vector<std::string> arguments = {"plan", "room.krait", "--robot", "car", "--iterations", "500"};
