@@ -9,6 +9,7 @@
 #include "host/cli/plan_summary.hpp"
 #include "host/input/interrupt.hpp"
 #include "host/run/session.hpp"
+#include "host/run/standing.hpp"
 #include "host/workspace/printed.hpp"
 
 namespace krait::host {
@@ -41,6 +42,12 @@ SearchResult search(const PlanOptions& options, const SearchRequest& request, co
   return result;
 }
 
+// Whether another search to the goal, with the least clearance, has a chance.
+bool may_end(const krait::Scene& scene, SearchRequest request) {
+  request.parameters.clearance = kLeastClearance;
+  return !why_it_hardly_ends(scene, request);
+}
+
 // Searches with the clearance that was asked for, or else the usual one and, where that search uses up its iterations,
 // the least; which one becomes the request's.
 Answer search_clear(const krait::Scene& scene, const Ground& ground, const PlanOptions& options, SearchRequest& request,
@@ -50,7 +57,7 @@ Answer search_clear(const krait::Scene& scene, const Ground& ground, const PlanO
   request.parameters.clearance = clearance.kept;
   SearchResult first = search(options, request, ground.scene, block, progress);
   const bool in_vain = first.plan.status == to_string(Status::budget_used);
-  if (!in_vain || !(clearance.kept > kLeastClearance)) return {std::move(first), clearance};
+  if (!in_vain || !(clearance.kept > kLeastClearance) || !may_end(scene, request)) return {std::move(first), clearance};
   clearance.in_vain = clearance.kept;
   request.parameters.clearance = clearance.kept = kLeastClearance;
   if (request.time_limit) *request.time_limit = std::max(*request.time_limit - first.seconds, 0.0);

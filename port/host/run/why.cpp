@@ -11,6 +11,7 @@
 #include "host/run/query.hpp"
 #include "host/run/robot_facts.hpp"
 #include "host/run/shortest_way.hpp"
+#include "host/run/standing.hpp"
 #include "host/workspace/printed.hpp"
 #include "robot/shape.hpp"
 
@@ -187,6 +188,16 @@ std::string why_not_there(const Contact& contact, const krait::Scene& scene, con
              : line;
 }
 
+std::string why_not_at_goal(const Contact& first, int poses, const krait::Scene& scene, const SearchRequest& request) {
+  const double distance = static_cast<double>(first.distance);
+  const std::string other = other_name(first, scene, request) + " at " + place(scene, first.at);
+  const std::string touch = distance > 0 ? "is only " + metres(distance) + " from " : "meets ";
+  return body_name(request.robot, 0) +
+         " has no room in the goal as it is asked to be turned: it stands free in none of " + std::to_string(poses) +
+         " poses that were tried; in the goal's middle it " + touch + other +
+         ": try another --heading, a larger --heading-tolerance, or another goal";
+}
+
 std::string why_no_goal(const krait::Scene& scene, const SearchRequest& request) {
   const krait::Goal goal = resolve_goal(scene, request);
   const std::string middle = place(scene, middle_of(scene, goal));
@@ -212,6 +223,7 @@ std::vector<std::string> why_no_plan(Session& session, const krait::Scene& scene
     default:
       return {};
   }
+  if (std::optional<std::string> no_room = why_it_hardly_ends(scene, request)) return {*std::move(no_room)};
   const Bottleneck bottleneck = session.bottleneck();
   std::vector<std::string> lines = where_it_is_tight(bottleneck, scene);
   if (const Effort effort = session.effort(); effort.tries > 0) {

@@ -145,6 +145,32 @@ TEST_F(CliWhy, GrowthIsBlamedOnlyForAnOverlapThatIsNoDeeper) {
   EXPECT_THAT(said("9.5,2,1.57"), testing::AllOf(HasSubstr("overlaps an obstacle"), testing::Not(HasSubstr(blame))));
 }
 
+// A car of 1.2 m by 0.6 m has room in a slot of 1 m along it, not across.
+TEST_F(CliWhy, AGoalWhereTheRobotHasNoRoomAsItIsTurnedIsSaidAfterOneSearch) {
+  write("slot.json", R"({"bounds": {"min": [0, 0], "max": [12, 10]}, "obstacles": [
+      {"box": {"center": [3, 8], "size": [6, 4], "angle": 0}}, {"box": {"center": [9.5, 8], "size": [5, 4], "angle": 0}}],
+      "starts": [{"name": "home", "position": [2, 2], "heading": 0}]})");
+  const auto said = [&](const std::string& robot, const std::vector<std::string>& heading) {
+    std::vector<std::string> arguments = {"plan",   "slot.json", "--robot",      robot,
+                                          "--goal", "6.5,9,0.2", "--iterations", "300"};
+    arguments.insert(arguments.end(), heading.begin(), heading.end());
+    return krait(arguments).output;
+  };
+  const std::string line =
+      "\n  the robot has no room in the goal as it is asked to be turned: it stands free in none of 5250 poses that "
+      "were "
+      "tried; in the goal's middle it meets an obstacle (obstacles[";
+  const std::string across = said("car", {"--heading", "0"});
+  EXPECT_THAT(across, HasSubstr(line));
+  EXPECT_THAT(across, testing::Not(HasSubstr("tried most"))) << "another place is not to blame";
+  EXPECT_THAT(across, testing::Not(HasSubstr("used up its iterations"))) << "a second search is in vain, too";
+  EXPECT_THAT(said("car", {"--heading", "3.1", "--either-way"}), HasSubstr("in none of 10500 poses that were tried;"));
+  for (const std::vector<std::string>& along :
+       {std::vector<std::string>{"--heading", "1.57"}, {"--heading", "0", "--heading-tolerance", "1.5"}, {}}) {
+    EXPECT_THAT(said("car", along), testing::Not(HasSubstr("has no room in the goal")));
+  }
+}
+
 TEST_F(CliWhy, BendsAreBlamedOnlyWhereTheWayHasSome) {
   const auto advice = [&](const std::vector<std::string>& more) {
     std::vector<std::string> arguments = {"plan", "room.krait", "--robot", "car", "--iterations", "500"};
