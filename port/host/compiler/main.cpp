@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 
 #include "host/compiler/blocked_starts.hpp"
 #include "host/compiler/compiler.hpp"
+#include "host/compiler/hindered.hpp"
 #include "host/compiler/lost_headings.hpp"
 #include "host/compiler/reduction_options.hpp"
 #include "host/import/import.hpp"
@@ -21,6 +23,8 @@
 #include "host/input/progress.hpp"
 #include "host/input/word_option.hpp"
 #include "host/workspace/heading.hpp"
+#include "host/workspace/printed.hpp"
+#include "krait/format.hpp"
 
 namespace {
 
@@ -51,6 +55,13 @@ void add_goal(Workspace& workspace, const std::string& text) {
   workspace.goals.push_back(std::move(goal));
 }
 
+// By how much obstacles are grown, metres a side.
+double growth_of(const CompiledScene& scene) {
+  krait::format::Header header;
+  std::memcpy(&header, scene.bytes.data(), sizeof header);
+  return static_cast<double>(header.tolerance);
+}
+
 struct Arguments {
   std::string input, output, start, goal;
   std::string datum;
@@ -61,6 +72,26 @@ struct Arguments {
   bool quiet = false;
   ReductionOptions reduction;
 };
+
+bool is_default_growth(const Arguments& arguments, const CompiledScene& scene) {
+  return arguments.tolerance < 0 && !arguments.reduction.fits() && growth_of(scene) > 0;
+}
+
+// Where the default tolerance hinders the robot of --for, the scene with obstacles as they are, if that does less.
+void leave_obstacles_where_they_hinder(const Arguments& arguments, const Workspace& workspace, const RobotSpec& robot,
+                                       CompileOptions options, CompiledScene& scene, std::vector<std::string>& report) {
+  if (!is_default_growth(arguments, scene)) return;
+  const std::size_t before = hindered(scene, robot);
+  if (before == 0) return;
+  options.tolerance = 0;
+  CompiledScene exact = compile(workspace, options);
+  if (hindered(exact, robot) >= before) return;
+  report.push_back(
+      printed("obstacles as they are (--tolerance 0): grown by up to %.4g m a side, they would leave the "
+              "robot of --for no room at a start, or no way to a goal",
+              growth_of(scene)));
+  scene = std::move(exact);
+}
 
 void run(const Arguments& arguments, Progress& progress) {
   std::optional<LastWord> word(kStopped);
@@ -78,9 +109,13 @@ void run(const Arguments& arguments, Progress& progress) {
   const CompileOptions options{arguments.tolerance, [&](const std::string& step) { progress.show(step); },
                                arguments.reduction.coarse};
   std::vector<std::string> report;
-  const CompiledScene scene = arguments.reduction.compiled(workspace, robot, options, report);
+  CompiledScene scene = arguments.reduction.compiled(workspace, robot, options, report);
+  if (robot) leave_obstacles_where_they_hinder(arguments, workspace, *robot, options, scene, report);
   std::vector<std::string> blocked;
   if (!arguments.any_start) blocked = robot ? blocked_starts(scene, *robot) : starts_in_obstacles(scene);
+  std::vector<std::string> narrowed;
+  if (!arguments.any_start && !robot && blocked.empty() && is_default_growth(arguments, scene))
+    narrowed = narrowed_places(workspace, scene);
   if (robot && !blocked.empty() && !arguments.start.empty()) throw InputError("--start: " + blocked.front());
   word.reset();
   const Interrupt too_late;  // the file becomes whole, and what is said of it is said
@@ -94,6 +129,7 @@ void run(const Arguments& arguments, Progress& progress) {
   if (!lost.empty()) warn(lost);
   std::for_each(scene.warnings.begin(), scene.warnings.end(), warn);
   std::for_each(blocked.begin(), blocked.end(), warn);
+  std::for_each(narrowed.begin(), narrowed.end(), warn);
   for (const std::string& line : report) std::fprintf(stderr, "krait-compile: %s\n", line.c_str());
 }
 

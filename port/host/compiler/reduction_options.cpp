@@ -76,7 +76,7 @@ Workspace ReductionOptions::apply(Workspace workspace, const std::optional<Robot
   if (spec) reduction.disc = girth_of(*spec);
   const bool has_cells = workspace.cells || cell;
   if (fill || (has_cells && spec)) reduction.fill = reduction.disc;
-  if (spec && !has_cells && flash.empty() && ram.empty()) {
+  if (spec && !has_cells && !fits()) {
     workspace.warnings.emplace_back(
         "--for: closes nothing, since it works on cells and the map is a drawing: give "
         "--cell METRES with it");
@@ -86,7 +86,7 @@ Workspace ReductionOptions::apply(Workspace workspace, const std::optional<Robot
 
 CompiledScene ReductionOptions::compiled(const Workspace& workspace, const std::optional<RobotSpec>& spec,
                                          const CompileOptions& options, std::vector<std::string>& report) const {
-  if (!spec || (flash.empty() && ram.empty())) return compile(workspace, options);
+  if (!spec || !fits()) return compile(workspace, options);
   Budget budget;
   if (!flash.empty()) budget.flash = parse_bytes("--flash", flash);
   if (!ram.empty()) budget.ram = parse_bytes("--ram", ram);

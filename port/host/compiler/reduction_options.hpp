@@ -24,6 +24,7 @@ struct ReductionOptions {
   bool coarse = false;
 
   void add(CLI::App& app);
+  bool fits() const { return !flash.empty() || !ram.empty(); }  // whether a scene is to fit a machine
   // The robot of --for, if there is one. Throws InputError.
   std::optional<RobotSpec> spec() const;
   // The workspace cropped, in its cells, filled and within its corridor, for that robot. Throws InputError.

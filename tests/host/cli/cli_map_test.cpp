@@ -185,6 +185,31 @@ TEST_F(CliMap, AStartInANotchThatTheDefaultToleranceFillsIsPlannedFromWithoutIt)
               HasSubstr("the map's cells as they are (--tolerance 0): with obstacles grown by up to 0.25 m"));
 }
 
+TEST_F(CliMap, ACompiledSceneLeavesItsRobotTheRoomThatTheMapHas) {
+  write("ros.yaml", kHalfMetreCells);
+  write("image.pgm", slope());
+  const Arguments compiled = {"compile", "ros.yaml", "-o", "slope.krait"};
+  const char* const kNotch = "5.25,6.75,0.78";
+  const auto said = [&](const Arguments& more) {
+    Arguments arguments = compiled;
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = krait(arguments);
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    return outcome.errors;
+  };
+  const std::string exact = "krait-compile: obstacles as they are (--tolerance 0): grown by up to 0.25 m a side";
+  EXPECT_THAT(said({"--for", "turtlebot4", "--start", kNotch, "--goal", "9.75,9.75,0.1"}), HasSubstr(exact));
+  EXPECT_EQ(krait({"plan", "slope.krait", "--robot", "turtlebot4"}).code, 0);
+  EXPECT_THAT(said({"--for", "turtlebot4", "--start", "9.75,9.75,0", "--goal", "5.25,6.75,0.05"}), HasSubstr(exact));
+  EXPECT_THAT(said({"--for", "turtlebot4", "--start", "9.75,9.75,0", "--goal", "9.75,8.75,0.1"}),
+              Not(HasSubstr(exact)));
+  const std::string narrowed = "krait-compile: warning: start 'start' is 0.";
+  EXPECT_THAT(said({"--start", kNotch}), HasSubstr(narrowed));
+  EXPECT_THAT(said({"--goal", "5.25,6.75,0.05"}), HasSubstr("warning: goal 'goal' is 0."));
+  EXPECT_THAT(said({"--start", kNotch, "--tolerance", "0"}), Not(HasSubstr(narrowed)));
+  EXPECT_THAT(said({"--start", "9.75,9.75,0"}), Not(HasSubstr(narrowed)));
+}
+
 TEST_F(CliMap, OptionsForMapsAreRefusedWithACompiledScene) {
   for (const Arguments& option : {Arguments{"--unknown", "free"},
                                   {"--unknown", "map"},

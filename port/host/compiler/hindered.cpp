@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "host/compiler/hindered.hpp"
+
+#include "host/compiler/blocked_starts.hpp"
+#include "host/import/format.hpp"
+#include "host/run/pools.hpp"
+#include "host/run/robots.hpp"
+#include "host/run/session.hpp"
+#include "host/verify/obstacle_near.hpp"
+#include "host/workspace/printed.hpp"
+
+namespace krait::host {
+namespace {
+
+bool has_route(const krait::Scene& scene, const SearchRequest& request, Block& block) {
+  try {
+    return start_session(scene, request, block)->status() != Status::no_route;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+Point middle_of(const Ring& ring) {
+  Point middle;
+  for (const Point& p : ring) {
+    middle.x += p.x / static_cast<double>(ring.size());
+    middle.y += p.y / static_cast<double>(ring.size());
+  }
+  return middle;
+}
+
+// Names and middles of the workspace's starts and goals.
+struct Places {
+  std::vector<std::string> names;
+  std::vector<Point> middles;
+};
+
+Places places_of(const Workspace& workspace) {
+  Places places;
+  for (const Start& start : workspace.starts) {
+    places.names.push_back("start '" + start.name + "'");
+    places.middles.push_back(start.position);
+  }
+  for (const Goal& goal : workspace.goals) {
+    places.names.push_back("goal '" + goal.name + "'");
+    places.middles.push_back(middle_of(goal.polygon));
+  }
+  return places;
+}
+
+}  // namespace
+
+std::size_t hindered(const CompiledScene& compiled, const RobotSpec& robot) {
+  const SceneBytes bytes = SceneBytes::copy(compiled.bytes.data(), compiled.bytes.size());
+  const krait::Scene scene = open_scene("the compiled scene", bytes);
+  std::size_t count = blocked_starts(compiled, robot).size();
+  if (scene.start_count() == 0) return count;
+  SearchRequest request;
+  request.robot = robot;
+  request.memory = least_block(scene, CoreRobot(robot).view());
+  Block block = block_of(request);
+  for (Index i = 0; i < scene.goal_count(); ++i) {
+    request.goal_name = scene.goal_name(i);
+    count += has_route(scene, request, block) ? 0U : 1U;
+  }
+  return count;
+}
+
+std::vector<std::string> narrowed_places(const Workspace& workspace, const CompiledScene& compiled) {
+  constexpr double kShare = 0.1;
+  const Places places = places_of(workspace);
+  if (places.names.empty()) return {};
+  const SceneBytes bytes = SceneBytes::copy(compiled.bytes.data(), compiled.bytes.size());
+  const double grown = decimal(open_scene("the compiled scene", bytes).header().tolerance);
+  const Workspace scene =
+      read_workspace({"the compiled scene", std::string(compiled.bytes.begin(), compiled.bytes.end())}, {});
+  const std::vector<double> before = rooms_around(workspace, places.middles, grown / kShare);
+  const std::vector<double> after = rooms_around(scene, places.middles, grown / kShare);
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (!(after[i] < (1 - kShare) * before[i])) continue;
+    lines.push_back(
+        printed("%s is %.3g m from the nearest obstacle, and %.3g m in the scene, whose obstacles are grown "
+                "by up to %.4g m: a robot that stands free there may not in the scene; --for ROBOT looks "
+                "whether it does, --tolerance 0 leaves obstacles as they are",
+                places.names[i].c_str(), before[i], after[i], grown));
+  }
+  return lines;
+}
+
+}  // namespace krait::host

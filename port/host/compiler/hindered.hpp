@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a scene's growth of obstacles takes from its starts and goals.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host/compiler/compiler.hpp"
+#include "host/robot_file/robot_file.hpp"
+
+namespace krait::host {
+
+// How many of the scene's starts the robot cannot begin at, and of its goals it has no way to from the first start,
+// with the clearance of the library.
+std::size_t hindered(const CompiledScene& scene, const RobotSpec& robot);
+
+// A line for each start and goal of the workspace whose room, from its middle to the nearest obstacle, the scene's
+// grown obstacles have taken a tenth of, or more, where robots are not known.
+std::vector<std::string> narrowed_places(const Workspace& workspace, const CompiledScene& scene);
+
+}  // namespace krait::host
