@@ -25,6 +25,16 @@ CLI::Validator heading_number() {
   return {check, "", "number"};
 }
 
+// inf is any speed.
+CLI::Validator speed_or_inf() {
+  const auto check = [](const std::string& text) -> std::string {
+    const std::optional<double> speed = parse_number(text);
+    if (text == "inf" || (speed && *speed >= 0)) return "";
+    return "give metres a second, 0 or more, or inf, not " + text;
+  };
+  return {check, "", "number"};
+}
+
 // A parameter's range in the library, to a millionth.
 std::pair<double, double> range_of(Argument argument) {
   constexpr double kMillion = 1e6;
@@ -135,7 +145,8 @@ void QueryOptions::add(CLI::App& command, const QueryDefaults& defaults) {
           printed("metres a second, 0 or more: how fast the plan may end, inf for any speed (default: 0, at rest;\n"
                   "%s)",
                   defaults.end_speed))
-      ->check(not_empty());
+      ->check(not_empty())
+      ->check(speed_or_inf());
 }
 
 bool QueryOptions::robot_is_file() const { return is_robot_file(robot); }
@@ -187,7 +198,6 @@ void QueryOptions::read(SearchRequest& request) const {
     warn("--hitch-tolerance: the robot has no trailers, of which it could say anything");
   }
   if (!end_speed) return;
-  if (!(*end_speed >= 0)) throw InputError("--end-speed: give metres a second, 0 or more, or inf");
   if (const double least = least_speed(request.robot); *end_speed < least) {
     throw InputError(
         printed("--end-speed: the robot is never slower than %.7g m/s: give that or more, or leave it out", least));

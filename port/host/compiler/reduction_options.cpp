@@ -17,6 +17,18 @@ std::vector<double> numbers(const std::string& option, const std::string& text, 
   return *values;
 }
 
+namespace {
+
+// A budget of 0 bytes holds nothing.
+std::uint64_t budget_of(const std::string& option, const std::string& text) {
+  if (text.empty()) return 0;
+  const std::uint64_t bytes = parse_bytes(option, text);
+  if (bytes == 0) throw InputError(option + " " + text + ": give bytes above 0, as 256K or 1M, or leave it out");
+  return bytes;
+}
+
+}  // namespace
+
 void ReductionOptions::add(CLI::App& app) {
   constexpr double kLeast = 0.001, kMost = 4000;  // metres
   const auto metres = [&](const char* name, std::optional<double>& value, const char* about) {
@@ -88,8 +100,8 @@ CompiledScene ReductionOptions::compiled(const Workspace& workspace, const std::
                                          const CompileOptions& options, std::vector<std::string>& report) const {
   if (!spec || !fits()) return compile(workspace, options);
   Budget budget;
-  if (!flash.empty()) budget.flash = parse_bytes("--flash", flash);
-  if (!ram.empty()) budget.ram = parse_bytes("--ram", ram);
+  budget.flash = budget_of("--flash", flash);
+  budget.ram = budget_of("--ram", ram);
   budget.tolerance = options.tolerance;
   budget.coarse = options.coarse;
   Fitted fitted = fit(workspace, *spec, budget, options.progress);

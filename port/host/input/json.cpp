@@ -168,10 +168,11 @@ double Field::number(double least, double most, const std::string& unit) const {
   return number;
 }
 
-long long Field::integer(long long least, long long most) const {
+long long Field::integer(long long least, long long most, const std::string& of) const {
   const double value = number_or_nan(*value_);
   if (!(value >= static_cast<double>(least) && value <= static_cast<double>(most)) || value != std::floor(value)) {
-    fail_expecting("a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+    fail_expecting("a whole number " + (of.empty() ? "" : "of " + of + " ") + "from " + std::to_string(least) + " to " +
+                   std::to_string(most));
   }
   return static_cast<long long>(value);
 }

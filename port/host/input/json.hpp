@@ -48,7 +48,7 @@ class Field {
 
   // Finite; the unit is that of the bounds, for whoever reads the refusal.
   double number(double least, double most, const std::string& unit = {}) const;
-  long long integer(long long least, long long most) const;
+  long long integer(long long least, long long most, const std::string& of = {}) const;  // of what, as "trailers"
   bool boolean() const;
   std::string text() const;
   std::string printed() const;                      // a text that is_safe_to_print

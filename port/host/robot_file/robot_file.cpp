@@ -183,7 +183,7 @@ void refuse_stray_parameters(const Field& field) {
 }
 
 int read_links(const Field& field, const Model& model) {
-  if (model.most_links > 0) return static_cast<int>(field.at("links").integer(0, model.most_links));
+  if (model.most_links > 0) return static_cast<int>(field.at("links").integer(0, model.most_links, "trailers"));
   if (field.has("links") && field.at("links").value() != 0)
     field.at("links").fail("a " + std::string(model.name) + " has no trailers: leave it out");
   return 0;

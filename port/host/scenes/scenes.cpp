@@ -198,8 +198,8 @@ const std::vector<SceneName>& scene_names() {
 
 Scene make_scene(const std::string& name, double scale) {
   if (!(scale >= kMinSceneScale && scale <= kMaxSceneScale)) {
-    throw InputError("scene scale: must be from " + shown(kMinSceneScale) + " to " + shown(kMaxSceneScale) + ", is " +
-                     shown(scale));
+    throw InputError("--scale: must be from " + shown(kMinSceneScale) + " to " + shown(kMaxSceneScale) +
+                     " times the shipped size, is " + shown(scale));
   }
   std::string known;
   for (const Entry& entry : entries()) {

@@ -153,7 +153,10 @@ TEST_F(CliBadInput, Numbers) {
   expect_plan_refused({"--clearance", "nan"}, "clearance");
   expect_plan_refused({"--iterations", "0"}, "iterations");
   expect_plan_refused({"--iterations", "-1"}, "iterations");
-  for (const char* useless : {"-1", "nan", "fast"}) expect_plan_refused({"--end-speed", useless}, "end-speed");
+  for (const char* useless : {"-1", "nan", "fast"}) {
+    expect_plan_refused({"--end-speed", useless}, "krait: --end-speed: give metres a second, 0 or more, or inf, not " +
+                                                      std::string(useless) + " (see krait plan --help)\n");
+  }
   expect_plan_refused({"--time-limit", "0"}, "time-limit");
   expect_plan_refused({"--time-limit", "-1"}, "time-limit");
   expect_plan_refused({"--time-limit", "nan"}, "time-limit");

@@ -146,6 +146,12 @@ TEST_F(KraitCompile, ABudgetIsThatOfItsOption) {
   expect_refused(robot + " --flash 1M --ram 2K", " of 2048 of RAM");
 }
 
+TEST_F(KraitCompile, ABudgetOfNothingIsRefused) {
+  const std::string robot = path("room.json") + " --for husky";
+  expect_refused(robot + " --flash 0", "--flash 0: give bytes above 0, as 256K or 1M, or leave it out");
+  expect_refused(robot + " --flash 1M --ram 0K", "--ram 0K: give bytes above 0");
+}
+
 TEST_F(KraitCompile, BadInputIsOneLineAndNoFile) {
   expect_refused(path("missing.json"), "missing.json");
   expect_refused(path("room.json") + " --start 1,2", "--start");
