@@ -26,16 +26,6 @@ double number_or_nan(const Json& value) {
   return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
 }
 
-// Whether one typing error makes the other word of a word: a letter more, less or wrong, or two that changed places.
-bool is_misspelt(const std::string& a, const std::string& b) {
-  const auto [from_a, from_b] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
-  const std::string rest_a(from_a, a.end()), rest_b(from_b, b.end());
-  if (rest_a.empty() || rest_b.empty()) return rest_a.size() + rest_b.size() == 1;
-  if (rest_a.substr(1) == rest_b.substr(1) || rest_a.substr(1) == rest_b || rest_a == rest_b.substr(1)) return true;
-  return rest_a.size() > 1 && rest_b.size() > 1 && rest_a[0] == rest_b[1] && rest_a[1] == rest_b[0] &&
-         rest_a.substr(2) == rest_b.substr(2);
-}
-
 // That it is missing, and what may have been meant for it.
 std::string missing(const std::string& key, const Json& object) {
   for (const auto& item : object.items()) {
@@ -73,6 +63,15 @@ class Guard {
 };
 
 }  // namespace
+
+bool is_misspelt(const std::string& a, const std::string& b) {
+  const auto [from_a, from_b] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
+  const std::string rest_a(from_a, a.end()), rest_b(from_b, b.end());
+  if (rest_a.empty() || rest_b.empty()) return rest_a.size() + rest_b.size() == 1;
+  if (rest_a.substr(1) == rest_b.substr(1) || rest_a.substr(1) == rest_b || rest_a == rest_b.substr(1)) return true;
+  return rest_a.size() > 1 && rest_b.size() > 1 && rest_a[0] == rest_b[1] && rest_a[1] == rest_b[0] &&
+         rest_a.substr(2) == rest_b.substr(2);
+}
 
 void fail_keys(const std::string& file) {
   throw InputError(file + ": an object has more than " + std::to_string(kMaxKeys) + " keys");

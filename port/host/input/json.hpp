@@ -72,6 +72,9 @@ Json to_json(const Ring& ring);  // [[x, y], …]
 // That an object or map has more than kMaxKeys.
 [[noreturn]] void fail_keys(const std::string& file);
 
+// Whether one typing error makes the other word of a word: a letter more, less or wrong, or two that changed places.
+bool is_misspelt(const std::string& a, const std::string& b);
+
 // The text as a name may stand: escaped (safe_to_print), then cut to kMaxNameBytes between two characters.
 std::string cleaned_name(const std::string& text);
 

@@ -211,6 +211,18 @@ std::string known_shipped() {
   return names;
 }
 
+// "is turtlebot4 meant? Known", of the names that the text is misspelt or begins; "known" where there is none.
+std::string meant_by(const std::string& text) {
+  std::vector<std::string> names = robot_models();
+  for (const ShippedRobot& robot : shipped_robots()) names.push_back(robot.name);
+  std::string meant;
+  for (const std::string& name : names) {
+    const bool begins = text.size() > 2 && name.starts_with(text);
+    if (begins || is_misspelt(text.substr(0, text.find(':')), name)) meant += (meant.empty() ? "" : " or ") + name;
+  }
+  return meant.empty() ? "known" : "is " + meant + " meant? Known";
+}
+
 RobotSpec read_document(const std::string& text, const std::string& file) {
   const Json document = parse_json(text, file);
   return read_robot(Field(document, file));
@@ -335,8 +347,9 @@ RobotSpec parse_robot(const std::string& text) {
   if (const ShippedRobot* shipped = find_shipped(text)) return read_document(shipped->text, text);
   std::error_code ignored;
   if (!text.ends_with(".json") && !std::filesystem::exists(text, ignored)) {
-    throw InputError("unknown robot \"" + text + "\"; known are " + model_forms(" and ", "N trailers") +
-                     ", the shipped " + known_shipped() + ", or the path of a ROBOT.json");
+    throw InputError("unknown robot \"" + text + "\"; " + meant_by(text) + " are " +
+                     model_forms(" and ", "N trailers") + ", the shipped " + known_shipped() +
+                     ", or the path of a ROBOT.json");
   }
   const std::string content = read_file(text, kMaxMapBytes);  // a map is named, however large
   if (const auto what = mistaken_robot(text, content)) throw InputError(text + ": " + *what);

@@ -64,8 +64,12 @@ TEST(ShippedRobots, AreNoFiles) {
 }
 
 TEST(ShippedRobots, AnUnknownNameIsToldThem) {
-  const std::string error = error_of([] { parse_robot("turtlebot5"); });
-  EXPECT_THAT(error, HasSubstr("unknown robot \"turtlebot5\"; known are snake:N"));
+  const auto unknown = [](const char* name) { return error_of([&] { parse_robot(name); }); };
+  const std::string error = unknown("turtlebot5");
+  EXPECT_THAT(error, HasSubstr("unknown robot \"turtlebot5\"; is turtlebot4 meant? Known are snake:N"));
+  EXPECT_THAT(unknown("turtlebot"), HasSubstr("\"; is turtlebot3_burger or turtlebot4 meant? Known are "));
+  EXPECT_THAT(unknown("trukc:2"), HasSubstr("\"; is truck meant? Known are "));
+  EXPECT_THAT(unknown("tank"), HasSubstr("unknown robot \"tank\"; known are "));
   for (const ShippedRobot& shipped : shipped_robots()) EXPECT_THAT(error, HasSubstr(shipped.name));
 }
 
