@@ -96,11 +96,18 @@ std::vector<std::string> where_it_is_tight(const Bottleneck& bottleneck, const k
           metres(static_cast<double>(bottleneck.needed))};
 }
 
+// A disc so small that a plan hits it by chance.
+bool is_tiny(const std::optional<GoalDisc>& goal) {
+  constexpr double kTiny = 0.01;  // metres
+  return goal && goal->radius < kTiny;
+}
+
 std::string what_stops_it(const Hindrances& found, const krait::Scene& scene, const SearchRequest& request) {
   const auto share = [&](int ways) { return printed("%d of %d ways from there end ", ways, found.ways); };
   if (found.beyond > found.stopped) {
     return share(found.beyond) + (request.robot.links > 0 ? "where its trailers fold" : "at a limit of the robot");
   }
+  if (found.ways == 0 && is_tiny(request.goal)) return "ways from there hardly ever hit so small a goal";
   if (found.stopped == 0) return "what is in the way there?";
   return share(found.stopped) + "with " + body_name(request.robot, found.contact.body) + " at " +
          other_name(found.contact, scene, request) + ", as at " + place(scene, found.contact.at);
@@ -142,8 +149,13 @@ std::string less_of(const GoalFacing& facing) {
 std::vector<std::string> what_to_try(Status status, const Statistics& statistics, const SearchRequest& request,
                                      bool straight_on) {
   std::vector<std::string> lines;
-  if (status == Status::time_used && !request.time_limit) return {};
-  if (status == Status::time_used) return {"try a longer --time-limit"};
+  if (is_tiny(request.goal))
+    lines.push_back("the goal is tiny, with a radius of " + metres(request.goal->radius) + ": try 0.05 m or more");
+  if (status == Status::time_used && !request.time_limit) return lines;
+  if (status == Status::time_used) {
+    lines.push_back("try a longer --time-limit");
+    return lines;
+  }
   if (status == Status::budget_used) lines.push_back("try more --iterations");
   if (status == Status::tree_full || statistics.recycled > 0) lines.push_back("try more --memory");
   if (statistics.plans_refused > 0) {

@@ -171,6 +171,17 @@ TEST_F(CliWhy, AGoalWhereTheRobotHasNoRoomAsItIsTurnedIsSaidAfterOneSearch) {
   }
 }
 
+TEST_F(CliWhy, AGoalThatIsTinyIsSaidToBe) {
+  const auto advice = [&](const std::string& goal) {
+    return krait({"plan", "room.krait", "--robot", "car", "--iterations", "100", "--goal", goal}).output;
+  };
+  const std::string tiny = "\n  the goal is tiny, with a radius of 0.001 m: try 0.05 m or more\n";
+  EXPECT_THAT(advice("17,5,0.001"), HasSubstr(tiny));
+  EXPECT_THAT(advice("17,5,0.001"), testing::Not(HasSubstr("what is in the way there?")));
+  const std::string large = krait({"plan", "room.krait", "--robot", "car", "--iterations", "2"}).output;
+  EXPECT_THAT(large, testing::AllOf(HasSubstr("budget_used"), testing::Not(HasSubstr("tiny"))));
+}
+
 TEST_F(CliWhy, BendsAreBlamedOnlyWhereTheWayHasSome) {
   const auto advice = [&](const std::vector<std::string>& more) {
     std::vector<std::string> arguments = {"plan", "room.krait", "--robot", "car", "--iterations", "500"};
