@@ -132,6 +132,15 @@ class Fitter {
   double error_ = 0;
 };
 
+// What the workspace lacks for a corridor; empty where it lacks nothing.
+std::string corridor_advice(const Workspace& workspace) {
+  std::string missing;
+  if (workspace.starts.empty()) missing = "a start";
+  if (workspace.goals.empty()) missing += (missing.empty() ? "a goal" : " and a goal");
+  if (!workspace.cells) missing += (missing.empty() ? "" : " and ") + std::string("--cell METRES");
+  return missing.empty() ? "" : ", give it " + missing + " so that a corridor may be kept";
+}
+
 }  // namespace
 
 Fitted fit(const Workspace& workspace, const RobotSpec& robot, const Budget& budget,
@@ -166,10 +175,8 @@ Fitted fit(const Workspace& workspace, const RobotSpec& robot, const Budget& bud
   if (best) return std::move(*best);
   if (refusal.empty())
     throw InputError("no way from the start to the goal is wide enough for the robot, even with " + closed);
-  throw InputError(
-      "does not fit: " + refusal + (closed.empty() ? "" : "; coarser: " + closed) +
-      ": crop the map, give it a start and a goal so that a corridor may be kept, or allow more error with "
-      "--tolerance");
+  throw InputError("does not fit: " + refusal + (closed.empty() ? "" : "; coarser: " + closed) + ": crop the map" +
+                   corridor_advice(workspace) + ", or allow more error with --tolerance");
 }
 
 }  // namespace krait::host
