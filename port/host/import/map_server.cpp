@@ -184,6 +184,7 @@ Image read_map_image(const Field& field, const std::string& path) {
 Workspace read(const Source& source, const ImportOptions& options) {
   const Json document = parse_yaml(source.content, source.path);
   const Field field(document, source.path);
+  field.require({"image", "resolution", "origin", "occupied_thresh", "free_thresh"});
   const Rules rules = read_rules(field, options.unknown);
   Workspace workspace;
   workspace.cells.emplace();

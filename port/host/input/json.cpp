@@ -26,13 +26,15 @@ double number_or_nan(const Json& value) {
   return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
 }
 
+constexpr const char* kMissing = "is missing";
+
 // That it is missing, and what may have been meant for it.
 std::string missing(const std::string& key, const Json& object) {
   for (const auto& item : object.items()) {
     if (key.size() > 2 && is_misspelt(key, item.key()))
-      return "is missing; is \"" + cleaned_name(item.key()) + "\" it, misspelt?";
+      return std::string(kMissing) + "; is \"" + cleaned_name(item.key()) + "\" it, misspelt?";
   }
-  return "is missing";
+  return kMissing;
 }
 
 // Refuses deep nesting, large objects and repeated keys while the text is parsed.
@@ -139,6 +141,18 @@ void Field::keys(std::initializer_list<const char*> known) const {
     for (const char* name : known) names += (names.empty() ? "" : ", ") + std::string(name);
     fail("unknown key \"" + cleaned_name(item.key()) + "\"; known here: " + names);
   }
+}
+
+void Field::require(std::initializer_list<const char*> keys) const {
+  if (!value_->is_object()) fail_expecting("an object");
+  std::string absent;
+  for (const char* key : keys) {
+    if (has(key)) continue;
+    if (missing(key, *value_) != kMissing) (void)at(key);  // which asks about it
+    absent += (absent.empty() ? "" : ", ") + std::string(key);
+  }
+  if (absent.empty()) return;
+  fail(absent + (absent.find(',') == std::string::npos ? ": is missing" : ": are missing"));
 }
 
 Field Field::at(const char* key) const {

@@ -41,6 +41,8 @@ class Field {
   const std::string& place() const { return place_; }  // "obstacles[3].circle"; empty for the document itself
 
   void keys(std::initializer_list<const char*> known) const;  // an object that has no other keys
+  void require(
+      std::initializer_list<const char*> keys) const;  // an object that has all of these, or says which it lacks
   bool has(const char* key) const;
   Field at(const char* key) const;                                             // the member of an object
   std::size_t size(std::size_t least = 0, std::size_t most = SIZE_MAX) const;  // of a list, from least to most

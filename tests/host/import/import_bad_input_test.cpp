@@ -74,7 +74,8 @@ TEST_F(BadInputTest, OfMoreThanOneYamlDocumentNoneIsRead) {
   const std::string more = "is more than one YAML document; do all its lines begin in the same column?";
   EXPECT_THAT(error("a.yaml", "environment:\n  a: 1\n---\nb: 2\n"), HasSubstr(more));
   EXPECT_THAT(error("a.yaml", " image: a.pgm\nresolution: 1\n"), HasSubstr(more));
-  EXPECT_THAT(error("a.yaml", "---\nresolution: 1\n...\n"), HasSubstr("occupied_thresh: is missing"));
+  EXPECT_THAT(error("a.yaml", "---\nresolution: 1\n...\n"),
+              HasSubstr("a.yaml: image, origin, occupied_thresh, free_thresh: are missing"));
 }
 
 TEST_F(BadInputTest, BrokenYamlEndsInALine) {

@@ -189,6 +189,9 @@ TEST_F(MapServerTest, WrongFieldsAreNamed) {
   EXPECT_THAT(error(start + "occupied_thresh: 65\nfree_thresh: 0.196\n"),
               HasSubstr("occupied_thresh: must be a number"));
   EXPECT_THAT(error(start + "occupied_thresh: 0.65\n"), HasSubstr("free_thresh: is missing"));
+  EXPECT_THAT(error(start), HasSubstr("m.yaml: occupied_thresh, free_thresh: are missing"));
+  EXPECT_THAT(error(start + "ocupied_thresh: 0.65\n"),
+              HasSubstr("occupied_thresh: is missing; is \"ocupied_thresh\" it, misspelt?"));
   EXPECT_THAT(error(start + "occupied_thresh: 0.1\nfree_thresh: 0.2\n"), HasSubstr("free_thresh: must not be over"));
   EXPECT_THAT(error(start + "negate: 2\noccupied_thresh: 0.65\nfree_thresh: 0.196\n"), HasSubstr("negate: must be"));
   EXPECT_THAT(error(start + "mode: binary\n" + kUsual),
