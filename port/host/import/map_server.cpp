@@ -29,6 +29,7 @@ struct Counts {
   std::size_t occupied = 0;
   std::size_t unknown = 0;
   std::size_t saver_grey_free = 0;  // free, yet of the grey that map_saver writes for unknown
+  bool saver_grey_square = false;   // four cells of that grey form a square
 };
 
 bool recognise(const Source& source) {
@@ -101,6 +102,24 @@ std::uint8_t occupied_cell(const Pixel& pixel, bool has_alpha, const Rules& rule
   return 1;
 }
 
+bool has_saver_grey_square(const Image& image) {
+  const auto grey = [&](int x, int y) { return is_saver_grey(image.at(x, y)); };
+  for (int row = 1; row < image.rows; ++row) {
+    for (int i = 1; i < image.columns; ++i) {
+      if (grey(i, row) && grey(i - 1, row) && grey(i, row - 1) && grey(i - 1, row - 1)) return true;
+    }
+  }
+  return false;
+}
+
+// Whether so much that reads as free has map_saver's grey that it is hardly by chance. What a mapping robot has not
+// seen are areas; a pen's soft edge has single pixels of every grey, which are as free as the file says.
+bool looks_unknown(const Counts& counts, const CellMap& cells) {
+  constexpr std::size_t kChance = 1000;  // one cell in so many
+  return counts.saver_grey_free > 0 &&
+         (counts.saver_grey_square || kChance * counts.saver_grey_free >= cells.occupied.size());
+}
+
 Counts fill(const Image& image, const Rules& rules, CellMap& cells) {
   Counts counts;
   cells.columns = image.columns;
@@ -111,6 +130,7 @@ Counts fill(const Image& image, const Rules& rules, CellMap& cells) {
       cells.occupied.push_back(occupied_cell(image.at(column, row), image.has_alpha, rules, counts));
     }
   }
+  counts.saver_grey_square = counts.saver_grey_free > 0 && has_saver_grey_square(image);
   return counts;
 }
 
@@ -139,7 +159,7 @@ void warn(const std::string& file, const Counts& counts, const Rules& rules, Wor
     workspace.warnings.push_back(file + ": " + share(counts.unknown, cells) +
                                  " of the cells are unknown and count as free, as asked");
   }
-  if (counts.saver_grey_free > 0 && rules.unknown == Unknown::map) {
+  if (looks_unknown(counts, cells) && rules.unknown == Unknown::map) {
     workspace.warnings.push_back(file + ": " + share(counts.saver_grey_free, cells) +
                                  " of the cells are grey 205, map_saver's mark for unknown, which reads as free by "
                                  "this file's thresholds (free_thresh " +

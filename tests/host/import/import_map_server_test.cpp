@@ -119,6 +119,22 @@ TEST_F(MapServerTest, Grey205ThatReadsAsFreeIsWarnedOf) {
   EXPECT_THAT(read_row({205, 254, 254, 0}, rules, Unknown::occupied).warnings, IsEmpty());
 }
 
+TEST_F(MapServerTest, Grey205HereAndThereIsAPensSoftEdge) {
+  const auto warnings = [&](const std::vector<int>& greys) {  // cells of a map of 80 by 80
+    std::string pixels;
+    for (int i = 0; i < 6400; ++i) {
+      const bool grey = std::find(greys.begin(), greys.end(), i) != greys.end();
+      pixels += grey ? "205 " : "254 ";
+    }
+    write("m.pgm", "P2 80 80 255\n" + pixels);
+    return read("occupied_thresh: 0.65\nfree_thresh: 0.25\n").warnings.size();
+  };
+  EXPECT_EQ(warnings({}), 0U);
+  EXPECT_EQ(warnings({130, 131, 211, 500, 900, 902}), 0U) << "fewer, and no square";
+  EXPECT_EQ(warnings({130, 131, 170, 500, 900, 902, 904}), 1U) << "a cell in a thousand";
+  EXPECT_EQ(warnings({130, 131, 210, 211}), 1U) << "an area";
+}
+
 TEST_F(MapServerTest, AMapThatIsMostlyOccupiedIsAskedForItsNegate) {
   const Workspace dark = read_row({0, 0, 255, 255, 0}, kUsual);
   ASSERT_EQ(dark.warnings.size(), 1U);
