@@ -2,6 +2,7 @@
 #include "host/import/mistaken.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <string_view>
 
 #include "host/import/image.hpp"
@@ -64,6 +65,13 @@ bool is_own_picture(const std::string& head, const std::string& content) {
          content.find("<g id=\"figure\"") != std::string::npos;
 }
 
+std::string image_alone(const std::string& path) {
+  return "is an image alone; give the map's YAML file, which names the image and its scale, or write one, a line each: "
+         "image: " +
+         std::filesystem::path(path).filename().string() +
+         ", resolution: 0.05 (metres a pixel), origin: [0, 0, 0], negate: 0, occupied_thresh: 0.65, free_thresh: 0.196";
+}
+
 std::optional<std::string> mistaken_xml(const std::string& content) {
   const std::string head = head_of(content);
   if (is_own_picture(head, content)) return "is a picture that krait has drawn, not a map: give the map itself";
@@ -91,7 +99,7 @@ bool is_dynobench_robot(const std::string& content) {
 
 std::optional<std::string> mistaken(const Source& source) {
   const std::string& content = source.content;
-  if (is_image(content)) return "is an image alone; give the map's YAML file, which names the image and its scale";
+  if (is_image(content)) return image_alone(source.path);
   for (const Kind& kind : kFirstBytes) {
     if (content.starts_with(kind.mark)) return kind.advice;
   }

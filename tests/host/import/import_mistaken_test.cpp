@@ -40,6 +40,7 @@ TEST_F(MistakenTest, RobotsAndPlansAreNamed) {
 TEST_F(MistakenTest, PicturesAndArchivesAreNamed) {
   for (const char* image : {"P5 1 1 255\nx", "\x89PNG\r\n\x1a\n", "BM123", "\xFF\xD8\xFF\xE0"}) {
     EXPECT_THAT(error("m.yaml", image), HasSubstr("is an image alone; give the map's YAML file")) << image;
+    EXPECT_THAT(error("room.png", image), HasSubstr("or write one, a line each: image: room.png, resolution: 0.05"));
   }
   EXPECT_THAT(error("m", "GIF89a"), HasSubstr("convert it to PNG, and give a map_server YAML that names it"));
   EXPECT_THAT(error("m", "\x1F\x8B\x08"), HasSubstr("is compressed: unpack it first"));
