@@ -41,6 +41,29 @@ const char* advice(Status status) {
   }
 }
 
+// That nothing was ever written where the board looks for a scene; null: something lies there.
+const char* no_scene(const Board& board) {
+  constexpr std::size_t kLook = 16;  // bytes
+  const auto* bytes = static_cast<const unsigned char*>(board.scene);
+  if (board.scene_room < kLook || (bytes[0] != 0xFF && bytes[0] != 0)) return nullptr;
+  for (std::size_t i = 1; i < kLook; ++i) {
+    if (bytes[i] != bytes[0]) return nullptr;
+  }
+  return bytes[0] == 0 ? ": no scene lies there, only zeros: load SCENE.krait to the board's SCENE"
+                       : ": no scene lies there, only erased flash: load SCENE.krait to the board's SCENE";
+}
+
+void put_bad_scene(Line& line, const Board& board, const Failure& failure) {
+  const char* const nothing = no_scene(board);
+  if (nothing != nullptr) {
+    line.put(nothing);
+    return;
+  }
+  line.put(": section ").put(std::uint64_t{failure.section});
+  line.put(", element ").put(std::uint64_t{failure.element});
+  line.put(": not a whole scene file of this version (compile it again)");
+}
+
 // Why a request is refused.
 void put_reason(Line& line, const Board& board, const Request& request, const Failure& failure) {
   line.put(to_string(failure.status));
@@ -50,9 +73,7 @@ void put_reason(Line& line, const Board& board, const Request& request, const Fa
       line.put(" bytes; this machine has room for ").put(std::uint64_t{board.arena_room});
       break;
     case Status::bad_scene:
-      line.put(": section ").put(std::uint64_t{failure.section});
-      line.put(", element ").put(std::uint64_t{failure.element});
-      line.put(": not a whole scene file of this version (compile it again)");
+      put_bad_scene(line, board, failure);
       break;
     case Status::bad_argument:
     case Status::bad_robot:

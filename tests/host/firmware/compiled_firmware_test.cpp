@@ -110,6 +110,18 @@ TEST_F(CompiledFirmware, SaysWhatToDoAboutAStartOrAGoalThatCannotBeUsed) {
                           "less --clearance");
 }
 
+TEST_F(CompiledFirmware, SaysThatNoSceneLiesThere) {
+  write("erased.krait", std::string(4096, '\xFF'));
+  write("zeros.krait", std::string(4096, '\0'));
+  write("other.krait", std::string(15, '\xFF') + std::string(4081, 'x'));
+  const std::string load = ": load SCENE.krait to the board's SCENE";
+  expect_firmware_refuses({}, "bad_scene: no scene lies there, only erased flash" + load, "erased.krait");
+  expect_firmware_refuses({}, "bad_scene: no scene lies there, only zeros" + load, "zeros.krait");
+  expect_firmware_refuses(
+      {}, "bad_scene: section 255, element 0: not a whole scene file of this version (compile it again)",
+      "other.krait");
+}
+
 TEST_F(CompiledFirmware, SaysWhereAStartComesFrom) {
   auto room = nlohmann::json::parse(read_text(path("room.json")));
   room["starts"] = nlohmann::json::array();
