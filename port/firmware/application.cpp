@@ -148,7 +148,7 @@ Failure rest_at_start(const Scene& scene, const Robot& robot, const Request& req
 int run(const Board& board, int count, const char* const* words) {
   Request request;
   const char* const complaint = parse(count, words, kModel, kHasTrailers, request);
-  if (complaint != nullptr) return refuse(board, complaint);
+  if (complaint != nullptr) return refuse(board, complaint, complaint == kAnotherRobot ? kModel : "");
   if (!kImproves && request.improve > 0.0)
     return refuse(board, "--improve: this firmware is built with KRAIT_IMPROVE=OFF");
   Report report;

@@ -200,9 +200,10 @@ int write(const Board& board, const Request& request, const Report& report) {
   return code;
 }
 
-int refuse(const Board& board, const char* complaint) {
+int refuse(const Board& board, const char* complaint, const char* more) {
   say(board, "krait: ");
   say(board, complaint);
+  say(board, more);
   say(board, "\n");
   return kBadInput;
 }

@@ -42,7 +42,7 @@ struct Report {
 // Says in one line why a request is refused, if it is, then writes the line of JSON. Returns the exit code.
 int write(const Board& board, const Request& request, const Report& report);
 
-// Says what is wrong with the command line. Returns the exit code.
-int refuse(const Board& board, const char* complaint);
+// Says what is wrong with the command line, and what more there is to it. Returns the exit code.
+int refuse(const Board& board, const char* complaint, const char* more = "");
 
 }  // namespace krait::firmware

@@ -80,7 +80,7 @@ const char* parse_robot(const char* text, const char* model, bool has_trailers, 
   const std::size_t length = std::strlen(model);
   const bool begins = std::strncmp(text, model, length) == 0;  // as "unicycle2" with "unicycle", too
   const char* rest = begins ? text + length : text;
-  if (!begins || (*rest != '\0' && *rest != ':')) return "--robot: this firmware plans for another robot";
+  if (!begins || (*rest != '\0' && *rest != ':')) return kAnotherRobot;
   request.robot = text;
   if (!has_trailers) return *rest == '\0' ? nullptr : "--robot: this model has no trailers";
   std::uint64_t trailers = 0;

@@ -38,9 +38,12 @@ struct Request {
   double dt = 0.0;  // seconds, a time step; without it, the library's default
 };
 
+inline constexpr char kAnotherRobot[] = "--robot: this firmware plans for another robot, ";  // whose name is to follow
+
 // Reads `--robot MODEL[:N] --seed S --memory B[K|M] --iterations N --improve N --start X,Y,HEADING --goal X,Y,RADIUS
 // --heading H --heading-tolerance T --clearance C --dt S --icount` for a program that plans for `model`, which has a
-// number of trailers to ask for or not. Returns null, or what is wrong. The words must stay.
+// number of trailers to ask for or not. Returns null, or what is wrong, kAnotherRobot itself for a robot of another
+// name. The words must stay.
 const char* parse(int count, const char* const* words, const char* model, bool has_trailers, Request& request);
 
 }  // namespace krait::firmware

@@ -88,7 +88,7 @@ TEST_F(CompiledFirmware, IsBuiltWithoutImprovementToo) {
 }
 
 TEST_F(CompiledFirmware, PlansForItsRobotOnly) {
-  expect_firmware_refuses({"--robot", "car"}, "--robot: this firmware plans for another robot");
+  expect_firmware_refuses({"--robot", "car"}, "--robot: this firmware plans for another robot, van");
   EXPECT_EQ(firmware({"--robot", "van"}).code, 0);
 }
 

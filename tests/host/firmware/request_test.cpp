@@ -132,7 +132,7 @@ TEST(FirmwareRequest, RefusesWithTheOptionsName) {
 
 TEST(FirmwareRequest, TellsAnotherRobotFromTrailersThatAreMissing) {
   for (const char* other : {"truck", "cart", "car2:1", "ca"}) {
-    EXPECT_EQ(complaint({"--robot", other}), "--robot: this firmware plans for another robot") << other;
+    EXPECT_EQ(complaint({"--robot", other}), kAnotherRobot) << other;
   }
   EXPECT_EQ(complaint({"--robot", "car:1"}), "--robot: this model has no trailers");
   EXPECT_EQ(complaint({"--robot", "car"}), "");
