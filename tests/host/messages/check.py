@@ -19,6 +19,7 @@ import sys
 import tempfile
 
 TABLE = pathlib.Path(__file__).parent / "messages"
+ROOT = pathlib.Path(__file__).resolve().parents[3]  # $ROOT of the table's commands
 
 
 def box(x, y, width, height):
@@ -128,7 +129,7 @@ def main():
     parser.add_argument("--update", action="store_true")
     options = parser.parse_args()
     programs = options.programs.resolve()
-    environment = {**os.environ, "PATH": f"{programs}:{os.environ['PATH']}"}
+    environment = {**os.environ, "ROOT": str(ROOT), "PATH": f"{programs}:{os.environ['PATH']}"}
     require_programs(programs, environment["PATH"])
     blocks, wrong = [], 0
     with tempfile.TemporaryDirectory() as name:
