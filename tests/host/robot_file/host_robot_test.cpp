@@ -56,11 +56,13 @@ std::string row_of(const std::string& model, const std::string& parameter, doubl
          shown(most);
 }
 
-TEST(Robot, EveryModelHasAPageWithItsParameters) {
+TEST(Robot, EveryModelHasAPageWithItsParametersAFigureAndASource) {
   for (const std::string& name : every_robot(1)) {
     const RobotSpec robot = parse_robot(name);
     const std::string page = page_of(robot.model);
     EXPECT_THAT(page, StartsWith("# " + robot.model + ": "));
+    EXPECT_THAT(page, HasSubstr("- -> x")) << "the axis of its figure";
+    EXPECT_THAT(page, AnyOf(HasSubstr("\nSource: "), HasSubstr("\nSources: ")));
     for (const std::string& parameter : own_parameters(robot)) {
       const std::string row = row_of(robot.model, parameter, robot.parameters.at(parameter));
       EXPECT_THAT(page, AnyOf(HasSubstr(row + " |\n"), HasSubstr(row + "; ")));
