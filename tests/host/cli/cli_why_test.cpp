@@ -165,8 +165,10 @@ TEST_F(CliWhy, AGoalWhereTheRobotHasNoRoomAsItIsTurnedIsSaidAfterOneSearch) {
   EXPECT_THAT(across, testing::Not(HasSubstr("tried most"))) << "another place is not to blame";
   EXPECT_THAT(across, testing::Not(HasSubstr("used up its iterations"))) << "a second search is in vain, too";
   EXPECT_THAT(said("car", {"--heading", "3.1", "--either-way"}), HasSubstr("in none of 10500 poses that were tried;"));
-  for (const std::vector<std::string>& along :
-       {std::vector<std::string>{"--heading", "1.57"}, {"--heading", "0", "--heading-tolerance", "1.5"}, {}}) {
+  for (const std::vector<std::string>& along : {std::vector<std::string>{"--heading", "1.57"},
+                                                {"--heading", "0", "--heading-tolerance", "1.5"},
+                                                {"--heading", "2.8", "--heading-tolerance", "1.25"},
+                                                {}}) {
     EXPECT_THAT(said("car", along), testing::Not(HasSubstr("has no room in the goal")));
   }
 }
