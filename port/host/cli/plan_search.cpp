@@ -83,15 +83,27 @@ Answer search_in(Ground& ground, const PlanOptions& options, SearchRequest& requ
   return search_clear(open_scene(options.scene, ground.scene), ground, options, request, block, progress);
 }
 
+// Maps are free for the most part: where walls are bright on black, the floor is read as walls.
+std::string negate_hint(const std::optional<Workspace>& map) {
+  if (!map || !map->cells) return "";
+  const std::vector<std::uint8_t>& cells = map->cells->occupied;
+  const auto occupied = static_cast<double>(std::count(cells.begin(), cells.end(), 1));
+  const double share = occupied / static_cast<double>(cells.size());
+  if (!(share > 0.5)) return "";
+  return printed(
+      "; %.3g %% of the map's cells are obstacles: are bright and dark exchanged (negate, in its YAML file)?",
+      100 * share);
+}
+
 }  // namespace
 
 Answer search_for(Ground& ground, const PlanOptions& options, SearchRequest& request, Progress& progress) {
   try {
     return search_in(ground, options, request, progress);
   } catch (const InObstacle& error) {
-    if (options.query.robot_given()) throw;
-    const std::string robot = " (the robot is " + options.query.robot + ": --robot asks for another)";
-    throw InObstacle(error.what() + robot, error.status(), error.where());
+    const std::string robot =
+        options.query.robot_given() ? "" : " (the robot is " + options.query.robot + ": --robot asks for another)";
+    throw InObstacle(error.what() + robot + negate_hint(ground.map), error.status(), error.where());
   }
 }
 

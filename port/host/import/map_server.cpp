@@ -26,7 +26,6 @@ struct Rules {
 };
 
 struct Counts {
-  std::size_t occupied = 0;
   std::size_t unknown = 0;
   std::size_t saver_grey_free = 0;  // free, yet of the grey that map_saver writes for unknown
   bool saver_grey_square = false;   // four cells of that grey form a square
@@ -89,7 +88,6 @@ bool is_saver_grey(const Pixel& pixel) { return std::lround(color(pixel) * 255) 
 std::uint8_t occupied_cell(const Pixel& pixel, bool has_alpha, const Rules& rules, Counts& counts) {
   switch (read_pixel(pixel, has_alpha, rules)) {
     case Reading::occupied:
-      counts.occupied += 1;
       return 1;
     case Reading::unknown:
       counts.unknown += 1;
@@ -136,16 +134,6 @@ Counts fill(const Image& image, const Rules& rules, CellMap& cells) {
 
 std::string share(std::size_t part, const CellMap& cells) {
   return printed("%.3g %%", 100.0 * static_cast<double>(part) / static_cast<double>(cells.occupied.size()));
-}
-
-// Maps are free for the most part: walls that are bright on black read as floor, and the black around them as walls.
-void warn_of_negate(const std::string& file, const Counts& counts, const Rules& rules, Workspace& workspace) {
-  const CellMap& cells = *workspace.cells;
-  if (rules.mode == Mode::raw || 2 * counts.occupied <= cells.occupied.size()) return;
-  workspace.warnings.push_back(
-      file + ": " + share(counts.occupied, cells) + " of the cells are occupied; if the " +
-      (rules.negate ? "dark ones are walls, write \"negate: 0\"" : "bright ones are walls, write \"negate: 1\"") +
-      " into this file");
 }
 
 void warn(const std::string& file, const Counts& counts, const Rules& rules, Workspace& workspace) {
@@ -230,7 +218,6 @@ Workspace read(const Source& source, const ImportOptions& options) {
   const Counts counts = fill(image, rules, *workspace.cells);
   set_bounds(field, workspace);
   warn(source.path, counts, rules, workspace);
-  warn_of_negate(source.path, counts, rules, workspace);
   return workspace;
 }
 

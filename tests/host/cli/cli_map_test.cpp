@@ -185,6 +185,19 @@ TEST_F(CliMap, AStartInANotchThatTheDefaultToleranceFillsIsPlannedFromWithoutIt)
               HasSubstr("the map's cells as they are (--tolerance 0): with obstacles grown by up to 0.25 m"));
 }
 
+TEST_F(CliMap, AStartInAMapThatIsMostlyOccupiedIsAskedForItsNegate) {
+  write("ros.yaml", kHalfMetreCells);
+  const auto said = [&] {
+    return krait({"plan", "ros.yaml", "--robot", "turtlebot4", "--start", "3.25,6.75,0", "--goal", "9.75,9.75,0.1"})
+        .errors;
+  };
+  const std::string negate = " % of the map's cells are obstacles: are bright and dark exchanged";
+  write("image.pgm", slope());
+  EXPECT_THAT(said(), testing::AllOf(HasSubstr("start_in_collision"), Not(HasSubstr(negate))));
+  write("image.pgm", staircase(true));
+  EXPECT_THAT(said(), testing::AllOf(HasSubstr("start_in_collision"), HasSubstr("; 93.8" + negate)));
+}
+
 TEST_F(CliMap, ACompiledSceneLeavesItsRobotTheRoomThatTheMapHas) {
   write("ros.yaml", kHalfMetreCells);
   write("image.pgm", slope());

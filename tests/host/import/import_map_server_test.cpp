@@ -135,19 +135,6 @@ TEST_F(MapServerTest, Grey205HereAndThereIsAPensSoftEdge) {
   EXPECT_EQ(warnings({130, 131, 210, 211}), 1U) << "an area";
 }
 
-TEST_F(MapServerTest, AMapThatIsMostlyOccupiedIsAskedForItsNegate) {
-  const Workspace dark = read_row({0, 0, 255, 255, 0}, kUsual);
-  ASSERT_EQ(dark.warnings.size(), 1U);
-  EXPECT_THAT(dark.warnings[0], HasSubstr("m.yaml: 60 % of the cells are occupied; if the bright ones are walls, write "
-                                          "\"negate: 1\" into this file"));
-  const std::string negated = "negate: 1\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
-  EXPECT_THAT(read_row({255, 255, 0}, negated).warnings[0],
-              HasSubstr("if the dark ones are walls, write \"negate: 0\""));
-  EXPECT_THAT(read_row({0, 0, 255, 255}, kUsual).warnings, IsEmpty());
-  EXPECT_THAT(read_row({205, 205, 205, 0, 255, 255}, kUsual, Unknown::occupied).warnings, IsEmpty());
-  EXPECT_THAT(read_row({100, 100, 0}, "mode: raw\n" + kUsual).warnings, IsEmpty());
-}
-
 TEST_F(MapServerTest, TheShareOfUnknownCellsIsWarnedOf) {
   const Workspace w = read_row({205, 205, 254, 0}, kUsual);
   ASSERT_EQ(w.warnings.size(), 1U);
