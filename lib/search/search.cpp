@@ -225,7 +225,7 @@ Target Search::any_way_to(Vec2 point, std::uint32_t tries) {
 void Search::slow_for(Target& target, Index from, bool in_goal) const {
   const float at_goal = ending_.limits_speed() ? 1.0F : 0.0F;
   const float ways = in_goal ? at_goal : parameters_.tuning.stopping_ways;
-  if (!robot_.has_speed() || ways == 0.0F) return;
+  if (!robot_.has_speed()) return;
   const float* state = tree_.state(from);
   const float way = ways * math::absolute(robot_.stopping_way(state));
   const float distance = length(target.point - position(from));
