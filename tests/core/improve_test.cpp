@@ -69,10 +69,10 @@ Room long_hall() {
 }
 
 // What is tried at a corner is driven from a little before it, not from the corner before: with as many checks as the
-// first plans took these take 5,806 steps, and 5,954 where it is driven from there.
+// first plans took these take 16,744 steps, and 17,050 where it is driven from there.
 TEST(Improve, TriesBeginNearTheirCorner) {
   std::uint32_t steps = 0;
-  for (std::uint64_t seed = 11; seed <= 30; ++seed) {
+  for (std::uint64_t seed = 11; seed <= 70; ++seed) {
     Bench<Car> bench(long_hall(), small_car());
     bench.limits.way_legs = 256;
     ASSERT_TRUE(bench.init().ok());
@@ -82,7 +82,7 @@ TEST(Improve, TriesBeginNearTheirCorner) {
     while (bench.planner.statistics().collision_checks < most) ASSERT_EQ(bench.planner.improve(1), Status::solved);
     steps += bench.planner.plan().steps();
   }
-  EXPECT_LE(steps, 5880U);
+  EXPECT_LE(steps, 16'900U);
 }
 
 // A restarted search makes vertices, and others than the first.
