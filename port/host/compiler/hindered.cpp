@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "host/compiler/hindered.hpp"
 
+#include <cstring>
+
 #include "host/compiler/blocked_starts.hpp"
 #include "host/import/format.hpp"
 #include "host/run/pools.hpp"
@@ -8,6 +10,7 @@
 #include "host/run/session.hpp"
 #include "host/verify/obstacle_near.hpp"
 #include "host/workspace/printed.hpp"
+#include "krait/format.hpp"
 
 namespace krait::host {
 namespace {
@@ -50,6 +53,12 @@ Places places_of(const Workspace& workspace) {
 
 }  // namespace
 
+double tolerance_of(const CompiledScene& scene) {
+  format::Header header;
+  std::memcpy(&header, scene.bytes.data(), sizeof header);
+  return decimal(header.tolerance);
+}
+
 std::size_t hindered(const CompiledScene& compiled, const RobotSpec& robot) {
   const SceneBytes bytes = SceneBytes::copy(compiled.bytes.data(), compiled.bytes.size());
   const krait::Scene scene = open_scene("the compiled scene", bytes);
@@ -70,8 +79,7 @@ std::vector<std::string> narrowed_places(const Workspace& workspace, const Compi
   constexpr double kShare = 0.1;
   const Places places = places_of(workspace);
   if (places.names.empty()) return {};
-  const SceneBytes bytes = SceneBytes::copy(compiled.bytes.data(), compiled.bytes.size());
-  const double grown = decimal(open_scene("the compiled scene", bytes).header().tolerance);
+  const double grown = tolerance_of(compiled);
   const Workspace scene =
       read_workspace({"the compiled scene", std::string(compiled.bytes.begin(), compiled.bytes.end())}, {});
   const std::vector<double> before = rooms_around(workspace, places.middles, grown / kShare);

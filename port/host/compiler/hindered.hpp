@@ -10,6 +10,9 @@
 
 namespace krait::host {
 
+// Metres a side by which obstacles are grown at most.
+double tolerance_of(const CompiledScene& scene);
+
 // How many of the scene's starts the robot cannot begin at, and of its goals it has no way to from the first start,
 // with the clearance of the library.
 std::size_t hindered(const CompiledScene& scene, const RobotSpec& robot);

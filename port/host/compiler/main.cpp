@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 
 #include "host/compiler/blocked_starts.hpp"
 #include "host/compiler/compiler.hpp"
@@ -24,7 +23,6 @@
 #include "host/input/word_option.hpp"
 #include "host/workspace/heading.hpp"
 #include "host/workspace/printed.hpp"
-#include "krait/format.hpp"
 
 namespace {
 
@@ -55,13 +53,6 @@ void add_goal(Workspace& workspace, const std::string& text) {
   workspace.goals.push_back(std::move(goal));
 }
 
-// By how much obstacles are grown, metres a side.
-double growth_of(const CompiledScene& scene) {
-  krait::format::Header header;
-  std::memcpy(&header, scene.bytes.data(), sizeof header);
-  return static_cast<double>(header.tolerance);
-}
-
 struct Arguments {
   std::string input, output, start, goal;
   std::string datum;
@@ -74,7 +65,7 @@ struct Arguments {
 };
 
 bool is_default_growth(const Arguments& arguments, const CompiledScene& scene) {
-  return arguments.tolerance < 0 && !arguments.reduction.fits() && growth_of(scene) > 0;
+  return arguments.tolerance < 0 && !arguments.reduction.fits() && tolerance_of(scene) > 0;
 }
 
 // Where the default tolerance hinders the robot of --for, the scene with obstacles as they are, if that does less.
@@ -89,7 +80,7 @@ void leave_obstacles_where_they_hinder(const Arguments& arguments, const Workspa
   report.push_back(
       printed("obstacles as they are (--tolerance 0): grown by up to %.4g m a side, they would leave the "
               "robot of --for no room at a start, or no way to a goal",
-              growth_of(scene)));
+              tolerance_of(scene)));
   scene = std::move(exact);
 }
 

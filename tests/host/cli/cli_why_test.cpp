@@ -148,7 +148,8 @@ TEST_F(CliWhy, GrowthIsBlamedOnlyForAnOverlapThatIsNoDeeper) {
 // A car of 1.2 m by 0.6 m has room in a slot of 1 m along it, not across.
 TEST_F(CliWhy, AGoalWhereTheRobotHasNoRoomAsItIsTurnedIsSaidAfterOneSearch) {
   write("slot.json", R"({"bounds": {"min": [0, 0], "max": [12, 10]}, "obstacles": [
-      {"box": {"center": [3, 8], "size": [6, 4], "angle": 0}}, {"box": {"center": [9.5, 8], "size": [5, 4], "angle": 0}}],
+      {"box": {"center": [3, 8], "size": [6, 4], "angle": 0}},
+      {"box": {"center": [9.5, 8], "size": [5, 4], "angle": 0}}],
       "starts": [{"name": "home", "position": [2, 2], "heading": 0}]})");
   const auto said = [&](const std::string& robot, const std::vector<std::string>& heading) {
     std::vector<std::string> arguments = {"plan",   "slot.json", "--robot",      robot,
