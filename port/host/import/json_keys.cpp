@@ -27,6 +27,13 @@ bool followed_by_colon(std::string_view text, std::size_t end) {
   return next != std::string_view::npos && text[next] == ':';
 }
 
+// YAML's: without quotes.
+bool begins_with_plain_key(std::string_view text, std::string_view key) {
+  const std::size_t begin = text.find_first_not_of(kSpace);
+  return begin != std::string_view::npos && text.substr(begin).starts_with(key) &&
+         followed_by_colon(text, begin + key.size());
+}
+
 }  // namespace
 
 bool is_json_object(std::string_view text) {
@@ -48,6 +55,7 @@ bool has_top_json_key(std::string_view text, std::string_view key) {
     }
     if (c == '{' || c == '[') depth += 1;
     if (c == '}' || c == ']') depth -= 1;
+    if (depth == 1 && (c == '{' || c == ',') && begins_with_plain_key(text.substr(i + 1), key)) return true;
     i += 1;
   }
   return false;

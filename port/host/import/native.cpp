@@ -12,7 +12,8 @@
 namespace krait::host {
 namespace {
 
-bool recognise(const Source& source) { return is_json_object(source.content); }
+// A YAML file may be one map in braces, which looks like an object.
+bool recognise(const Source& source) { return is_json_object(source.content) && !kMapServer.recognise(source); }
 
 using RoundRing = Ring (*)(const Point& center, double radius);
 

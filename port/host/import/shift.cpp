@@ -17,8 +17,8 @@ double reach(const Point& p) { return std::max(std::abs(p.x), std::abs(p.y)); }
 // Calls visit(point, label) for every point of the map.
 template <class Visit>
 void for_each_point(Workspace& workspace, const Visit& visit) {
-  visit(workspace.min, "the bounds");
-  visit(workspace.max, "the bounds");
+  visit(workspace.min, "the lower left corner of the bounds");
+  visit(workspace.max, "the upper right corner of the bounds");
   if (workspace.cells) visit(workspace.cells->origin, "the map's origin");
   for (Obstacle& obstacle : workspace.obstacles) {
     for (Point& p : obstacle.outer) visit(p, obstacle.label);

@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "host/import/json_keys.hpp"
+
 namespace krait::host {
 namespace {
 
@@ -115,7 +117,7 @@ Json parse_yaml(const std::string& text, const std::string& file) {
 
 bool has_top_key(const std::string& text, const std::string& key) {
   const std::string start = key + ":";
-  return text.starts_with(start) || text.find("\n" + start) != std::string::npos;
+  return text.starts_with(start) || text.find("\n" + start) != std::string::npos || has_top_json_key(text, key);
 }
 
 }  // namespace krait::host

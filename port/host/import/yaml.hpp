@@ -11,7 +11,7 @@ namespace krait::host {
 // error with its line, nesting beyond kMaxDepth, a key given twice, aliases that multiply the document.
 Json parse_yaml(const std::string& text, const std::string& file);
 
-// A line of the text starts with this key and a colon.
+// A line of the text starts with this key and a colon, or the text is a map in braces that has the key.
 bool has_top_key(const std::string& text, const std::string& key);
 
 }  // namespace krait::host

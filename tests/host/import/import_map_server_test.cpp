@@ -54,6 +54,20 @@ TEST_F(MapServerTest, SaysWhichFilesItRead) {
   EXPECT_THAT(read_row({255}, kUsual).files, testing::UnorderedElementsAre(path("m.yaml"), path("m.pgm")));
 }
 
+TEST_F(MapServerTest, AMapInBracesIsReadToo) {
+  const std::string plain = "{image: m.pgm, resolution: 0.5, origin: [1, 2, 0], negate: 0,\n occupied_thresh: 0.65, ";
+  const std::string quoted = R"({"resolution": 0.5, "origin": [1, 2, 0], "occupied_thresh": 0.65, "image": "m.pgm", )";
+  write("m.pgm", "P2 2 1 255\n0 255");
+  for (const std::string& begin : {plain, quoted}) {
+    const Workspace w = import_workspace(write("m.yaml", begin + "\"free_thresh\": 0.196}\n"), {});
+    EXPECT_THAT(w.cells->occupied, ElementsAre(1, 0));
+    EXPECT_EQ(w.cells->origin.y, 2);
+  }
+  EXPECT_THAT(error("{ image : m.pgm}"), HasSubstr("m.yaml: resolution, origin"));
+  // The key of an inner map, and a longer key, make no map_server YAML of an object.
+  EXPECT_THAT(error("{a: {image: m.pgm}, images: 1}"), HasSubstr("is not valid JSON"));
+}
+
 TEST_F(MapServerTest, TheNameOfTheImageIsEscapedInMessages) {
   EXPECT_EQ(error("image: \"a\\e[m\\x9B\"\nresolution: 1\norigin: [0, 0, 0]\n" + kUsual),
             path("m.yaml") + ": image: " + path("a\\u001B[m\\u009B") + ": cannot be read: No such file or directory");

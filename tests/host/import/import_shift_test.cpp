@@ -69,6 +69,10 @@ TEST_F(ShiftTest, WhatLiesFarFromTheMapIsRefused) {
   EXPECT_EQ(
       error(R"("obstacles": [{"circle": {"center": [5e9, 0], "radius": 1}}])"),
       path("s.json") + ": obstacles[0]: lies more than 40000000 m from the centre of the map: correct its coordinates");
+  EXPECT_EQ(error_of([&] { read("s.json", R"({"bounds": {"min": [-1e8, -1], "max": [1e8, 1]}})"); }),
+            path("s.json") +
+                ": the lower left corner of the bounds: lies more than 40000000 m from the centre of the "
+                "map: correct its coordinates");
   EXPECT_THAT(error(R"("starts": [{"name": "home", "position": [0, -5e9], "heading": 0}])"),
               HasSubstr("start home: lies more than"));
   EXPECT_THAT(error(R"("obstacles": [{"circle": {"center": [1e11, 0], "radius": 1}}])"),
