@@ -178,6 +178,9 @@ TEST_F(CliHelp, DemoRefusesAMissingMapBeforeItBuilds) {
   const Outcome outcome = run_program("/bin/bash", {test::source_path("port/host/demo"), "gone.yaml"}, directory());
   EXPECT_EQ(outcome.code, 2);
   EXPECT_EQ(outcome.errors, "demo: gone.yaml: no such file\n");
+  const Outcome folder = run_program("/bin/bash", {test::source_path("port/host/demo"), "."}, directory());
+  EXPECT_EQ(folder.code, 2);
+  EXPECT_EQ(folder.errors, "demo: .: is a directory, not a file\n");
 }
 
 TEST_F(CliHelp, DemoRefusesOptionsThatItCannotReadBeforeItBuilds) {
