@@ -153,7 +153,7 @@ ARGUED = {
 STEERING = {
     "lib/robot/chain.cpp": ["kSpeedGains"],
     "lib/robot/differential_drive.cpp": ["kHeadingGains", "kCatchUp", "kCreep"],
-    "lib/robot/front_wheels.hpp": ["kSteeringGains"],
+    "lib/robot/front_wheels.hpp": ["kSteeringGains", "kCreep"],
     "lib/robot/unicycle.cpp": ["kHeadingGains"],
     "lib/robot/pushing.cpp": ["kNear", "kSharpest", "kLockShare", "kShortest", "kLongest", "kBack"],
     "lib/robot/tracking.hpp": ["kHeadingShare", "kShare"],
@@ -168,6 +168,7 @@ SECTIONS = {
                                  "kMoreArcs", "kLeastLeads", "kMoreLeads"],
     "lib/last_metres/last_metres.hpp": ["kMostLegs"],
     "lib/last_metres/last_metres.cpp": ["kMoveRadius"],
+    "lib/robot/front_wheels.hpp": ["kPast"],
     "lib/robot/pushing.cpp": ["kFading"],
     "lib/robot/truck.cpp": ["kLag"],
     "lib/last_metres/docking.cpp": ["kHoldWay", "kPushLook", "kMostPush", "kStages", "kSwingRadius", "kSwings",

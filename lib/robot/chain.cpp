@@ -21,6 +21,7 @@ using detail::positive;
 using detail::recoverable_tangent;
 using detail::rest_trailers;
 using detail::steady_tangent;
+using detail::straightenable;
 using detail::trailer_rates;
 using detail::wheel_correction;
 using detail::WheelCorrection;
@@ -192,9 +193,11 @@ void Chain::steer(StateView s, const Target& target, Steering& steering, Control
 
 [[gnu::flatten]] void Chain::steer(StateView s, const Pose* poses, const Target& target, Steering& steering,
                                    ControlRef u) const {
+  const ChainParameters& p = parameters_;
   const float error = wheels_error(s, poses[0].heading, target.point, backs(s, target));
-  const float wanted = steering.heading(kSteeringGains, error, target.dt);
-  const float lock = parameters_.max_steering * kInside * target.turn;
+  const float asked = steering.heading(kSteeringGains, error, target.dt);
+  const float wanted = straightenable(asked, error, {s[4], s[3], p.wheelbase, p.max_steering_rate, target.dt});
+  const float lock = p.max_steering * kInside * target.turn;
   turn_and_drive(s, within_lock(wanted, steering_limit(s, wanted, s[3]), lock), target, steering, u);
 }
 

@@ -18,6 +18,32 @@ inline constexpr PidGains kSteeringGains{4.0F, 0.05F, 0.05F};
   return backward ? -math::atan2(-cross(along, to), -dot(along, to)) : math::atan2(cross(along, to), dot(along, to));
 }
 
+// The wheels of a moving car: radians that they are turned by, metres a second, metres, radians a second and seconds.
+struct TurningWheels {
+  float angle;
+  float speed;
+  float wheelbase;
+  float rate;
+  float dt;
+};
+
+// The steering angle nearest to the wanted one, toward the side of a heading `error` radians away, from which the
+// wheels can be straight again soon after that is reached. At an angle psi the car turns by k psi a second, k = speed /
+// wheelbase: over the step by the mean of the present angle and psi, and then, while the wheels turn back at `rate`, by
+// k psi^2 / (2 rate). It may pass the heading by a quarter of what the wheels turn by while it drives a wheelbase,
+// rate / k. So psi is at most the root of psi^2 / (2 rate) + psi dt / 2 = (|error| + rate / (4 k)) / k less the present
+// angle's half of the step. Where the car hardly moves, any angle will do.
+inline float straightenable(float wanted, float error, const TurningWheels& wheels) {
+  constexpr float kPast = 0.25F;   // measured: bench/ABLATIONS.md, "Wheels are straight again in time"
+  constexpr float kCreep = 1e-3F;  // wheelbases a step
+  const float way = std::max(kCreep, math::absolute(wheels.speed) * wheels.dt / wheels.wheelbase);
+  const float step = wheels.rate * wheels.dt;
+  const float toward = error < 0.0F ? -wheels.angle : wheels.angle;
+  const float remaining = (math::absolute(error) + kPast * step / way) / way - 0.5F * toward;
+  const float most = std::sqrt(0.25F * step * step + 2.0F * step * std::max(0.0F, remaining)) - 0.5F * step;
+  return error < 0.0F ? math::clamp(wanted, -most, 0.0F) : math::clamp(wanted, 0.0F, most);
+}
+
 // The steering angle nearest to the wanted one within the lock, either way, and `side` toward the wanted side.
 [[gnu::always_inline]] inline float within_lock(float wanted, float side, float lock) {
   return wanted < 0.0F ? math::clamp(wanted, -math::clamp(side, -lock, lock), lock)

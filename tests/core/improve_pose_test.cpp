@@ -53,7 +53,7 @@ double share_of_steps(const R& robot, float hitches = kInfinity, float heading =
 }
 
 TEST(ImprovePose, PlansOfEveryModelGetBetter) {
-  EXPECT_LE(share_of_steps(small_car()), 0.7);
+  EXPECT_LE(share_of_steps(small_car()), 0.82);
   EXPECT_LE(share_of_steps(DifferentialDrive(DifferentialDriveParameters())), 0.9);
   EXPECT_LE(share_of_steps(small_unicycle()), 0.91);
   EXPECT_LE(share_of_steps(Truck(small_chain(1))), 0.85);

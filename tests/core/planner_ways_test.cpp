@@ -98,7 +98,7 @@ Truck weakly_braked() {
   ChainParameters chain;
   chain.trailers = 1;
   chain.max_speed = 10.0F;
-  chain.max_acceleration = 0.5F;
+  chain.max_acceleration = 0.2F;
   return Truck(chain);
 }
 
@@ -156,6 +156,19 @@ TEST(PlannerWays, AreFoundByARobotWithWeakBrakes) {
   }
   EXPECT_LE(vertices[true][10], 2000U);
   EXPECT_GE(vertices[false][10], 3 * vertices[true][10]);
+}
+
+// Its wheels need some way to turn, and as much to be straight again.
+TEST(PlannerWays, AreFoundByARobotWithSlowWheels) {
+  ChainParameters p;
+  p.trailers = 1;
+  p.max_speed = 8.0F;
+  p.max_steering_rate = 0.5F;
+  Bench<Truck> bench(halls(), Truck(p));
+  bench.limits.iterations = 20'000;
+  std::vector<std::uint64_t> vertices = vertices_of(bench, kTruckStart, 20, true);
+  std::sort(vertices.begin(), vertices.end());
+  EXPECT_LE(vertices[10], 3000U);
 }
 
 // Where no sketch is long enough nothing is driven, and the regions ahead get dearer.
