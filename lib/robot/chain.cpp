@@ -191,8 +191,7 @@ void Chain::steer(StateView s, const Target& target, Steering& steering, Control
   steer(s, &at, target, steering, u);
 }
 
-[[gnu::flatten]] void Chain::steer(StateView s, const Pose* poses, const Target& target, Steering& steering,
-                                   ControlRef u) const {
+void Chain::steer(StateView s, const Pose* poses, const Target& target, Steering& steering, ControlRef u) const {
   const ChainParameters& p = parameters_;
   const float error = wheels_error(s, poses[0].heading, target.point, backs(s, target));
   const float asked = steering.heading(kSteeringGains, error, target.dt);

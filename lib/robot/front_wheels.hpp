@@ -15,7 +15,8 @@ inline constexpr PidGains kSteeringGains{4.0F, 0.05F, 0.05F};
 [[gnu::always_inline]] inline float wheels_error(StateView s, SinCos heading, Vec2 point, bool backward) {
   const Vec2 to{point.x - s[0], point.y - s[1]};
   const Vec2 along{heading.cos, heading.sin};
-  return backward ? -math::atan2(-cross(along, to), -dot(along, to)) : math::atan2(cross(along, to), dot(along, to));
+  const float side = backward ? -1.0F : 1.0F;
+  return side * math::atan2(side * cross(along, to), side * dot(along, to));
 }
 
 // The wheels of a moving car: radians that they are turned by, metres a second, metres, radians a second and seconds.
