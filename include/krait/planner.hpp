@@ -216,7 +216,7 @@ class Planner {
   friend const detail::AdaptiveSearch& detail::opened(const Planner& planner);
 
   // The size of a detail::AdaptiveSearch, whose arrays are all in the block.
-  static constexpr std::size_t kSearchBytes = sizeof(void*) == 8 ? 6120 : 5520;
+  static constexpr std::size_t kSearchBytes = sizeof(void*) == 8 ? 6136 : 5536;
 
   alignas(std::uint64_t) std::byte search_[kSearchBytes];
 };

@@ -51,13 +51,14 @@ void Improver::begin(const WayTools& tools, PlanProof& proof, const Regions& reg
   round_ = 0;
   shortest_ = kInfinity;
   best_route_.clear();
+  best_kept_ = 0;
   searches_ = 0;
   searched_ = 0;
   const bool may_search = restarts && size(plan).legs <= best_.capacity();
   const bool long_chain = tools.robot.body_count() >= kLongChain;
-  pushes_ = may_search && !long_chain && tools.robot.backing_body() > 0;
+  searches_in_vain_ = may_search && !long_chain;
   if (may_search && long_chain) searches_ = kSearches;
-  if (pushes_ || searches_ > 0) take_found(plan);
+  if (may_search) take_found(plan);
   stage_ = Stage::turning;
 }
 
@@ -67,6 +68,9 @@ bool Improver::iterate() {
       break;
     case Stage::turning:
       measure_turn();
+      break;
+    case Stage::keeping:
+      keep();
       break;
     case Stage::tracing:
       trace();
@@ -85,7 +89,9 @@ bool Improver::iterate() {
 
 void Improver::take_plan(const PlanPath& plan) {
   plan_ = plan;
-  plan_steps_ = size(plan).steps;
+  const Size size = this->size(plan);
+  plan_legs_ = size.legs;
+  plan_steps_ = size.steps;
   for (Index leg = plan.first(); leg != kNone; leg = plan.next(leg)) {
     const float speed = plan.target(leg).speed;
     if (speed != 0.0F) ends_ahead_ = speed > 0.0F;  // the last leg may be a brake
@@ -111,6 +117,7 @@ void Improver::take_found(const PlanPath& found) {
   for (Index leg = found.first(); leg != kNone; leg = found.next(leg)) best_.add(found.packed(leg), found.steps(leg));
   take_plan(PlanPath(best_, tools_.grid));
   best_route_.clear();
+  best_kept_ = 0;
 }
 
 float Improver::step_unproven(Pose& after) {
@@ -161,7 +168,7 @@ void Improver::aim_aside(const Pose& pose, bool to_the_left) {
 }
 
 void Improver::begin_round() {
-  if (pushes_) searches_ = round_ > 0 && best_route_.count() == 0 ? 1 : 0;
+  if (searches_in_vain_) searches_ = round_ > 0 && in_vain() ? 1 : 0;
   if (searches_next()) {
     if (tools_.last_metres != nullptr) tools_.last_metres->draw_with({});
     ++searched_;
@@ -177,16 +184,56 @@ void Improver::begin_line() {
     round_ += round_ % 2;  // so that this round's line is that of the regions
   } else if (best_route_.count() > 0 && random_.unit() < kAgain) {
     route().copy(best_route_);
-    return begin_search();
+    return begin_keeping(best_kept_);
   }
   ++round_;
   line_.clear(kSpacing * turns_.unit);
-  if (round_ % 2 == 1 && trace_regions()) return begin_pull();
-  stage_ = Stage::tracing;
+  route().clear();
+  begin_keeping(legs_to_keep());
+}
+
+bool Improver::in_vain() const { return best_route_.count() == 0 || best_kept_ > 0 || best_route_.gear() < 0.0F; }
+
+std::uint32_t Improver::legs_to_keep() {
+  if (round_ <= kFromStart || !in_vain() || plan_legs_ < 3 || random_.unit() >= kKeep) return 0;
+  const float share = random_.unit();
+  return 1 + static_cast<std::uint32_t>(share * share * static_cast<float>(plan_legs_ - 2));
+}
+
+void Improver::begin_keeping(std::uint32_t legs) {
+  kept_ = legs;
+  current().clear();
   tools_.drive->begin(tools_.start);
   leg_ = plan_.first();
   step_ = 0;
-  line_.add({tools_.start[0], tools_.start[1]});
+  stage_ = Stage::keeping;
+  if (legs == 0) end_keeping();
+}
+
+void Improver::keep() {
+  for (std::uint32_t remaining = tools_.parameters->tuning.max_steps; remaining > 0; --remaining) {
+    if (step_ == 0) {
+      tools_.drive->aim(plan_.target(leg_));
+      current().add(plan_.packed(leg_), Leg::kOffRoute, tools_.drive->state());
+    }
+    Pose pose;
+    step_unproven(pose);
+    current().step();
+    if (++step_ < plan_.steps(leg_)) continue;
+    step_ = 0;
+    leg_ = plan_.next(leg_);
+    if (current().count() == kept_) return end_keeping();
+  }
+}
+
+void Improver::end_keeping() {
+  if (route().count() > 0) return begin_search();
+  const Vec2 from{tools_.drive->state()[0], tools_.drive->state()[1]};
+  const bool backs = kept_ > 0 && plan_.target(leg_).speed < 0.0F;
+  gear_ = backs && random_.unit() < kBackwards ? -1.0F : 1.0F;
+  if (round_ % 2 == 1 && trace_regions(from)) return begin_pull();
+  stage_ = Stage::tracing;
+  line_.add(from);
 }
 
 bool Improver::straightens() const {
@@ -199,12 +246,11 @@ bool Improver::takes_shortcut() {
   return straightens() && shortest_ < kShortcut * plan && random_.unit() < kTakeShortcut;
 }
 
-bool Improver::trace_regions() {
+bool Improver::trace_regions(Vec2 from) {
   const Scene& scene = *tools_.scene;
-  const Vec2 start{tools_.start[0], tools_.start[1]};
-  Index triangle = locate(scene, start);
+  Index triangle = locate(scene, from);
   if (triangle == kNone || regions_->cost(regions_->region(triangle)) == kInfinity) return false;
-  line_.add(start);
+  line_.add(from);
   while (!regions_->is_goal(regions_->region(triangle))) {
     const Index next = regions_->next(triangle);
     for (int edge = 0; edge < 3; ++edge) {
@@ -266,8 +312,12 @@ void Improver::make_route() {
   }
   route().measure();
   divide_stretches();
-  if (round_ % 2 == 1) shortest_ = route().length();
-  if (saves_turns_backwards() && random_.unit() < kBackwards) route().drive_in(-1.0F);
+  if (kept_ > 0) {
+    route().drive_in(gear_);
+  } else {
+    if (round_ % 2 == 1) shortest_ = route().length();
+    if (saves_turns_backwards() && random_.unit() < kBackwards) route().drive_in(-1.0F);
+  }
   if (chooses_shots()) change_shots(route());
 }
 
@@ -322,7 +372,6 @@ bool Improver::saves_turns_backwards() const {
 
 void Improver::begin_search() {
   vary_shots();
-  current().clear();
   const std::uint32_t room = current().capacity() / (tools_.last_metres == nullptr ? 1 : 2);
   const std::uint32_t hold = std::max(plan_steps_ / room + 1, kHold);
   const float near = 0.5F * regions_->goal().size(*tools_.scene);
@@ -356,7 +405,7 @@ void Improver::next_corner() {
   ++corner_;
   tries_ = 0;
   least_steps_ = kInfinity;
-  from_leg_ = current().count() > 0 ? current().count() - 1 : 0;
+  from_leg_ = current().count() > kept_ ? current().count() - 1 : kept_;
   changed().copy(route());
   drive_corner();
 }
@@ -486,8 +535,8 @@ std::uint32_t Improver::first_that_sees(float from) {
     const float look = route()[route().stretch(arc)].look;
     if (!(arc + (look > reach ? look : reach) < from)) return leg;
   }
-  std::uint32_t last = count > 0 ? count - 1 : 0;
-  while (last > 0 && current()[last].arc == Leg::kOffRoute) --last;
+  std::uint32_t last = count > kept_ ? count - 1 : kept_;
+  while (last > kept_ && current()[last].arc == Leg::kOffRoute) --last;
   return last;
 }
 
@@ -523,6 +572,7 @@ bool Improver::finish_proof() {
     best_.copy(current(), current().count());
     take_plan(PlanPath(best_, tools_.grid));
     best_route_.copy(route());
+    best_kept_ = kept_;
   }
   begin_round();
   return holds;

@@ -6,8 +6,9 @@
 // failure. What is better than the plan is driven once more and proven as the plan was, and only then takes its place.
 // Where trailers must be straight at the goal and the plan does not back in, corners are moved outward for them, most
 // shots are tighter, and a line of the regions that is much shorter than the plan is taken in most rounds.
-// A long chain seldom gets along such a line: in most of its rounds the planner restarts its search. So it does for a
-// robot that pushes trailers, as long as no line has led to a better way: such a plan may end in a slow push.
+// Where no line from the start leads to a better way but backwards, as where the robot must leave its start by a
+// manoeuvre, lines begin behind some first legs of the plan, which are kept, and before each line the planner restarts
+// its search. A long chain seldom gets along a line at all: in most of its rounds the search is restarted.
 #pragma once
 
 #include "decomposition/locate.hpp"
@@ -58,7 +59,7 @@ class Improver {
  private:
   using Outcome = WayDrive::Outcome;
 
-  enum class Stage : std::uint8_t { turning, searching, tracing, pulling, driving, proving };
+  enum class Stage : std::uint8_t { turning, searching, keeping, tracing, pulling, driving, proving };
 
   // Room for the line of a short plan, however few legs its ways may have.
   static constexpr std::uint32_t kLeastVias = 64;
@@ -68,6 +69,8 @@ class Improver {
   static constexpr std::uint32_t kSearches = 7;    // rounds of such searches before each round along a line
   static constexpr std::uint32_t kHold = 2;        // steps of a leg, or more where a way has no room for such legs
   static constexpr float kAgain = 0.5F;            // share of the rounds along the best way's route, once there is one
+  static constexpr std::uint32_t kFromStart = 2;   // lines from the start, without a better way by which legs are kept
+  static constexpr float kKeep = 0.5F;             // share of the lines after those that begin behind kept legs
   static constexpr std::uint32_t kTries = 6;       // drives past a corner, once there is a best way
   static constexpr std::uint32_t kMostTries = 12;  // drives past a corner that none gets past, at most
   static constexpr float kStraightOn = 0.99F;      // cosine of a turn: above it a via is no corner and is passed once
@@ -82,7 +85,8 @@ class Improver {
   static constexpr float kRounded = 0.6F;         // share of the new routes whose corners are rounded
   // Sum of the cosines at a route's ends: how far away from its ends a robot must face to drive it backwards.
   static constexpr float kWorthBackwards = 0.3F;
-  static constexpr float kBackwards = 0.5F;       // share of such routes that are driven backwards
+  // Share that is driven backwards of such routes, and of those behind kept legs after which the plan drives so.
+  static constexpr float kBackwards = 0.5F;
   static constexpr float kNoShots = 0.3F;         // routes without shots before their end, for each that has some
   static constexpr float kVaryShots = 0.1F;       // share of the changes that draw anew where shots begin
   static constexpr std::uint32_t kRunUp = 15;     // steps straight on before a turn is measured
@@ -132,6 +136,21 @@ class Improver {
   // A new line: in turn that of the regions and that of the plan.
   void begin_line();
 
+  // Whether no line from the start has led to a better way, or only one that is driven backwards, which mostly is slow.
+  bool in_vain() const;
+
+  // How many of the plan's first legs the next line's ways begin with: 0, unless no way from the start was better. A
+  // robot that must leave its start by a manoeuvre gets along no line that begins there.
+  std::uint32_t legs_to_keep();
+
+  // The round's ways begin with that many legs of the plan.
+  void begin_keeping(std::uint32_t legs);
+
+  void keep();
+
+  // Goes on to the round's line, or along the route that it has already.
+  void end_keeping();
+
   // Whether trailers must be straight at the goal, and the plan does not back in. Elsewhere no shortcut is taken, and
   // shots have the usual lines.
   bool straightens() const;
@@ -139,8 +158,8 @@ class Improver {
   // Whether this round is one along the line of the regions since that is much shorter than the plan.
   bool takes_shortcut();
 
-  // The middles of the portals between the regions. False where they have no path.
-  bool trace_regions();
+  // The middles of the portals between the regions from there on. False where they have no path.
+  bool trace_regions(Vec2 from);
 
   // The plan's positions.
   void trace();
@@ -239,9 +258,10 @@ class Improver {
   PlanProof* proof_ = nullptr;
   const Regions* regions_ = nullptr;
   PlanPath plan_;
+  std::uint32_t plan_legs_ = 0;
   std::uint32_t plan_steps_ = 0;
-  bool ends_ahead_ = true;  // whether its last motion is ahead
-  bool pushes_ = false;     // whether searches are restarted since the robot pushes trailers
+  bool ends_ahead_ = true;         // whether its last motion is ahead
+  bool searches_in_vain_ = false;  // whether searches are restarted while no line from the start has helped
   EndDepth depth_;
   PlanMeasures measures_;
   Random random_;
@@ -263,17 +283,20 @@ class Improver {
   Route routes_[2];  // that those ways follow
   int here_of_routes_ = 0;
   WayDrive drives_;
-  Route best_route_;        // that the best way follows; of no vias where it follows none
-  std::uint32_t corner_;    // the via that is passed,
-  std::uint32_t tries_;     // how often it was driven to,
-  std::uint32_t from_leg_;  // from which leg on,
-  float least_steps_;       // and the least steps that a way past it promises
-  bool repairing_;          // whether no way got past it
-  float remaining_;         // metres of the route where the current way fails,
-  float failed_;            // metres along the route to there,
-  std::uint32_t vain_;      // and changes since the last that helped
-  Index leg_ = 0;           // that is traced or proven next, and
-  std::uint32_t step_ = 0;  // how many of its steps are
+  Route best_route_;         // that the best way follows; of no vias where it follows none
+  std::uint32_t best_kept_;  // legs of the best way before it follows that route
+  std::uint32_t kept_;       // legs of the plan that the round's ways begin with
+  float gear_;               // 1, or -1 where the route after them is driven backwards
+  std::uint32_t corner_;     // the via that is passed,
+  std::uint32_t tries_;      // how often it was driven to,
+  std::uint32_t from_leg_;   // from which leg on,
+  float least_steps_;        // and the least steps that a way past it promises
+  bool repairing_;           // whether no way got past it
+  float remaining_;          // metres of the route where the current way fails,
+  float failed_;             // metres along the route to there,
+  std::uint32_t vain_;       // and changes since the last that helped
+  Index leg_ = 0;            // that is kept, traced or proven next, and
+  std::uint32_t step_ = 0;   // how many of its steps are
 };
 
 }  // namespace krait::detail

@@ -15,9 +15,9 @@ void WayDrive::begin(Way& way, const Way& from, std::uint32_t legs, const Route&
   route_ = &route;
   bound_ = bound;
   until_ = until;
-  const std::uint32_t first = legs - legs % Way::kLegsAState;
-  const bool known = first < from.count();
-  tools_->drive->begin(known ? from.state(first) : tools_->start);
+  const std::uint32_t last = std::min(legs, from.count() > 0 ? from.count() - 1 : 0);
+  const std::uint32_t first = last - last % Way::kLegsAState;
+  tools_->drive->begin(from.count() > 0 ? from.state(first) : tools_->start);
   for (std::uint32_t i = first; i < legs; ++i) drive_again(from[i]);
   way.copy(from, legs);
   tools_->check->begin(tools_->drive->state());

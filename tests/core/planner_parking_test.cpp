@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parking spaces: what leads out of one, and that a car drives in where no line of one gear leads.
+#include <algorithm>
 #include <cmath>
 
 #include "last_metres/pull_outs.hpp"
@@ -112,6 +113,36 @@ TEST(PlannerParking, ABetterPlanParksAsWell) {
     better += bench.planner.plan().steps();
   }
   EXPECT_LE(better, 0.95 * first);
+}
+
+// A bay that the car stands in with its nose ahead: it must back out before it can drive along the aisle. No line from
+// the start leads there, but for one that is driven backwards all the way, which is slow.
+TEST(PlannerParking, ABetterPlanBacksOutAsThePlanDid) {
+  Room room;
+  room.bounds = {0, 0, 24, 4};
+  room.boxes = {{0, 2, 1.5, 4}, {2.5, 2, 24, 4}};
+  room.goals = {{22, 0.2, 23.5, 1.8}};
+  ChainParameters parameters = reversing();
+  parameters.max_steering_rate = 4;
+  Bench<Car> bench(room, Car(parameters));
+  bench.limits.way_legs = 300;
+  const std::vector<float> start = {2.0F, 2.4F, 0.5F * kPi, 0, 0};
+  double first = 0;
+  double better = 0;
+  int ahead = 0;
+  for (std::uint64_t seed = 10'001; seed <= 10'010; ++seed) {
+    ASSERT_TRUE(bench.init().ok());
+    ASSERT_EQ(bench.solve({start.data(), Goal::named(0), seed}), Status::solved);
+    first += bench.planner.plan().steps();
+    ASSERT_EQ(bench.planner.improve(30'000), Status::solved);
+    const Path path(bench.planner.plan());
+    better += static_cast<double>(path.states.size()) - 1;
+    const auto fastest = std::max_element(path.states.begin(), path.states.end(),
+                                          [](const auto& a, const auto& b) { return a[3] < b[3]; });
+    ahead += (*fastest)[3] > 2.0F ? 1 : 0;
+  }
+  EXPECT_GE(ahead, 9);
+  EXPECT_LE(better, 0.6 * first);
 }
 
 TEST(PlannerParking, NoLineOfOneGearLeadsThere) {

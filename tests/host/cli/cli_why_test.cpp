@@ -187,7 +187,7 @@ TEST_F(CliWhy, AGoalThatIsTinyIsSaidToBe) {
 
 TEST_F(CliWhy, BendsAreBlamedOnlyWhereTheWayHasSome) {
   const auto advice = [&](const std::vector<std::string>& more) {
-    std::vector<std::string> arguments = {"plan", "room.krait", "--robot", "car", "--iterations", "500"};
+    std::vector<std::string> arguments = {"plan", "room.krait", "--robot", "car", "--iterations", "200"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return krait(arguments).output;
   };
