@@ -570,13 +570,13 @@ KRAIT_NODISCARD krait_status krait_advance(krait_planner* planner, uint64_t iter
 /** Runs at most `iterations` iterations that look for a plan with fewer steps. The plan and its figures in
     krait_statistics are then those of the best plan so far, and krait_next begins again with its first state. Returns
     KRAIT_SOLVED; where there is no plan, the search's status; KRAIT_BAD_ARGUMENT where way_legs of krait_limits is 0.
-    The plan does not depend on how iterations are split into calls. For a chain of four or more bodies, most iterations
-    are those of searches that start over in the same tree; they count in krait_statistics and krait_limits as those of
-    krait_advance do.
+    The plan does not depend on how iterations are split into calls. For a chain of four or more bodies, and for any
+    robot as long as no line from the start has helped but backwards, most iterations are those of searches that start
+    over in the same tree; they count in krait_statistics and krait_limits as those of krait_advance do.
     Work per iteration of such a search: that of krait_advance. Of any other: at most max_steps steps along a line, with
-    the choice of lines to a pose as in krait_advance after at most every third, and the unproven steps of 16 legs; or
-    O(way_legs). The first call after krait_start adds one Dijkstra, and so does the begin of each search and the end of
-    the last of a series. */
+    the choice of lines to a pose as in krait_advance after at most every third, and the unproven steps of 16 legs or of
+    16 of the first plan's expansions; or O(way_legs). The first call after krait_start adds one Dijkstra, and so does
+    the begin of each search and the end of the last of a series. */
 KRAIT_NODISCARD krait_status krait_improve(krait_planner* planner, uint64_t iterations);
 
 /** Ends a search as KRAIT_TIME_USED, for a program whose clock says so. No effect once it has ended. O(1). */

@@ -170,14 +170,14 @@ class Planner {
   /// Runs at most `iterations` iterations that look for a plan with fewer steps. plan() and the plan's figures in
   /// Statistics are then those of the best plan so far, proven like the first. Invalidates earlier plans and cursors.
   /// Returns status(); does nothing unless that is solved and the plan has steps; bad_argument where Limits::way_legs
-  /// is 0. The result does not depend on how iterations are split into calls. For a chain of four or more bodies, most
-  /// iterations are those of searches that start over in the same tree; they count in Statistics and Limits as those of
-  /// advance do.
+  /// is 0. The result does not depend on how iterations are split into calls. For a chain of four or more bodies, and
+  /// for any robot as long as no line from the start has helped but backwards, most iterations are those of searches
+  /// that start over in the same tree; they count in Statistics and Limits as those of advance do.
   ///
   /// Work per iteration of such a search: that of advance. Of any other: at most max_steps steps along a line, with the
-  /// choice of lines to a pose as in advance after at most every third, and the unproven steps of 16 legs; or
-  /// O(way_legs). The first call after start adds one Dijkstra, and so does the begin of each search and the end of the
-  /// last of a series.
+  /// choice of lines to a pose as in advance after at most every third, and the unproven steps of 16 legs or of 16 of
+  /// the first plan's expansions; or O(way_legs). The first call after start adds one Dijkstra, and so does the begin
+  /// of each search and the end of the last of a series.
   [[nodiscard]] Status improve(std::uint64_t iterations);
 
   /// Ends the search as time_used, for a port whose clock says so. No effect once it has ended. O(1).

@@ -195,9 +195,10 @@ void Improver::begin_line() {
 bool Improver::in_vain() const { return best_route_.count() == 0 || best_kept_ > 0 || best_route_.gear() < 0.0F; }
 
 std::uint32_t Improver::legs_to_keep() {
-  if (round_ <= kFromStart || !in_vain() || plan_legs_ < 3 || random_.unit() >= kKeep) return 0;
+  const std::uint32_t legs = std::min(plan_legs_, current().capacity());
+  if (round_ <= kFromStart || !in_vain() || legs < 3 || random_.unit() >= kKeep) return 0;
   const float share = random_.unit();
-  return 1 + static_cast<std::uint32_t>(share * share * static_cast<float>(plan_legs_ - 2));
+  return 1 + static_cast<std::uint32_t>(share * share * static_cast<float>(legs - 2));
 }
 
 void Improver::begin_keeping(std::uint32_t legs) {
