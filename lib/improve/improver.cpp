@@ -54,7 +54,7 @@ void Improver::begin(const WayTools& tools, PlanProof& proof, const Regions& reg
   best_kept_ = 0;
   searches_ = 0;
   searched_ = 0;
-  const bool may_search = restarts && size(plan).legs <= best_.capacity();
+  const bool may_search = restarts && plan_legs_ <= best_.capacity();
   const bool long_chain = tools.robot.body_count() >= kLongChain;
   searches_in_vain_ = may_search && !long_chain;
   if (may_search && long_chain) searches_ = kSearches;
@@ -213,18 +213,20 @@ void Improver::begin_keeping(std::uint32_t legs) {
 
 void Improver::keep() {
   for (std::uint32_t remaining = tools_.parameters->tuning.max_steps; remaining > 0; --remaining) {
-    if (step_ == 0) {
-      tools_.drive->aim(plan_.target(leg_));
-      current().add(plan_.packed(leg_), Leg::kOffRoute, tools_.drive->state());
-    }
-    Pose pose;
-    step_unproven(pose);
+    if (step_ == 0) current().add(plan_.packed(leg_), Leg::kOffRoute, tools_.drive->state());
     current().step();
-    if (++step_ < plan_.steps(leg_)) continue;
-    step_ = 0;
-    leg_ = plan_.next(leg_);
-    if (current().count() == kept_) return end_keeping();
+    if (follow_plan() && current().count() == kept_) return end_keeping();
   }
+}
+
+bool Improver::follow_plan() {
+  if (step_ == 0) tools_.drive->aim(plan_.target(leg_));
+  Pose pose;
+  step_unproven(pose);
+  if (++step_ < plan_.steps(leg_)) return false;
+  step_ = 0;
+  leg_ = plan_.next(leg_);
+  return true;
 }
 
 void Improver::end_keeping() {
@@ -269,14 +271,8 @@ bool Improver::trace_regions(Vec2 from) {
 
 void Improver::trace() {
   for (std::uint32_t remaining = tools_.parameters->tuning.max_steps; remaining > 0; --remaining) {
-    if (step_ == 0) tools_.drive->aim(plan_.target(leg_));
-    Pose pose;
-    step_unproven(pose);
+    follow_plan();
     const Vec2 at{tools_.drive->state()[0], tools_.drive->state()[1]};
-    if (++step_ == plan_.steps(leg_)) {
-      step_ = 0;
-      leg_ = plan_.next(leg_);
-    }
     if (leg_ == kNone) {
       line_.end(at);
       return begin_pull();

@@ -148,6 +148,9 @@ class Improver {
 
   void keep();
 
+  // One unproven step along the plan. Returns whether it was a leg's last: the next leg is then the one to follow.
+  bool follow_plan();
+
   // Goes on to the round's line, or along the route that it has already.
   void end_keeping();
 
