@@ -102,7 +102,9 @@ Room kink() {
   return room;
 }
 
-// First plans lead around the outside: behind the kink the trailer can be straightened on tight arcs only.
+// First plans lead around the outside: behind the kink the trailer can be straightened on tight arcs only. With as many
+// checks as 40 times the first plans took these come to 0.723 of their steps, and to 0.809 where the line through the
+// kink is taken no more often for being much shorter.
 TEST(ImprovePose, ATruckTakesTheShorterWayThroughAKink) {
   constexpr int kSearches = 8;
   double first = 0;
@@ -115,12 +117,12 @@ TEST(ImprovePose, ATruckTakesTheShorterWayThroughAKink) {
     bench.robot.rest({1.5F, 4}, 0.5F * kPi, nullptr, start.data());
     const Goal goal = Goal::pose({6.5F, 4}, kNear, {0.5F * kPi, kNear, false, kNear});
     ASSERT_EQ(bench.solve({start.data(), goal, seed}), Status::solved);
-    const std::uint64_t most = 60 * bench.planner.statistics().collision_checks;
+    const std::uint64_t most = 40 * bench.planner.statistics().collision_checks;
     first += bench.planner.plan().steps();
     while (bench.planner.statistics().collision_checks < most) EXPECT_EQ(bench.planner.improve(10), Status::solved);
     better += bench.planner.plan().steps();
   }
-  EXPECT_LE(better / first, 0.75);
+  EXPECT_LE(better / first, 0.765);
 }
 
 TEST(ImprovePose, ThePlanDoesNotDependOnHowCallsAreCut) {

@@ -53,10 +53,11 @@ std::uint32_t steps_after(const R& robot, std::uint64_t iterations) {
   return steps;
 }
 
-// Of 1,769 and 1,846 steps, which is what they come to after ten times as many iterations.
+// After ten times as many iterations they come to 1,734 and 1,833 steps. Here these take 1,755 and 1,851, and 1,769 and
+// 1,879 where no round takes up the route of the best way.
 TEST(Improve, PlansComeNearToTheShortest) {
-  EXPECT_LE(steps_after(small_car(), 2000), 1845U);
-  EXPECT_LE(steps_after(Truck(small_chain(2)), 2000), 1890U);
+  EXPECT_LE(steps_after(small_car(), 2000), 1762U);
+  EXPECT_LE(steps_after(Truck(small_chain(2)), 2000), 1865U);
 }
 
 // Two walls far apart, with doors at opposite ends.
