@@ -54,6 +54,7 @@ constexpr Range<std::uint32_t> kCounts[] = {
     {offsetof(Parameters, tuning.least_sketch), Argument::least_sketch, 0, 20},
     {offsetof(Parameters, tuning.doomed_steps), Argument::doomed_steps, 0, SearchTuning::kMostDoomedSteps},
     {offsetof(Parameters, tuning.restart_unit), Argument::restart_unit, 0, 1'000'000'000},
+    {offsetof(Parameters, tuning.stuck_expansions), Argument::stuck_expansions, 0, 1'000'000'000},
     {offsetof(Parameters, tuning.max_substeps), Argument::max_substeps, 1, 64}};
 
 // NaN is outside.
@@ -95,6 +96,7 @@ Parameters Parameters::paper() {
   parameters.tuning.stopping_ways = 0.0F;
   parameters.tuning.doomed_steps = 0;
   parameters.tuning.restart_unit = 0;
+  parameters.tuning.stuck_expansions = 0;
   parameters.tuning.raise_goal = true;
   parameters.tuning.group_sample = kUnboundedSample;
   parameters.tuning.continuous = false;

@@ -17,9 +17,9 @@ namespace {
   NAME(when_full) NAME(way_legs) NAME(alpha) NAME(beta) NAME(gamma) NAME(kappa) NAME(update_regions)               \
   NAME(group_sample) NAME(epsilon) NAME(dt) NAME(max_steps) NAME(open_steps) NAME(path_regions) NAME(path_lengths) \
   NAME(near_radius) NAME(goal_near_radius) NAME(clearance) NAME(stray_share) NAME(gentle_share)                    \
-  NAME(sight_tries) NAME(candidates) NAME(least_sketch) NAME(doomed_steps) NAME(restart_unit) NAME(slowest)        \
-  NAME(stopping_ways) NAME(reverse_share) NAME(cost_length) NAME(goal_margin) NAME(end_speed) NAME(max_substeps)   \
-  NAME(robot_dimensions) NAME(robot_polygon) NAME(robot_sizes)
+  NAME(sight_tries) NAME(candidates) NAME(least_sketch) NAME(doomed_steps) NAME(restart_unit)                      \
+  NAME(stuck_expansions) NAME(slowest) NAME(stopping_ways) NAME(reverse_share) NAME(cost_length) NAME(goal_margin) \
+  NAME(end_speed) NAME(max_substeps) NAME(robot_dimensions) NAME(robot_polygon) NAME(robot_sizes)
 // clang-format on
 
 #define KRAIT_TEXT(name) #name,

@@ -59,7 +59,8 @@ CONSTANTS = {
             "kRadii": (0.96, 1.5), "kCaptureRadii": (), "kCaptureLengths": (), "kLeads": (),
             "kDetour": (), "kDetourLengths": (), "kSightRoom": (0.5, 1.5), "kSightStep": (), "kMostLooks": (),
             "kLookSteps": (), "kOff": (), "kBraking": (), "kNearEnough": (), "kMostStops": ()},
-        "lib/last_metres/nimbleness.cpp": {"kSettle": (), "kSlowest": ()}},
+        "lib/last_metres/nimbleness.cpp": {"kSettle": ()},
+        "lib/last_metres/nimbleness.hpp": {"kSlowest": ()}},
     "turning": {
         "lib/last_metres/last_metres.hpp": {"kLongest": ()},
         "lib/last_metres/last_metres.cpp": {
@@ -94,8 +95,8 @@ ARGUED = {
     "lib/last_metres/dubins.cpp": ["kNoTurn"],
     "lib/last_metres/dubins.hpp": ["kMostPieces", "kDubinsWords"],
     "lib/last_metres/last_metres.hpp": ["kRadii", "kShortLeadCount", "kLeadCount"],
-    "lib/last_metres/pull_in.hpp": ["kNoWay"],
-    "lib/last_metres/pull_outs.cpp": ["kSides"],
+    "lib/last_metres/manoeuvre.hpp": ["kNoWay"],
+    "lib/last_metres/pull_outs.cpp": ["kSides", "kFarOut"],
     "lib/last_metres/pull_outs.hpp": ["kMostLooks"],
     "lib/search/recent_states.hpp": ["kCount"],
     # What 32 bits hold.
@@ -161,24 +162,25 @@ STEERING = {
     "lib/robot/turning.hpp": ["kSteered", "kTurnBrake", "kTurnTimes"],
 }
 SECTIONS = {
-    "include/krait/parameters.hpp": ["update_regions", "goal_near_radius"],
+    "include/krait/parameters.hpp": ["update_regions", "goal_near_radius", "stuck_expansions"],
+    "lib/search/departure.cpp": ["kAway"],
     "lib/search/search.hpp": ["kUnitRegions", "kShortestTry"],
     "lib/improve/corners.cpp": ["kTrailerCut"],
     "lib/improve/improver.hpp": ["kFromStart", "kKeep", "kLongChain", "kSearches", "kShortcut", "kTakeShortcut",
                                  "kOtherShots", "kLeastArcs", "kMoreArcs", "kLeastLeads", "kMoreLeads"],
     "lib/last_metres/last_metres.hpp": ["kMostLegs"],
-    "lib/last_metres/last_metres.cpp": ["kMoveRadius"],
+    "lib/last_metres/last_metres.cpp": ["kMoveRadius", "kShortCost", "kNearMoveEnd"],
     "lib/robot/front_wheels.hpp": ["kPast"],
     "lib/robot/pushing.cpp": ["kFading"],
     "lib/robot/truck.cpp": ["kLag"],
     "lib/last_metres/docking.cpp": ["kHoldWay", "kPushLook", "kMostPush", "kStages", "kSwingRadius", "kSwings",
                                     "kSwingAim", "kSwingTilt", "kDrawStep", "kMostSteps", "kFold",
                                     "kStraightEnough"],
-    "lib/last_metres/pull_in.cpp": ["kMoveBraking", "kAstray", "kGrip", "kLeastTurn", "kStill", "kMostWait",
-                                    "kMostMoveStops"],
+    "lib/last_metres/manoeuvre.cpp": ["kMoveBraking", "kOutBraking", "kOutSlowest", "kAstray", "kGrip", "kLeastTurn",
+                                     "kStill", "kMostWait", "kMostMoveStops"],
     "lib/last_metres/pull_outs.hpp": ["kMost", "kMostMoves"],
     "lib/last_metres/pull_outs.cpp": ["kStep", "kStraights", "kOut", "kMostTurn", "kMostMoveSteps", "kRooms",
-                                      "kGearCost", "kStrides"],
+                                      "kWider", "kGearCost", "kStrides"],
 }
 
 

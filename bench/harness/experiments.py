@@ -42,6 +42,7 @@ ABLATIONS = {
     "a target in the goal is reached near it": ("goal_near_radius=0.7",),
     "states right before a collision kept": ("doomed_steps=0",),
     "no restarts": ("restart_unit=0",),
+    "no ways out of narrow places": ("stuck_expansions=0",),
     "speeds from three quarters of the top": ("slowest=0.75",),
     "targets driven to at any speed": ("stopping_ways=0",),
     "portals that are too narrow kept": ("prune_portals=0",),

@@ -73,6 +73,7 @@ const std::vector<Setting>& settings_of_searches() {
       {"candidates", &SearchTuning::candidates, Argument::candidates},
       {"doomed_steps", &SearchTuning::doomed_steps, Argument::doomed_steps},
       {"restart_unit", &SearchTuning::restart_unit, Argument::restart_unit},
+      {"stuck_expansions", &SearchTuning::stuck_expansions, Argument::stuck_expansions},
       {"update_regions", &SearchTuning::update_regions, Argument::update_regions},
       {"slowest", &SearchTuning::slowest, Argument::slowest},
       {"stopping_ways", &SearchTuning::stopping_ways, Argument::stopping_ways},

@@ -437,9 +437,12 @@ typedef struct krait_search_tuning {
       least_sketch;     /**< 0 to 20, default 8: sketched steps, of 2 dt at most, below which no way is driven and
                              costs are raised */
   uint32_t doomed_steps, /**< 0 to 3, default 2: this many states before a collision are not kept to grow from */
-      restart_unit;      /**< expansions, 0 to 1e9, default 4000, of a try where the way from the start has 90
+      restart_unit,      /**< expansions, 0 to 1e9, default 4000, of a try where the way from the start has 90
                               regions; on one of n they are multiplied by (n / 90) squared, 0.1 at least and 1 + n / 90
                               at most; tries last 1, 1, 2, 1, 1, 2, 4, ... of that; 0: one for ever */
+      stuck_expansions;  /**< 0 to 1e9, default 16: a robot that parks whose tree has not come away from the start in so
+                              many expansions of a try is driven along a way out of the narrow place, and along another
+                              after every so many further expansions; 0: it is not */
   float slowest,         /**< 0.05 to 1, default 1: speed set-points are uniform from this share of the top speed to all
                               of it */
       stopping_ways,     /**< 0 to 10, default 1: a target nearer than this many of a robot's stopping ways is driven to
@@ -563,7 +566,9 @@ KRAIT_NODISCARD krait_status krait_start(krait_planner* planner, const krait_que
     on the workstation prints these bounds for a scene and a robot. Two more depend on the query. With a full memory:
     O(R) per step and per group of states that is dropped. Near a pose: at every fourth state at most 288 lines to it,
     of at most 128 looks at a disc each; where none of them ends in the goal, a robot of one body that reverses tries
-    at most 576 more, and looks once a query at 49,152 placements of its body, at most; one that pushes trailers tries
+    at most 576 more, and looks at 147,456 placements of its body, at most, once a query and once more after each way
+    out of its start; while it does not get away from there, at 73,728, at most, before each of those ways, which it
+    drives after every so many expansions as stuck_expansions says; one that pushes trailers tries
     at most 288 more. */
 KRAIT_NODISCARD krait_status krait_advance(krait_planner* planner, uint64_t iterations);
 

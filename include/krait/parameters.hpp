@@ -62,6 +62,10 @@ struct SearchTuning {
   /// Expansions, 0 … 1e9, of a try where the way from the start has 90 regions. On one of n they are multiplied by
   /// (n / 90)², 0.1 at least and 1 + n / 90 at most. Tries last 1, 1, 2, 1, 1, 2, 4, … of that; 0: one for ever.
   std::uint32_t restart_unit = 4000;
+  /// 0 … 1e9: a robot that parks (kParks) whose tree has not come away from the start in so many expansions of a try is
+  /// driven along a way out of the narrow place, and along another after every so many further expansions. 0: it is
+  /// not.
+  std::uint32_t stuck_expansions = 16;
   float slowest = 1.0F;  ///< 0.05 … 1: speed set-points are uniform from this share of the top speed to all of it
   /// 0 … 10: a target nearer than this many of a robot's stopping ways is driven to at the speed from which that many
   /// end there, so that what brakes weakly grows no faster than it can stop. Of a robot that has `speed`. 0: at any.

@@ -154,12 +154,14 @@ class Planner {
   /// prints these bounds for a scene and a robot. Two more depend on the query. With a full memory: O(R) per step and
   /// per group of states that is dropped. Near a pose: at every fourth state at most 288 lines to it, of at most 128
   /// looks at a disc each; where none of them ends in the goal, a robot that parks (kParks) tries at most 576 more, and
-  /// looks once a query at 49,152 placements of body 0, at most; one that pushes trailers (kDocks) tries at most 288
-  /// more.
+  /// looks at 147,456 placements of body 0, at most, once a query and once more after each way out of its start; one
+  /// that pushes trailers (kDocks) tries at most 288 more. While a robot that parks does not get away from its start,
+  /// it looks at 73,728 placements, at most, before each way out that it drives (SearchTuning::stuck_expansions).
   [[nodiscard]] Status advance(std::uint64_t iterations);
 
   /// The same, and calls watch(from, to) with the two states of every step that the tree grows by, and
-  /// watch.expands(vertex, target) before each expansion, where there is such a member.
+  /// watch.expands(vertex, target) before each expansion toward a point, where there is such a member: not before the
+  /// legs of brakes, shots and ways out of a narrow place.
   [[nodiscard]] Status advance(std::uint64_t iterations, const Watch& watch);
   /// The same with a watch that has no name, such as a lambda: it is called during the call only.
   template <detail::Watches W>
@@ -216,7 +218,7 @@ class Planner {
   friend const detail::AdaptiveSearch& detail::opened(const Planner& planner);
 
   // The size of a detail::AdaptiveSearch, whose arrays are all in the block.
-  static constexpr std::size_t kSearchBytes = sizeof(void*) == 8 ? 6136 : 5536;
+  static constexpr std::size_t kSearchBytes = sizeof(void*) == 8 ? 6168 : 5576;
 
   alignas(std::uint64_t) std::byte search_[kSearchBytes];
 };

@@ -58,6 +58,8 @@ class Robot {
   /// Whether the robot was compiled with the library's arithmetic.
   bool exact() const { return functions_ == nullptr || functions_->exact(self_); }
   const detail::Parking* parking() const { return functions_->parking; }  ///< the library's own; null where not kParks
+  /// The library's own; null where not kParks.
+  const detail::Departing* departing() const { return functions_->departing; }
   const detail::Docking* docking() const { return functions_->docking; }  ///< the library's own; null where not kDocks
   bool answers_proven() const { return functions_->answers_proven; }      ///< kAnswersProven of its class
 

@@ -79,6 +79,7 @@ enum class Argument : std::uint8_t {
   least_sketch,      ///< SearchTuning::least_sketch
   doomed_steps,      ///< SearchTuning::doomed_steps
   restart_unit,      ///< SearchTuning::restart_unit
+  stuck_expansions,  ///< SearchTuning::stuck_expansions
   slowest,           ///< SearchTuning::slowest
   stopping_ways,     ///< SearchTuning::stopping_ways
   reverse_share,     ///< SearchTuning::reverse_share

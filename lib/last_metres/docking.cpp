@@ -65,7 +65,7 @@ bool LastMetres::choose_swings(const Pose* poses) {
   const float radius = kSwingRadius * reach_back_ / static_cast<float>(robot_.backing_body);
   radii_[kRadii] = radii_[kRadii + 1] = radius;
   Shot shot;
-  shot.way = PullIn::kNoWay;
+  shot.way = Manoeuvre::kNoWay;
   shot.backward = false;
   shot.stage = 0.0F;
   SinCos heading = math::sin_cos(goal_.facing().heading);
@@ -137,7 +137,7 @@ bool LastMetres::straightens(const Pose* poses, const CurvedLine& line) const {
 void LastMetres::choose_stages(const Pose* poses) {
   forget_shots(true);
   Shot shot;
-  shot.way = PullIn::kNoWay;
+  shot.way = Manoeuvre::kNoWay;
   shot.backward = false;
   shot.end.heading = math::sin_cos(goal_.facing().heading);
   const int ways = goal_.facing().either_way ? 2 : 1;

@@ -30,12 +30,14 @@ constexpr float kOff = 1.0F;          // how far off the line it may be, in leng
 constexpr float kBraking = 0.12F;     // of the sharpest
 constexpr float kNearEnough = 0.25F;  // of the goal's radius: there it stops
 constexpr std::uint32_t kMostStops = 5;
-constexpr float kTight = 4.0F;        // lengths of body 0 that a turn counts where there may be no room for it
-constexpr float kFaced = 0.1F;        // radians off a straight piece's direction: there it begins
-constexpr float kTurned = 0.5F;       // of the goal's tolerance
-constexpr float kTurnLook = 2.0F;     // lengths of body 0: how far ahead a robot steers that turns on the spot,
-constexpr float kTurnCreep = 1e-3F;   // and at which share of the top speed
-constexpr float kMoveRadius = 1.15F;  // of the arcs of ways out, in turning radii
+constexpr float kTight = 4.0F;         // lengths of body 0 that a turn counts where there may be no room for it
+constexpr float kFaced = 0.1F;         // radians off a straight piece's direction: there it begins
+constexpr float kTurned = 0.5F;        // of the goal's tolerance
+constexpr float kTurnLook = 2.0F;      // lengths of body 0: how far ahead a robot steers that turns on the spot,
+constexpr float kTurnCreep = 1e-3F;    // and at which share of the top speed
+constexpr float kMoveRadius = 1.15F;   // of the arcs of ways out, in turning radii
+constexpr float kShortCost = 5.0F;     // steps that each step which a way out's last arc is too short costs
+constexpr float kNearMoveEnd = 5e-4F;  // lengths of body 0 from the end of a move that is driven out: there it stops
 
 // Metres: of the tightest arcs that lines to a pose are drawn with, over 1.
 float least_radius(const Nimbleness& robot) {
@@ -65,7 +67,7 @@ void LastMetres::assign(const Scene& scene, const Goal& goal, const Nimbleness& 
   near_ = kNearEnough * goal.radius();
   shot_count_ = 0;
   shot_ = 0;
-  found_ways_ = false;
+  ways_of_ = WaysOf::none;
   hold_ = kHold;
   look_ = kLook * robot_.length;
 }
@@ -101,7 +103,7 @@ void LastMetres::consider_leads(const Pose* poses, int first, int last) {
   const int ways = goal_.facing().either_way ? 2 : 1;
   const int directions = robot_.backward ? 2 : 1;
   Shot shot;
-  shot.way = PullIn::kNoWay;
+  shot.way = Manoeuvre::kNoWay;
   shot.stage = 0.0F;
   shot.end.heading = math::sin_cos(goal_.facing().heading);
   for (int way = 0; way < ways; ++way) {
@@ -126,12 +128,11 @@ void LastMetres::consider_words(const Pose* poses, Shot& shot) {
 
 void LastMetres::choose_ways(const Pose* poses) {
   forget_shots(true);
-  if (!found_ways_) {
-    const float radius = kMoveRadius * least_radius(robot_);
-    pull_in_.assign(*scene_, robot_, ways_, near_);
-    ways_.find(*scene_, goal_, {robot_.outline, robot_.length, radius, robot_.clearance});
+  if (ways_of_ != WaysOf::goal) {
+    manoeuvre_.assign(*scene_, robot_, ways_, near_);
+    ways_.find(*scene_, goal_, body_that_pulls_out(0.0F));
   }
-  found_ways_ = true;
+  ways_of_ = WaysOf::goal;
   Shot shot;
   shot.lead = 0.0F;
   shot.stage = 0.0F;
@@ -143,6 +144,17 @@ void LastMetres::choose_ways(const Pose* poses) {
       consider_words(poses, shot);
     }
   }
+}
+
+int LastMetres::find_ways_from(const Pose& start, bool far_out) {
+  ways_of_ = WaysOf::start;
+  manoeuvre_.assign(*scene_, robot_, ways_, kNearMoveEnd * robot_.length);
+  ways_.find(*scene_, start, body_that_pulls_out(far_out ? kShortCost : 0.0F));
+  return ways_.count();
+}
+
+PullOuts::Body LastMetres::body_that_pulls_out(float short_cost) const {
+  return {robot_.outline, robot_.length, kMoveRadius * least_radius(robot_), robot_.clearance, short_cost};
 }
 
 // Keeps the shot if it is among the shortest.
@@ -208,7 +220,7 @@ bool LastMetres::next(const Pose* poses) {
   }
   if (shot_ == shot_count_) return false;
   const Shot& shot = shots_[shot_++];
-  pull_in_.begin(shot.way);
+  manoeuvre_.begin(shot.way);
   arc_ = 0.0F;
   stops_ = 0;
   turning_ = false;
@@ -218,7 +230,7 @@ bool LastMetres::next(const Pose* poses) {
 }
 
 bool LastMetres::aim(const Moment& now, Target& target) {
-  if (pull_in_.moving()) return robot_.parking->aim(pull_in_, now, target);
+  if (manoeuvre_.moving()) return robot_.parking->aim(manoeuvre_, now, target);
   const Shot& shot = shots_[shot_ - 1];
   if (shot.stage > 0.0F && arrived()) robot_.docking->turn_back(*this);
   const Pose& at = now.poses[leader(shot)];
@@ -229,7 +241,7 @@ bool LastMetres::aim(const Moment& now, Target& target) {
   }
   if (straight_ && !begin_straight(shot, at)) return turn(at, target);
   const bool stops = arrived();
-  if (stops && pull_in_.any()) return robot_.parking->aim(pull_in_, now, target);
+  if (stops && manoeuvre_.any()) return robot_.parking->aim(manoeuvre_, now, target);
   if (stops && robot_.turning_radius == 0.0F) {
     facing_ = shot.end.heading;
     enough_ = kTurned * goal_.facing().tolerance;
@@ -253,7 +265,7 @@ float LastMetres::least_remaining(const Moment& now) const {
 }
 
 bool LastMetres::leg_over(std::uint32_t steps, const Moment& now) {
-  if (pull_in_.moving()) return robot_.parking->leg_over(pull_in_, steps, now);
+  if (manoeuvre_.moving()) return robot_.parking->leg_over(manoeuvre_, steps, now);
   return turning_ ? steps >= kLongest || off(now.at()) <= enough_ : steps >= hold_;
 }
 

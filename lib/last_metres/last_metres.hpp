@@ -11,8 +11,8 @@
 #include "collision/sight.hpp"
 #include "krait/goal.hpp"
 #include "last_metres/dubins.hpp"
+#include "last_metres/manoeuvre.hpp"
 #include "last_metres/nimbleness.hpp"
-#include "last_metres/pull_in.hpp"
 #include "last_metres/pull_outs.hpp"
 
 namespace krait::detail {
@@ -25,7 +25,7 @@ struct Shot {
   float length;
   std::uint8_t word;
   std::uint8_t radius;
-  std::uint8_t way;  // out of the goal, to whose end the line leads; PullIn::kNoWay: it leads to the goal
+  std::uint8_t way;  // out of the goal, to whose end the line leads; Manoeuvre::kNoWay: it leads to the goal
   bool backward;
 };
 
@@ -37,7 +37,7 @@ class LastMetres {
   static constexpr std::uint32_t kMostLegs = 192;  // of a shot
   static constexpr std::uint32_t kEvery = 4;       // states of an expansion, of which one shoots
 
-  // For a goal that is a pose; the scene must outlive this.
+  // For a goal, at which shots are aimed if it is a pose; the scene must outlive this.
   void assign(const Scene& scene, const Goal& goal, const Nimbleness& robot);
 
   // How sharply later shots brake, of the sharpest: assign sets what keeps most of them on their lines.
@@ -68,6 +68,17 @@ class LastMetres {
 
   // Chooses the shots to ways out of the goal, which it finds where it has not yet. Parking calls it.
   void choose_ways(const Pose* poses);
+
+  // Whether the robot drives ways out of narrow places.
+  bool parks() const { return robot_.parking != nullptr; }
+
+  // Finds the ways out of where body 0 stands: with far_out those rather that end with a long arc. Those of the goal
+  // are found anew when they are needed. Returns how many there are. Departure calls it.
+  int find_ways_from(const Pose& start, bool far_out);
+
+  // Whether the ways that manoeuvre() drives are those which find_ways_from found last.
+  bool ways_lead_from_start() const { return ways_of_ == WaysOf::start; }
+  Manoeuvre& manoeuvre() { return manoeuvre_; }
 
   // Measures a robot that pushes trailers, by its frames. Docking calls these five.
   void measure_push(const Pose* poses);
@@ -105,6 +116,8 @@ class LastMetres {
   static constexpr int kLeadCount = 2 * kShortLeadCount;
   static constexpr std::uint32_t kMostShots = 4;  // measured, too
 
+  enum class WaysOf : std::uint8_t { none, goal, start };
+
   // Whether the shot turns on the spot and drives straight.
   bool on_the_spot(const Shot& shot) const { return radii_[shot.radius] == 0.0F; }
 
@@ -118,6 +131,8 @@ class LastMetres {
   int leader(const Shot& shot) const { return shot.backward ? robot_.backing_body : 0; }
 
   void forget_shots(bool by_detour);
+
+  PullOuts::Body body_that_pulls_out(float short_cost) const;
 
   bool draw(const Pose& from, const Shot& shot, CurvedLine& line) const;
   void consider_leads(const Pose* poses, int first, int last);
@@ -173,10 +188,10 @@ class LastMetres {
   std::uint32_t shot_;  // the one after that which is driven
   bool swung_;          // whether swings have been chosen
   bool by_detour_;      // whether the shots that were chosen last lead to ways out or to stages
-  bool found_ways_;     // whether ways out have been looked for
+  WaysOf ways_of_;      // what ways_ lead out of
   bool detours_;        // whether ways out, swings and stages are
   PullOuts ways_;
-  PullIn pull_in_;
+  Manoeuvre manoeuvre_;
   CurvedLine line_;      // that is driven
   float arc_;            // metres along it
   std::uint32_t stops_;  // legs that only brake

@@ -30,9 +30,13 @@ struct Moment {
   const Pose& at() const { return poses[0]; }
 };
 
+inline constexpr float kSlowest = 0.02F;  // of the top speed; measured: bench/ABLATIONS.md, "Constants"
+
 // The share of its top speed at which a robot moves on that shall come to rest `remaining` metres ahead, moves at
 // `speed` m/s and would come to rest within `stopping_way` metres if it braked as sharply as it can: it brakes
-// `braking` times as sharply, and approaches the end of the way within some time steps, whatever its brake.
-float pace(const Nimbleness& robot, float remaining, float speed, float stopping_way, float braking);
+// `braking` times as sharply, and approaches the end of the way within some time steps, whatever its brake, at
+// `slowest` of its top speed at least.
+float pace(const Nimbleness& robot, float remaining, float speed, float stopping_way, float braking,
+           float slowest = kSlowest);
 
 }  // namespace krait::detail

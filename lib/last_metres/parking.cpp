@@ -9,10 +9,10 @@ namespace {
 
 void choose_ways(LastMetres& last_metres, const Pose* poses) { last_metres.choose_ways(poses); }
 
-bool aim(PullIn& pull_in, const Moment& now, Target& target) { return pull_in.aim(now, target); }
+bool aim(Manoeuvre& manoeuvre, const Moment& now, Target& target) { return manoeuvre.aim(now, target); }
 
-bool leg_over(PullIn& pull_in, std::uint32_t steps, const Moment& now) {
-  return pull_in.leg_over(steps, LastMetres::kHold, now);
+bool leg_over(Manoeuvre& manoeuvre, std::uint32_t steps, const Moment& now) {
+  return manoeuvre.leg_over(steps, LastMetres::kHold, now);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 // models hold that do so (krait/robots/detail/functions.hpp): a program of other models does not contain them.
 #pragma once
 
-#include "last_metres/pull_in.hpp"
+#include "last_metres/manoeuvre.hpp"
 
 namespace krait::detail {
 
@@ -12,8 +12,8 @@ class LastMetres;
 // Each does what the member of its name does.
 struct Parking {
   void (*choose)(LastMetres& last_metres, const Pose* poses);  // choose_ways
-  bool (*aim)(PullIn& pull_in, const Moment& now, Target& target);
-  bool (*leg_over)(PullIn& pull_in, std::uint32_t steps, const Moment& now);
+  bool (*aim)(Manoeuvre& manoeuvre, const Moment& now, Target& target);
+  bool (*leg_over)(Manoeuvre& manoeuvre, std::uint32_t steps, const Moment& now);
 };
 
 }  // namespace krait::detail

@@ -6,13 +6,15 @@
 namespace krait::detail {
 namespace {
 
-// Measured: bench/ABLATIONS.md, "Cars park".
+// Measured: bench/ABLATIONS.md, "Cars park" and "Cars leave narrow places".
 constexpr float kStep = 0.01F;                                             // lengths of body 0
 constexpr std::uint8_t kStraights[] = {0, 10, 24, 40, 70, 100, 130, 160};  // steps of the straight moves that are tried
 constexpr int kOut[] = {50, 100, 160};               // steps of an arc after which it has come out
+constexpr int kFarOut = kOut[2];                     // steps of the longest last arc that matters
 constexpr float kMostTurn = 1.8F;                    // radians of all arcs
 constexpr int kMostMoveSteps = 255;                  // of all arcs
 constexpr float kRooms[] = {0.01F, 0.005F, 0.002F};  // lengths of body 0 that ways keep more than the clearance
+constexpr float kWider[] = {1.0F, 2.0F, 4.0F};       // of the radius of arcs, which swing body 0's ends out less
 constexpr float kGearCost = 100.0F;                  // steps that a change of gears costs
 
 constexpr int kStrides[] = {5, 1};  // steps between two looks, and where one is not free
@@ -37,16 +39,30 @@ Move::Offset Move::offset(const Pose& body) const {
 }
 
 void PullOuts::find(const Scene& scene, const Goal& goal, const Body& body) {
-  count_ = 0;
   body_ = body;
   const SinCos heading = math::sin_cos(goal.facing().heading);
   poses_[0] = {goal.center(), heading};
   poses_[1] = {goal.center(), opposite(heading)};
-  for (const float room : kRooms) {
-    const Obstacles obstacles(scene, body.clearance + room * body.length);
-    find_from(obstacles, false);
-    if (goal.facing().either_way) find_from(obstacles, true);
-    if (count_ > 0) return;
+  find_ways(scene, goal.facing().either_way);
+}
+
+void PullOuts::find(const Scene& scene, const Pose& pose, const Body& body) {
+  body_ = body;
+  poses_[0] = pose;
+  find_ways(scene, false);
+}
+
+void PullOuts::find_ways(const Scene& scene, bool both) {
+  count_ = 0;
+  const float sharpest = body_.radius;
+  for (const float wider : kWider) {
+    body_.radius = wider * sharpest;
+    for (const float room : kRooms) {
+      const Obstacles obstacles(scene, body_.clearance + room * body_.length);
+      find_from(obstacles, false);
+      if (both) find_from(obstacles, true);
+      if (count_ > 0) return;
+    }
   }
 }
 
@@ -100,8 +116,10 @@ void PullOuts::follow(const Obstacles& obstacles, Way way, Pose inner) {
 
 void PullOuts::come_out(const Obstacles& obstacles, Way way, const Move& last, int turned) {
   const int number = way.moves;
-  way.cost += static_cast<float>(way.steps[number - 1]);
-  way.end = last.at(metres(way.steps[number - 1]));
+  const int out = way.steps[number - 1];
+  const float missing = static_cast<float>(kFarOut > out ? kFarOut - out : 0);
+  way.cost += static_cast<float>(out) + body_.short_cost * missing;
+  way.end = last.at(metres(out));
   keep(way);
   if (number == kMostMoves || !pays(way.cost)) return;
   way.counters = true;

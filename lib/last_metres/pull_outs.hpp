@@ -24,6 +24,9 @@ struct Move {
   Pose at(float way) const;
   Pose outer() const { return at(length); }
 
+  // The same move, driven the other way from its outer end.
+  Move reversed() const { return {outer(), radius, length, turn, !backward}; }
+
   // Where a body is, seen from the move.
   struct Offset {
     float way;     // metres out along the move, negative before its inner end
@@ -45,12 +48,17 @@ class PullOuts {
     float length;     // metres
     float radius;     // metres, above 0: of arcs
     float clearance;  // metres, that it keeps at least
+    // In steps of a way's cost, for each step that its last arc is shorter than the longest that matters.
+    float short_cost = 0.0F;
   };
 
-  // Finds the ways out of the poses that the goal allows, those with the least cost of all: with much room to
-  // obstacles, or else with less. At most kMostLooks placements of the body (Obstacles::room) a pose and room; what
-  // would take more is not found.
+  // Finds the ways out of the poses that the goal allows, those with the least cost of all: with the sharpest arcs and
+  // much room to obstacles, or else with less room, or else with wider arcs. At most kMostLooks placements of the body
+  // (Obstacles::room) a pose, room and radius, nine of them a pose; what would take more is not found.
   void find(const Scene& scene, const Goal& goal, const Body& body);
+
+  // Finds the ways out of one pose so.
+  void find(const Scene& scene, const Pose& pose, const Body& body);
 
   int count() const { return count_; }
 
@@ -83,7 +91,10 @@ class PullOuts {
 
   bool free(const Obstacles& obstacles, const Pose& at);
 
-  // Adds the ways out of one of the goal's poses.
+  // Finds the ways out of the first of the poses, or of both.
+  void find_ways(const Scene& scene, bool both);
+
+  // Adds the ways out of one of the poses.
   void find_from(const Obstacles& obstacles, bool opposite);
 
   // Follows the arcs of a way that has its straight move.
@@ -97,7 +108,7 @@ class PullOuts {
   bool pays(float cost) const { return count_ < kMost || cost < ways_[kMost - 1].cost; }
   void keep(const Way& way);
 
-  Body body_;
+  Body body_;  // with the radius of the arcs that were tried last
   Pose poses_[2];
   int looks_;  // that remain
   int count_;

@@ -30,6 +30,8 @@ Failure AdaptiveSearch::init(const Setup& setup, const Parameters& parameters, c
 
 Status AdaptiveSearch::start(const Query& query) {
   if (!usable()) return status();
+  departure_.begin_query();
+  stays_ = false;
   reset_groups();
   return begin(query, Keeper(*this));
 }
@@ -47,6 +49,8 @@ void AdaptiveSearch::iterate_restarted() {
     (void)advance(1);
   } else {
     reset_groups();
+    stays_ = !stays_;
+    if (stays_) departure_.skip_try();
     begin_restarted();
   }
   pause_restarted();
@@ -57,6 +61,7 @@ void AdaptiveSearch::reset_groups() {
                 parameters_.tuning.group_sample);
   updates_wait_ = 0;
   goes_on_ = false;
+  departure_.begin_try();
   sketcher_.assign(robot_, *scene_, sketched_step(), parameters_.tuning.near_radius * robot_length_);
   sight_ = Sight::in(*scene_, kSightRoom * sketcher_.radius(), kSightStep * robot_length_);
 }
@@ -84,7 +89,7 @@ void AdaptiveSearch::iterate(const Watch& watch) {
 }
 
 void AdaptiveSearch::begin_expansion(const Watch& watch) {
-  if (!room_for_expansion()) return;
+  if (departs(watch) || !room_for_expansion()) return;
   if (!shortcuts_) (void)groups_.weigh(regions_);
   group_ = groups_.select(regions_);
   const Way way = choose_way(group_);
@@ -93,6 +98,15 @@ void AdaptiveSearch::begin_expansion(const Watch& watch) {
   } else {
     raise_costs(group_);
   }
+}
+
+bool AdaptiveSearch::departs(const Watch& watch) {
+  const Departing* const departing = robot_.departing();
+  const Expanded* const expanded = departing == nullptr ? nullptr : departing->iterate(departure_, expander(), watch);
+  if (expanded == nullptr) return false;
+  if (expanded->outcome == Outcome::goes_on) uncount_expansion();
+  (void)finish_expansion(*expanded);
+  return true;
 }
 
 bool AdaptiveSearch::update_due() const {

@@ -3,6 +3,7 @@
 // regions; failures raise edge costs, and the shortest paths are found again.
 #pragma once
 
+#include "search/departure.hpp"
 #include "search/grouped.hpp"
 #include "search/sketcher.hpp"
 
@@ -41,6 +42,9 @@ class AdaptiveSearch : public GroupedSearch {
 
   void begin_expansion(const Watch& watch);
 
+  // Makes the iteration one of the robot's departure from a narrow place, if it is time for that.
+  bool departs(const Watch& watch);
+
   // Whether the costs are to be recomputed after this expansion: after every kappa, but after an update that looked at
   // n regions not before n / update_regions expansions.
   bool update_due() const;
@@ -77,10 +81,12 @@ class AdaptiveSearch : public GroupedSearch {
 
   Sketcher sketcher_;
   Sight sight_;
-  std::uint32_t updates_wait_ = 0;  // iterations in which the costs stay
-  bool goes_on_ = false;            // whether the last expansion is a long one that has not ended
-  Index group_ = kNone;             // that it grows from
+  std::uint32_t updates_wait_;  // iterations in which the costs stay
+  bool goes_on_;                // whether the last expansion is a long one that has not ended
+  Index group_;                 // that it grows from
   Way ways_[SearchTuning::kMostCandidates];
+  Departure departure_;
+  bool stays_;  // whether the last restarted search began with a try without departures: every other one does
 };
 
 }  // namespace krait::detail

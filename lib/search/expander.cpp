@@ -39,7 +39,6 @@ void Expander::set_up(const Robot& robot, float dt, const RecentStates& recent) 
 
 void Expander::assign(const ExpanderTools& tools) {
   tools_ = tools;
-  if (!tools.shoots) return;
   const Nimbleness robot = nimbleness(tools.robot, tools.robot_length, *tools.parameters);
   last_metres_.assign(*tools.scene, tools.ending->goal(), robot);
 }
@@ -88,6 +87,42 @@ Expanded Expander::continue_expansion(const Watch& watch) {
     }
   }
   tools_.tree->end_expansion(expanded_.last.expansion, expanded_.last.step);
+  return expanded_;
+}
+
+void Expander::begin_legs() {
+  drive_.begin(tools_.tree->state(kRoot));
+  tools_.check->begin(drive_.state());
+  expanded_ = {Outcome::target_not_reached, region_of(position(), kNone), {}};
+}
+
+bool Expander::begin_leg(const Target& target) {
+  MotionTree& tree = *tools_.tree;
+  if (tree.expansions_full()) return false;
+  const Branch before = expanded_.last;
+  expanded_.last = {tree.begin_expansion(before, target), 0};
+  if (before.expansion != kNone) tree.end_expansion(before.expansion, before.step);
+  drive_.aim(tree.target(expanded_.last.expansion));
+  return true;
+}
+
+Outcome Expander::take_leg_step(bool keeps, const Watch& watch) {
+  if (!take_step(drive_)) return Outcome::collision;
+  watch(drive_.state(), drive_.next());
+  drive_.go();
+  ++tools_.statistics->vertices;
+  ++expanded_.last.step;
+  expanded_.region = region_of(position(), expanded_.region);
+  if (tools_.ending->holds(drive_.state(), tools_.goal_depth)) return Outcome::goal_reached;
+  const bool full = keeps && !tools_.keeper(expanded_.region, expanded_.last, drive_.state());
+  return full ? Outcome::tree_full : Outcome::target_not_reached;
+}
+
+const Expanded& Expander::end_legs(Outcome outcome) {
+  expanded_.outcome = outcome;
+  const Branch last = expanded_.last;
+  const bool needed = outcome == Outcome::goes_on || outcome == Outcome::goal_reached;
+  if (last.expansion != kNone && !needed) tools_.tree->end_expansion(last.expansion, last.step);
   return expanded_;
 }
 

@@ -40,18 +40,18 @@ class Keeper {
 // What expansions grow the tree with; all of it must outlive them.
 struct ExpanderTools {
   Robot robot;
-  const Scene* scene = nullptr;
-  const Parameters* parameters = nullptr;
-  const Regions* regions = nullptr;
-  MotionTree* tree = nullptr;
-  MotionCheck* check = nullptr;
-  const Ending* ending = nullptr;
-  Statistics* statistics = nullptr;
+  const Scene* scene;
+  const Parameters* parameters;
+  const Regions* regions;
+  MotionTree* tree;
+  MotionCheck* check;
+  const Ending* ending;
+  Statistics* statistics;
   Keeper keeper;
-  float robot_length = 1.0F;           // metres, of body 0
-  float goal_depth = 0.0F;             // metres: how deep inside the goal a way ends
-  bool shoots = false;                 // whether the last metres to a pose are driven
-  std::uint32_t spare_expansions = 0;  // that the tree keeps back for what ends a way
+  float robot_length;              // metres, of body 0
+  float goal_depth;                // metres: how deep inside the goal a way ends
+  bool shoots;                     // whether the last metres to a pose are driven
+  std::uint32_t spare_expansions;  // that the tree keeps back for what ends a way
 };
 
 enum class Outcome : std::uint8_t { goal_reached, target_reached, target_not_reached, collision, tree_full, goes_on };
@@ -78,6 +78,20 @@ class Expander {
   // an expansion. At most SearchTuning::max_steps steps; where it goes_on, continue_expansion makes as many more.
   Expanded expand(Index vertex, Index region, const Target& toward, const Watch& watch);
   Expanded continue_expansion(const Watch& watch);
+
+  // A way from the root that is driven leg by leg, each of them an expansion: begin_legs, then begin_leg and its steps,
+  // then the next, and end_legs when the way or an iteration has ended.
+  void begin_legs();
+  // False where the tree has no room for it.
+  bool begin_leg(const Target& target);
+  // One step; target_not_reached where the way may go on. `keeps`: the state after it is kept to grow from.
+  Outcome take_leg_step(bool keeps, const Watch& watch);
+  // Ends the last leg, unless the outcome is that the way has reached the goal or goes on.
+  const Expanded& end_legs(Outcome outcome);
+  // The state that the legs have come to.
+  Moment now() const { return {tools_.robot, drive_.state(), tools_.check->poses()}; }
+
+  const ExpanderTools& tools() const { return tools_; }
 
   // The last state of an expansion that has reached the goal, that of its brake included.
   Branch end() const { return braking() ? Branch{braking_, brake_steps_} : expanded_.last; }
@@ -150,17 +164,18 @@ class Expander {
   // obstacle), the last state's.
   Index region_of(Vec2 at, Index last) const;
 
+  // Numbers have values since reset, expand, begin_legs or what begins a brake or a shot.
   ExpanderTools tools_;
   Drive drive_;
   RecentStates recent_;
-  Expanded expanded_{};      // the last expansion
-  float near_ = 0.0F;        // metres: how near its target is reached
-  float apart_ = kInfinity;  // metres: how far the target of a long one was
-  Index braking_ = kNone;    // the expansion that brakes for the goal; kNone: none does
-  std::uint32_t brake_steps_ = 0;
+  Expanded expanded_;  // the last expansion
+  float near_;         // metres: how near its target is reached
+  float apart_;        // metres: how far the target of a long one was
+  Index braking_;      // the expansion that brakes for the goal; kNone: none does
+  std::uint32_t brake_steps_;
   Drive brake_;
-  bool shooting_ = false;        // whether the last metres are driven; braking_ is their last leg
-  std::uint32_t shot_legs_ = 0;  // of this shot
+  bool shooting_;            // whether the last metres are driven; braking_ is their last leg
+  std::uint32_t shot_legs_;  // of this shot
   LastMetres last_metres_;
 };
 

@@ -77,19 +77,20 @@ class Groups {
   Index block_begin(Index block) const { return block << block_bits_; }
   Index block_end(Index block) const;
 
-  float* log_weights_ = nullptr;      // by region: minus infinity without members
-  float* block_weights_ = nullptr;    // by block of regions: the largest of them
-  std::uint32_t* reached_ = nullptr;  // how many states ever
-  std::uint32_t* selections_ = nullptr;
-  std::uint16_t* sizes_ = nullptr;
+  // Arrays and counts have values since allocate, what weighs the groups since clear.
+  float* log_weights_;      // by region: minus infinity without members
+  float* block_weights_;    // by block of regions: the largest of them
+  std::uint32_t* reached_;  // how many states ever
+  std::uint32_t* selections_;
+  std::uint16_t* sizes_;
   PackedIndices newest_;  // by region: its newest member
   PackedIndices links_;   // by vertex: the member before it
-  Index region_count_ = 0;
-  Index block_count_ = 0;
-  std::uint8_t block_bits_ = 0;
-  std::uint32_t sample_ = kUnboundedSample;
-  GroupWeights weights_{};
-  float log_beta_ = 0.0F;
+  Index region_count_;
+  Index block_count_;
+  std::uint8_t block_bits_;
+  std::uint32_t sample_;
+  GroupWeights weights_;
+  float log_beta_;
 };
 
 }  // namespace krait::detail

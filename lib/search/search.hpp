@@ -103,6 +103,8 @@ class Search {
   // solved when a plan may end with the start.
   Status begin(const Query& query, const Keeper& keeper);
 
+  Expander& expander() { return expander_; }
+
   // Makes iterations while the search goes on: calls iterate() for an expansion, unless a way is driven or the budget
   // is used.
   template <class Iterate>
@@ -147,6 +149,12 @@ class Search {
 
   // Expander::expand, and what it means for the search.
   Expanded expand(Index vertex, Index region, const Target& toward, const Watch& watch);
+
+  // Lets the try, whose length is in expansions, not count the last.
+  void uncount_expansion() { restarts_.uncount(); }
+
+  // What the end of an expansion means for the search.
+  Expanded finish_expansion(const Expanded& expanded);
 
   // The next max_steps steps of a long expansion.
   Expanded continue_expansion(const Watch& watch);
@@ -224,8 +232,6 @@ class Search {
   Vec2 start_position() const { return {expander_.state()[0], expander_.state()[1]}; }
 
   DiscRoute disc_route();
-
-  Expanded finish_expansion(const Expanded& expanded);
 
   float tree_clearance() const { return parameters_.clearance + kTreeSlack * robot_length_; }
 

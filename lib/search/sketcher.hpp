@@ -45,11 +45,11 @@ class Sketcher {
   float squared_near_;
   float radius_;
   Sight sight_;
-  float* state_ = nullptr;
+  float* state_;  // since allocate, as what follows
   // These have an element for each body.
-  Vec2* centers_ = nullptr;  // in its frame
-  Pose* poses_ = nullptr;
-  Look* looks_ = nullptr;
+  Vec2* centers_;  // in its frame
+  Pose* poses_;
+  Look* looks_;
   Steering steering_;
 };
 

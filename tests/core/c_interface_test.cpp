@@ -548,6 +548,7 @@ TEST(CInterface, EveryParameterIsInItsPlace) {
   EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, least_sketch);
   EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, doomed_steps);
   EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, restart_unit);
+  EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, stuck_expansions);
   EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, slowest);
   EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, stopping_ways);
   EXPECT_SAME_PLACE(krait_search_tuning, SearchTuning, reverse_share);

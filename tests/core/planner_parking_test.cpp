@@ -4,49 +4,17 @@
 #include <cmath>
 
 #include "last_metres/pull_outs.hpp"
+#include "parking_fixture.hpp"
 #include "plan/ending.hpp"
-#include "planner_fixture.hpp"
 
 namespace krait::test::planner_parking_test {
 namespace {
 
-constexpr float kLength = 1.2F;  // of the car, whose axle is 0.4 m from its middle
-constexpr float kAxle = 0.4F;
-constexpr float kSpace = 6.0F;  // where the middle of the space is along the aisle
-
-ChainParameters reversing() {
-  ChainParameters parameters = Car::defaults();
-  parameters.min_speed = -1;
-  parameters.max_steering = 0.6F;
-  parameters.max_steering_rate = 0.5F;
-  return parameters;
-}
-
-// An aisle of 1.7 m with a row on its left, in which a space of so many lengths is free.
-Room aisle(double lengths) {
-  const double half = lengths * static_cast<double>(kLength) / 2;
-  Room room;
-  room.bounds = {0, 0, 12, 2.5};
-  room.boxes = {{1, 1.75, 6 - half, 2.5}, {6 + half, 1.75, 11, 2.5}};
-  room.goals = {{5.5, 1.9, 6.5, 2.4}};
-  return room;
-}
-
-Goal space() { return Goal::pose({kSpace - kAxle, 2.11F}, 0.05F, {0.0F, 0.1F, false, kInfinity}); }
+using namespace parking;
 
 struct Parked : Car {
   Parked() : Car(reversing()) {}
 };
-// One whose speed and steering angle change at once.
-KinematicTruckParameters kinematic() {
-  KinematicTruckParameters parameters;
-  parameters.body_length = kLength;
-  parameters.body_width = 0.6F;
-  parameters.body_offset = kAxle;
-  parameters.min_speed = -1;
-  parameters.max_steering = 0.6F;
-  return parameters;
-}
 struct KinematicParked : KinematicTruck {
   KinematicParked() : KinematicTruck(kinematic()) {}
 };
@@ -120,7 +88,10 @@ constexpr float kNoseIn[] = {2.0F, 2.4F, 0.5F * kPi, 0, 0};
 // A bay that the car stands in with its nose ahead: it must back out before it can drive along the aisle. No line from
 // the start leads there, but for one that is driven backwards all the way, which is slow.
 struct InABay : Bench<Car> {
-  explicit InABay(std::uint32_t way_legs) : Bench(bay(), Car(quickly_steered())) { limits.way_legs = way_legs; }
+  explicit InABay(std::uint32_t way_legs) : Bench(bay(), Car(quickly_steered())) {
+    limits.way_legs = way_legs;
+    parameters.tuning.stuck_expansions = 0;  // so that many a first plan is driven backwards
+  }
 
   static Room bay() {
     Room room;

@@ -446,6 +446,7 @@ TEST(PlannerParameters, EachCountIsCheckedAtBothEnds) {
                 {Argument::update_regions, 0, 1'000'000, &SearchTuning::update_regions},
                 {Argument::doomed_steps, 0, 3, &SearchTuning::doomed_steps},
                 {Argument::restart_unit, 0, 1'000'000'000, &SearchTuning::restart_unit},
+                {Argument::stuck_expansions, 0, 1'000'000'000, &SearchTuning::stuck_expansions},
                 {Argument::max_steps, 1, 1000, &SearchTuning::max_steps},
                 {Argument::open_steps, 0, 1000, &SearchTuning::open_steps},
                 {Argument::path_regions, 1, 64, &SearchTuning::path_regions},

@@ -166,6 +166,8 @@ TEST(WrongUse, ParametersAtTheEndsOfTheirRangesPlanOrEnd) {
       [](Parameters& p) { p.tuning.doomed_steps = 3; },
       [](Parameters& p) { p.tuning.restart_unit = 0; },
       [](Parameters& p) { p.tuning.restart_unit = 1; },
+      [](Parameters& p) { p.tuning.stuck_expansions = 0; },
+      [](Parameters& p) { p.tuning.stuck_expansions = 1; },
       [](Parameters& p) { p.tuning.slowest = 0.05F; },
       [](Parameters& p) { p.tuning.slowest = 1; },
       [](Parameters& p) { p.tuning.stopping_ways = 0; },

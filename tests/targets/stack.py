@@ -27,6 +27,7 @@ RESET = "krait_reset"
 INDIRECT_CALLS = [
     ("krait/robot.hpp", r"krait::detail::FunctionsOf<.*>::CALLED\("),
     ("search/expander.hpp", r"bool krait::detail::Keeper::keep<krait::detail::AdaptiveSearch>\("),
+    ("search/adaptive_search.cpp", r"krait::detail::\(anonymous namespace\)::CALLED\("),  # of departure.cpp
     ("last_metres/last_metres.cpp", r"krait::detail::\(anonymous namespace\)::CALLED\("),  # of parking.cpp
     ("krait/planner.hpp", r"no such function"),  # a firmware's search has nobody who watches
     ("port/firmware/", r"krait::bare_metal::(\(anonymous namespace\)::(clock|log|fault)|stack_bytes)\("),

@@ -224,9 +224,10 @@ concept HasBackingBody = requires(const R& robot) {
 
 }  // namespace detail
 
-/// Whether the search drives robots of the class R into narrow places in reverse: those with one body that can drive
-/// backwards and do not turn on the spot. A program whose classes are all false does not contain the code for it, 3 KB
-/// on a Cortex-M4F. False of each of the library's models (krait/robots/all.hpp) whose header says so.
+/// Whether the search drives robots of the class R into narrow places in reverse, and out of them: those with one body
+/// that can drive backwards and do not turn on the spot. A program whose classes are all false does not contain the
+/// code for it, 4 KB on a Cortex-M4F. False of each of the library's models (krait/robots/all.hpp) whose header says
+/// so.
 template <class R>
 inline constexpr bool kParks = detail::HasReversible<R>;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether robots park: parking [SEEDS]. Forty bays beside an aisle, between other vehicles and opposite to clutter, are
-// 1.2 to 1.6 times as long as a passenger car that stands parallel to the aisle, or as wide as a vehicle that backs in.
+// Whether robots park, and leave where they are parked: parking [SEEDS]. Forty bays beside an aisle, between other
+// vehicles and opposite to clutter, are 1.2 to 1.6 times as long as a passenger car that stands parallel to the aisle,
+// or as wide as a vehicle that backs in, or backs out.
 // Prints for each vehicle how many searches were solved, and their vertices; every plan is judged by the verifier.
 // Exits 1 when a plan does not hold, a search is in vain, or the median costs more vertices than allowed.
 #include <algorithm>
@@ -25,11 +26,16 @@ constexpr std::uint64_t kMemory = 8U << 20U;   // bytes
 
 struct Task {
   const char* robot;
-  bool parallel;       // to the aisle; else at right angles, with the front toward it
+  const char* name;
+  bool parallel;       // to the aisle; else at right angles, with the front toward it,
+  bool leaves;         // or, where the robot begins in the bay and leaves it, away from it
   std::uint64_t most;  // vertices of a search, in the median
 };
 
-constexpr Task kTasks[] = {{"nissan_leaf", true, 1'500}, {"nissan_leaf", false, 8'000}, {"fork_lift", false, 1'500}};
+constexpr Task kTasks[] = {
+    {"nissan_leaf", "parallel", true, false, 1'500},    {"nissan_leaf", "backing in", false, false, 8'000},
+    {"fork_lift", "backing in", false, false, 1'500},   {"nissan_leaf", "leaving", true, true, 2'500},
+    {"nissan_leaf", "backing out", false, true, 2'500}, {"fork_lift", "backing out", false, true, 1'500}};
 
 // The box of body 0.
 struct Vehicle {
@@ -87,12 +93,20 @@ Bay make_bay(const Task& task, int number) {
     const double x = draw(0, length);
     bay.block(x, 0, x + vehicle.length() * draw(0.2, 0.6), vehicle.width * draw(0.1, 0.25));
   }
-  const double heading = task.parallel ? 0 : -std::numbers::pi / 2;
+  const double across_aisle = (task.leaves ? 1 : -1) * std::numbers::pi / 2;
+  const double heading = task.parallel ? 0 : across_aisle;
   const double center = (vehicle.front + vehicle.back) / 2;
   const double row = (aisle + end) / 2;
-  bay.request.goal = GoalDisc{{middle - center * std::cos(heading), row - center * std::sin(heading)}, 0.1};
-  bay.request.facing = GoalFacing{heading, 0.1, false, {}};
-  bay.request.start = StartPose{{0.3 * vehicle.length() - vehicle.back, aisle / 2}, 0};
+  const Point parked{middle - center * std::cos(heading), row - center * std::sin(heading)};
+  const double gap = 0.3 * vehicle.length();  // at the ends of the aisle
+  if (task.leaves) {
+    bay.request.start = StartPose{parked, heading};
+    bay.request.goal = GoalDisc{{length - gap - vehicle.front, aisle / 2}, 0.3 * vehicle.width};
+  } else {
+    bay.request.start = StartPose{{gap - vehicle.back, aisle / 2}, 0};
+    bay.request.goal = GoalDisc{parked, 0.1};
+    bay.request.facing = GoalFacing{heading, 0.1, false, {}};
+  }
   bay.request.iterations = kIterations;
   bay.request.memory = kMemory;
   return bay;
@@ -115,14 +129,14 @@ bool park(const Task& task, std::uint64_t seeds) {
         ++solved;
         continue;
       }
-      std::printf("%s, %s, bay %d, seed %d: %s\n", task.robot, task.parallel ? "parallel" : "backing in", number,
-                  static_cast<int>(seed), result.plan.status.c_str());
+      std::printf("%s, %s, bay %d, seed %d: %s\n", task.robot, task.name, number, static_cast<int>(seed),
+                  result.plan.status.c_str());
     }
   }
   std::sort(vertices.begin(), vertices.end());
   const std::uint64_t median = vertices[vertices.size() / 2];
-  std::printf("%s, %s: %d of %d, vertices %d [%d]\n", task.robot, task.parallel ? "parallel" : "backing in",
-              static_cast<int>(solved), static_cast<int>(vertices.size()), static_cast<int>(median),
+  std::printf("%s, %s: %d of %d, vertices %d [%d]\n", task.robot, task.name, static_cast<int>(solved),
+              static_cast<int>(vertices.size()), static_cast<int>(median),
               static_cast<int>(vertices[vertices.size() * 9 / 10]));
   return solved == vertices.size() && median <= task.most;
 }

@@ -17,11 +17,13 @@ struct alignas(8) Lead {
   std::byte bytes[64];
 };
 
-// How robots drive into narrow places in reverse, and how they push trailers back to a pose. The planner's part for the
-// last metres defines both. They are only named here, so that the tables of the models that need them, and nothing
-// else, link them: a planner that named them itself would put them into every program.
+// How robots drive into narrow places in reverse, how they leave them, and how they push trailers back to a pose. The
+// planner defines them. They are only named here, so that the tables of the models that need them, and nothing else,
+// link them: a planner that named them itself would put them into every program.
 struct Parking;
 extern const Parking kParking;
+struct Departing;
+extern const Departing kDeparting;
 struct Docking;
 extern const Docking kDocking;
 
@@ -31,11 +33,12 @@ struct RobotFunctions {
   std::uint8_t max_state;
   std::uint8_t max_control;
   std::uint8_t max_bodies;
-  bool leads;              // whether the leading components are integrated first
-  bool has_speed;          // whether the robot has the function `speed`
-  bool answers_proven;     // kAnswersProven
-  const Parking* parking;  // null where not kParks
-  const Docking* docking;  // null where not kDocks
+  bool leads;                  // whether the leading components are integrated first
+  bool has_speed;              // whether the robot has the function `speed`
+  bool answers_proven;         // kAnswersProven
+  const Parking* parking;      // null where not kParks
+  const Departing* departing;  // null where not kParks
+  const Docking* docking;      // null where not kDocks
 
   bool (*exact)(const void* self);  // and whether the functions were compiled with exact_arithmetic
   int (*state_size)(const void* self);
@@ -164,6 +167,7 @@ class FunctionsOf {
                                             HasSpeed<R>,
                                             kAnswersProven<R>,
                                             kParks<R> ? &kParking : nullptr,
+                                            kParks<R> ? &kDeparting : nullptr,
                                             kDocks<R> ? &kDocking : nullptr,
                                             exact,
                                             state_size,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "last_metres/pull_in.hpp"
+#include "last_metres/manoeuvre.hpp"
 
 #include <algorithm>
 
@@ -8,8 +8,10 @@
 namespace krait::detail {
 namespace {
 
-// Measured: bench/ABLATIONS.md, "Cars park".
-constexpr float kMoveBraking = 0.5F;     // of the sharpest
+// Measured: bench/ABLATIONS.md, "Cars park" and "Cars leave narrow places".
+constexpr float kMoveBraking = 0.5F;     // of the sharpest,
+constexpr float kOutBraking = 0.3F;      // and outward
+constexpr float kOutSlowest = 0.005F;    // lengths of body 0 that it goes in a time step outward, at least
 constexpr float kAstray = 0.15F;         // lengths of body 0: how far off a move's line the robot may be
 constexpr float kGrip = 0.3F;            // lengths of body 0 within which what it is off shrinks by e
 constexpr float kLeastTurn = 0.01F;      // of the sharpest
@@ -19,27 +21,29 @@ constexpr std::uint32_t kMostMoveStops = 5;
 
 }  // namespace
 
-void PullIn::assign(const Scene& scene, const Nimbleness& robot, const PullOuts& ways, float near) {
+void Manoeuvre::assign(const Scene& scene, const Nimbleness& robot, const PullOuts& ways, float near) {
   scene_ = &scene;
   robot_ = &robot;
   ways_ = &ways;
   near_ = near;
 }
 
-void PullIn::begin_first() {
+void Manoeuvre::begin_first() {
   moves_left_ = ways_->moves(way_);
   stops_ = 0;
   moving_ = true;
   begin_move();
 }
 
-void PullIn::begin_move() {
-  move_ = ways_->move(way_, --moves_left_);
+void Manoeuvre::begin_move() {
+  --moves_left_;
+  const int last = ways_->moves(way_) - 1;
+  move_ = outward_ ? ways_->move(way_, last - moves_left_).reversed() : ways_->move(way_, moves_left_);
   turns_wheels_ = true;
   sum_ = kInfinity;
 }
 
-bool PullIn::aim(const Moment& now, Target& target) {
+bool Manoeuvre::aim(const Moment& now, Target& target) {
   turns_wheels_ = false;
   if (!moving_) begin_first();
   Move::Offset off = move_.offset(now.at());
@@ -50,8 +54,11 @@ bool PullIn::aim(const Moment& now, Target& target) {
   if (math::absolute(off.aside) > kAstray * robot_->length) return false;
   const bool stops = off.way <= near_;
   if (stops && ++stops_ > kMostMoveStops) return false;
+  const float creep = kOutSlowest * robot_->length / (robot_->dt * robot_->top_speed);
+  const float braking = outward_ ? kOutBraking : kMoveBraking;
+  const float slowest = outward_ ? std::min(kSlowest, creep) : kSlowest;
   const float share = pace(*robot_, std::max(0.0F, off.way), now.robot.speed(now.state),
-                           now.robot.stopping_way(now.state), kMoveBraking);
+                           now.robot.stopping_way(now.state), braking, slowest);
   target.speed = stops || turns_wheels_ ? 0.0F : (move_.backward ? share : -share);
   const float bend = curvature(off);
   target.turn = math::clamp(math::absolute(bend) * robot_->turning_radius, kLeastTurn, 1.0F);
@@ -59,7 +66,7 @@ bool PullIn::aim(const Moment& now, Target& target) {
   return true;
 }
 
-float PullIn::curvature(const Move::Offset& off) const {
+float Manoeuvre::curvature(const Move::Offset& off) const {
   const float own = static_cast<float>(move_.turn) / move_.radius;
   if (turns_wheels_) return own;
   const float grip = 1.0F / (kGrip * robot_->length);
@@ -67,13 +74,13 @@ float PullIn::curvature(const Move::Offset& off) const {
   return own - grip * (2.0F * turned + grip * off.aside);
 }
 
-Vec2 PullIn::beside(const Pose& at, float side) const {
+Vec2 Manoeuvre::beside(const Pose& at, float side) const {
   Vec2 way = side * robot_->length * left_of(direction(at.heading));
   for (int i = 0; i < 8 && !scene_->inside_bounds(at.position + way); ++i) way = 0.7F * way;
   return at.position + way;
 }
 
-bool PullIn::leg_over(std::uint32_t steps, std::uint32_t hold, const Moment& now) {
+bool Manoeuvre::leg_over(std::uint32_t steps, std::uint32_t hold, const Moment& now) {
   if (!turns_wheels_) return steps >= hold;
   float sum = 0.0F;
   for (int i = 0; i < now.robot.state_size(); ++i) sum = sum + now.state[i];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Drives a way out of a narrow place in reverse: move by move to the pose. Between two moves the robot stands until its
-// wheels are turned; on a move it is steered back to the move's line by what it is off in place and direction.
+// Drives a way out of a narrow place move by move: in reverse to the pose, or from the pose out. Between two moves the
+// robot stands until its wheels are turned; on a move it is steered back to the move's line by what it is off in place
+// and direction.
 #pragma once
 
 #include <cstdint>
@@ -11,22 +12,34 @@
 
 namespace krait::detail {
 
-class PullIn {
+class Manoeuvre {
  public:
   static constexpr std::uint8_t kNoWay = 255;
 
   // For robots that come to rest within `near` metres of a move's end. What is named must outlive this.
   void assign(const Scene& scene, const Nimbleness& robot, const PullOuts& ways, float near);
 
-  // Prepares for a way out, whose end the robot will be at when aim is called; or for none.
+  // Prepares for a way out, whose end the robot will be at when aim is called; or for none. It will be driven in.
   void begin(std::uint8_t way) {
     way_ = way;
+    outward_ = false;
     moving_ = false;
   }
 
-  // Whether there is a way in, and whether it is being driven.
+  // Prepares for a way out of the pose that the robot is at: it will be driven out, with more care, since what the
+  // robot is off after a move takes it nearer to the obstacles that the next one must pass.
+  void begin_outward(std::uint8_t way) {
+    begin(way);
+    outward_ = true;
+  }
+
+  // Whether there is a way, and whether it is being driven.
   bool any() const { return way_ != kNoWay; }
   bool moving() const { return moving_; }
+
+  // Whether the robot drives the last move, and whether it has arrived at its end.
+  bool on_last_move() const { return moving_ && moves_left_ == 0 && !turns_wheels_; }
+  bool arrived(const Moment& now) const { return on_last_move() && move_.offset(now.at()).way <= near_; }
 
   // The next leg's target, on the way to the pose or at it. False where the robot has left the move's line or does not
   // come to rest at the pose.
@@ -51,6 +64,7 @@ class PullIn {
   const Nimbleness* robot_;
   float near_;
   std::uint8_t way_;
+  bool outward_;
   int moves_left_;
   bool moving_;  // whether the first move has begun
   Move move_;
