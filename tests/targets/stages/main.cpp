@@ -41,6 +41,7 @@ int run(const Board& board, int, const char* const*) {
     stages::scene_bytes(board, scene);
     stages::decomposition(board, scene);
     stages::searches(board, scene);
+    stages::departures(board, scene);
     stages::improvements(board, scene);
   });
   return kDone;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whole searches: every state that was ever placed, in order, then the counts and the plan.
+// Whole searches: every state that was ever placed, in order, then the counts and the plan; and how starts in narrow
+// places are left.
 #include <optional>
 
 #include "krait/krait.hpp"
@@ -74,6 +75,30 @@ void search(const firmware::Board& board, const Scene& scene, const char* name, 
 
 void searches(const firmware::Board& board, const Scene& scene) {
   for_each_robot([&](const char* name, const auto& robot) { search(board, scene, name, robot); });
+}
+
+// A car that reverses begins anywhere, and leaves where it has not come away after its first expansion.
+void departures(const firmware::Board& board, const Scene& scene) {
+  constexpr int kStarts = 64;
+  static Planner planner;
+  ChainParameters reversing = Car::defaults();
+  reversing.min_speed = -1.0F;
+  static const Car car(reversing);
+  Parameters parameters;
+  parameters.tuning.stuck_expansions = 1;
+  Hash hash;
+  hash.add(
+      std::uint32_t{planner.init({board.arena, kBlock, &scene, car}, parameters, {.iterations = kIterations}).ok()});
+  detail::Random random(17);
+  for (int i = 0; i < kStarts; ++i) {
+    const Vec2 at = random_in(scene.bounds(), random);
+    float start[Car::kMaxState];
+    car.rest(at, 2.0F * kPi * random.unit(), nullptr, start);
+    hash.add(static_cast<std::uint32_t>(planner.start({start, Goal::named(0), 1})));
+    (void)planner.advance(24);
+    add_counts(planner.statistics(), hash);
+  }
+  report(board, {scene.name(), "car", "departures"}, hash);
 }
 
 }  // namespace krait::stages

@@ -49,6 +49,7 @@ void motion(const firmware::Board& board);
 void distances(const firmware::Board& board);
 void decomposition(const firmware::Board& board, const Scene& scene);
 void searches(const firmware::Board& board, const Scene& scene);
+void departures(const firmware::Board& board, const Scene& scene);
 void improvements(const firmware::Board& board, const Scene& scene);
 
 // Uniform in [-most, most).
