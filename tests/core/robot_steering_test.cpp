@@ -347,6 +347,7 @@ TEST(RobotSteering, AKinematicTruckDrivesAtTheSpeedAskedForAndStopsAtOnce) {
   p.min_speed = -0.5F;
   EXPECT_FLOAT_EQ(steered(p, {}, toward({5, 0}, 0.5F)).x, 1.25F);
   EXPECT_FLOAT_EQ(steered(p, {}, toward({-5, 0}, -1.0F)).x, -0.5F);
+  EXPECT_FLOAT_EQ(steered(p, {}, toward({-5, 0}, -0.5F)).x, -0.25F);
   EXPECT_NEAR(steered(p, {}, toward({-5, 0}, -1.0F)).y, 0.0F, 1e-5F);
   EXPECT_LT(steered(p, {}, toward({-5, -1}, -1.0F)).y, -0.1F);
   EXPECT_EQ(length(steered(p, {}, toward({0, 5}, 0.0F))), 0.0F);
