@@ -39,6 +39,7 @@ void Expander::set_up(const Robot& robot, float dt, const RecentStates& recent) 
 
 void Expander::assign(const ExpanderTools& tools) {
   tools_ = tools;
+  if (!tools.shoots && tools.robot.departing() == nullptr) return;
   const Nimbleness robot = nimbleness(tools.robot, tools.robot_length, *tools.parameters);
   last_metres_.assign(*tools.scene, tools.ending->goal(), robot);
 }
@@ -107,10 +108,7 @@ bool Expander::begin_leg(const Target& target) {
 }
 
 Outcome Expander::take_leg_step(bool keeps, const Watch& watch) {
-  if (!take_step(drive_)) return Outcome::collision;
-  watch(drive_.state(), drive_.next());
-  drive_.go();
-  ++tools_.statistics->vertices;
+  if (!take_step(drive_, watch)) return Outcome::collision;
   ++expanded_.last.step;
   expanded_.region = region_of(position(), expanded_.region);
   if (tools_.ending->holds(drive_.state(), tools_.goal_depth)) return Outcome::goal_reached;
@@ -147,10 +145,7 @@ bool Expander::continues() {
 }
 
 Outcome Expander::grow(const Watch& watch) {
-  if (!take_step(drive_)) return Outcome::collision;
-  watch(drive_.state(), drive_.next());
-  drive_.go();
-  ++tools_.statistics->vertices;
+  if (!take_step(drive_, watch)) return Outcome::collision;
   ++expanded_.last.step;
   const Index before = expanded_.region;
   expanded_.region = region_of(position(), before);
@@ -181,10 +176,7 @@ bool Expander::begin_shot() {
 Outcome Expander::shoot(const Watch& watch) {
   const Moment now{tools_.robot, brake_.state(), tools_.check->poses()};
   const bool aimed = !last_metres_.leg_over(brake_steps_, now) || begin_shot_leg(now);
-  if (aimed && take_step(brake_)) {
-    watch(brake_.state(), brake_.next());
-    brake_.go();
-    ++tools_.statistics->vertices;
+  if (aimed && take_step(brake_, watch)) {
     ++brake_steps_;
     return tools_.ending->holds(brake_.state(), tools_.goal_depth) ? end_braking() : Outcome::target_not_reached;
   }
@@ -224,11 +216,8 @@ void Expander::begin_braking() {
 }
 
 Outcome Expander::take_brake_step(const Watch& watch) {
-  if (take_step(brake_)) {
-    watch(brake_.state(), brake_.next());
-    const float before = tools_.robot.speed(brake_.state());
-    brake_.go();
-    ++tools_.statistics->vertices;
+  const float before = tools_.robot.speed(brake_.state());
+  if (take_step(brake_, watch)) {
     ++brake_steps_;
     const float* const state = brake_.state();
     const Ending& ending = *tools_.ending;
@@ -254,8 +243,12 @@ bool Expander::keep_recent(std::uint32_t back) {
   return tools_.keeper(recent_.region(step), {last.expansion, step}, recent_.state(step));
 }
 
-bool Expander::take_step(Drive& drive) {
-  return ProvenStep(tools_.robot, *tools_.scene, *tools_.parameters, *tools_.check).prove(drive);
+bool Expander::take_step(Drive& drive, const Watch& watch) {
+  if (!ProvenStep(tools_.robot, *tools_.scene, *tools_.parameters, *tools_.check).prove(drive)) return false;
+  watch(drive.state(), drive.next());
+  drive.go();
+  ++tools_.statistics->vertices;
+  return true;
 }
 
 Index Expander::region_of(Vec2 at, Index last) const {

@@ -157,8 +157,9 @@ class Expander {
   // Has the state `back` steps before the last kept, if there is one.
   bool keep_recent(std::uint32_t back);
 
-  // CONTROLLER, MOTION and COLLISION (lines 5 and 6). False when the step is not free or leaves the robot's limits.
-  bool take_step(Drive& drive);
+  // CONTROLLER, MOTION and COLLISION (lines 5 and 6), and the vertex after the step, to which the drive goes. False
+  // when the step is not free or leaves the robot's limits.
+  bool take_step(Drive& drive, const Watch& watch);
 
   // The region of a position; where no triangle contains it (a reference point outside the body may stand on an
   // obstacle), the last state's.
