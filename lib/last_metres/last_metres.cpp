@@ -131,8 +131,8 @@ void LastMetres::choose_ways(const Pose* poses) {
   if (ways_of_ != WaysOf::goal) {
     manoeuvre_.assign(*scene_, robot_, ways_, near_);
     ways_.find(*scene_, goal_, body_that_pulls_out(0.0F));
+    ways_of_ = WaysOf::goal;
   }
-  ways_of_ = WaysOf::goal;
   Shot shot;
   shot.lead = 0.0F;
   shot.stage = 0.0F;

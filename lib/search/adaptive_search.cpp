@@ -31,7 +31,6 @@ Failure AdaptiveSearch::init(const Setup& setup, const Parameters& parameters, c
 Status AdaptiveSearch::start(const Query& query) {
   if (!usable()) return status();
   departure_.begin_query();
-  stays_ = false;
   reset_groups();
   return begin(query, Keeper(*this));
 }
@@ -49,8 +48,7 @@ void AdaptiveSearch::iterate_restarted() {
     (void)advance(1);
   } else {
     reset_groups();
-    stays_ = !stays_;
-    if (stays_) departure_.skip_try();
+    departure_.begin_restarted();
     begin_restarted();
   }
   pause_restarted();

@@ -86,7 +86,6 @@ class AdaptiveSearch : public GroupedSearch {
   Index group_;                 // that it grows from
   Way ways_[SearchTuning::kMostCandidates];
   Departure departure_;
-  bool stays_;  // whether the last restarted search began with a try without departures: every other one does
 };
 
 }  // namespace krait::detail

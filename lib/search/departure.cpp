@@ -57,12 +57,14 @@ bool Departure::begin_way(Expander& expander) {
   if (hopeless_) return false;
   expander.begin_legs();
   const bool all_driven = next_ == ways_;
-  if (all_driven) far_out_ = !far_out_;
+  if (all_driven) {
+    far_out_ = !far_out_;
+    next_ = 0;
+  }
   if (all_driven || !last_metres.ways_lead_from_start()) {
     ways_ = last_metres.find_ways_from(expander.now().at(), far_out_);
     hopeless_ = ways_ == 0;
   }
-  if (all_driven) next_ = 0;
   if (hopeless_) return false;
   last_metres.manoeuvre().begin_outward(static_cast<std::uint8_t>(next_++));
   leg_steps_ = 0;

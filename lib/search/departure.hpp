@@ -10,14 +10,20 @@ namespace krait::detail {
 class Departure {
  public:
   // Before the first iteration.
-  void begin_query() { query_begins_ = true; }
+  void begin_query() {
+    query_begins_ = true;
+    skipped_ = false;
+  }
   // And whenever the tree begins anew. Ways that were not driven in the try before come first then.
   void begin_try() {
     try_begins_ = true;
     skips_ = false;
   }
-  // Lets the try that begins do without.
-  void skip_try() { skips_ = true; }
+  // And then, where the try is the first of a search that improves a plan: of these every other one does without.
+  void begin_restarted() {
+    skipped_ = !skipped_;
+    skips_ = skipped_;
+  }
 
   // Drives the next way, or the next max_steps steps of one. Returns what became of it, of which the outcome is goes_on
   // where it has not ended; or null, since the tree has come away from the start, or has not made stuck_expansions
@@ -26,7 +32,7 @@ class Departure {
   const Expanded* iterate(Expander& expander, const Watch& watch);
 
  private:
-  // Resets what a query or a try begins with.
+  // Resets what a query or a try begins with: here, since every program contains begin_query and begin_try.
   void begin();
 
   // Whether a way is to be driven now.
@@ -44,7 +50,8 @@ class Departure {
   // What follows has values since begin_query and begin_try, or begin.
   bool query_begins_;
   bool try_begins_;
-  bool skips_;
+  bool skipped_;             // whether the last search that improves a plan has begun without
+  bool skips_;               // whether this try does
   bool away_;                // whether the tree has come away from the start in this try
   bool driving_;             // whether a way is driven
   bool far_out_;             // whether the ways are those that end with a long arc, rather

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An aisle with a row of obstacles on its left in which a parking space is free, and cars that reverse.
+// An aisle with a row of obstacles on its left in which a parking space is free, a bay, and cars that reverse.
 #pragma once
 
 #include "planner_fixture.hpp"
@@ -41,4 +41,33 @@ inline KinematicTruckParameters kinematic() {
   return parameters;
 }
 
+// The same car as `reversing`, in a program without what parks.
+struct Unparked : Car {
+  Unparked() : Car(reversing()) {}
+};
+
+// A bay that a car stands in with its nose ahead: it must back out before it can drive along the aisle. No line from
+// the start leads there, but for one that is driven backwards all the way, which is slow.
+struct InABay : Bench<Car> {
+  static constexpr float kNoseIn[] = {2.0F, 2.4F, 0.5F * kPi, 0, 0};
+
+  explicit InABay(std::uint32_t way_legs) : Bench(bay(), Car(quickly_steered())) { limits.way_legs = way_legs; }
+
+  static Room bay() {
+    Room room;
+    room.bounds = {0, 0, 24, 4};
+    room.boxes = {{0, 2, 1.5, 4}, {2.5, 2, 24, 4}};
+    room.goals = {{22, 0.2, 23.5, 1.8}};
+    return room;
+  }
+  static ChainParameters quickly_steered() {
+    ChainParameters parameters = reversing();
+    parameters.max_steering_rate = 4;
+    return parameters;
+  }
+};
+
 }  // namespace krait::test::parking
+
+template <>
+inline constexpr bool krait::kParks<krait::test::parking::Unparked> = false;

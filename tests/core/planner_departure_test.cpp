@@ -12,20 +12,7 @@ namespace {
 
 using namespace parking;
 
-struct Unparked : Car {
-  Unparked() : Car(reversing()) {}
-};
-
-}  // namespace
-}  // namespace krait::test::planner_departure_test
-
-template <>
-inline constexpr bool krait::kParks<krait::test::planner_departure_test::Unparked> = false;
-
-namespace krait::test::planner_departure_test {
-namespace {
-
-constexpr float kParallel[] = {kSpace - kAxle, 2.11F, 0, 0, 0};
+constexpr float kParallel[] = {kSpace - kAxle, 2.11F, 0, 0, 0};  // in the space
 const Goal kDownTheAisle = Goal::disc({11, 0.8F}, 0.3F);
 constexpr std::uint64_t kSeeds = 10;
 
@@ -225,20 +212,12 @@ TEST(PlannerDeparture, AWayIsOneExpansionOfItsTry) {
 
 // Every other search that improves a plan begins without, since a way out that is found by chance has fewer stops.
 TEST(PlannerDeparture, ABetterPlanMayDoWithout) {
-  Room room;
-  room.bounds = {0, 0, 24, 4};
-  room.boxes = {{0, 2, 1.5, 4}, {2.5, 2, 24, 4}};
-  room.goals = {{22, 0.2, 23.5, 1.8}};
-  ChainParameters quick = reversing();
-  quick.max_steering_rate = 4;
-  Bench<Car> bench(room, Car(quick));
-  bench.limits.way_legs = 300;
-  const float nose_in[] = {2.0F, 2.4F, 0.5F * kPi, 0, 0};
+  InABay bench(300);
   double first = 0;
   double better = 0;
   for (std::uint64_t seed = 10'001; seed <= 10'010; ++seed) {
     ASSERT_TRUE(bench.init().ok());
-    ASSERT_EQ(bench.solve({nose_in, Goal::named(0), seed}), Status::solved);
+    ASSERT_EQ(bench.solve({InABay::kNoseIn, Goal::named(0), seed}), Status::solved);
     first += bench.planner.plan().steps();
     ASSERT_EQ(bench.planner.improve(30'000), Status::solved);
     better += bench.planner.plan().steps();

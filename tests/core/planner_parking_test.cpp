@@ -21,16 +21,10 @@ struct KinematicParked : KinematicTruck {
 struct KinematicUnparked : KinematicTruck {
   KinematicUnparked() : KinematicTruck(kinematic()) {}
 };
-// The same car, which a program has without what parks.
-struct Unparked : Car {
-  Unparked() : Car(reversing()) {}
-};
 
 }  // namespace
 }  // namespace krait::test::planner_parking_test
 
-template <>
-inline constexpr bool krait::kParks<krait::test::planner_parking_test::Unparked> = false;
 template <>
 inline constexpr bool krait::kParks<krait::test::planner_parking_test::KinematicUnparked> = false;
 
@@ -83,38 +77,15 @@ TEST(PlannerParking, ABetterPlanParksAsWell) {
   EXPECT_LE(better, 0.95 * first);
 }
 
-constexpr float kNoseIn[] = {2.0F, 2.4F, 0.5F * kPi, 0, 0};
-
-// A bay that the car stands in with its nose ahead: it must back out before it can drive along the aisle. No line from
-// the start leads there, but for one that is driven backwards all the way, which is slow.
-struct InABay : Bench<Car> {
-  explicit InABay(std::uint32_t way_legs) : Bench(bay(), Car(quickly_steered())) {
-    limits.way_legs = way_legs;
-    parameters.tuning.stuck_expansions = 0;  // so that many a first plan is driven backwards
-  }
-
-  static Room bay() {
-    Room room;
-    room.bounds = {0, 0, 24, 4};
-    room.boxes = {{0, 2, 1.5, 4}, {2.5, 2, 24, 4}};
-    room.goals = {{22, 0.2, 23.5, 1.8}};
-    return room;
-  }
-  static ChainParameters quickly_steered() {
-    ChainParameters parameters = reversing();
-    parameters.max_steering_rate = 4;
-    return parameters;
-  }
-};
-
 TEST(PlannerParking, ABetterPlanBacksOutAsThePlanDid) {
   InABay bench(300);
+  bench.parameters.tuning.stuck_expansions = 0;  // so that many a first plan is driven backwards
   double first = 0;
   double better = 0;
   int ahead = 0;
   for (std::uint64_t seed = 10'001; seed <= 10'010; ++seed) {
     ASSERT_TRUE(bench.init().ok());
-    ASSERT_EQ(bench.solve({kNoseIn, Goal::named(0), seed}), Status::solved);
+    ASSERT_EQ(bench.solve({InABay::kNoseIn, Goal::named(0), seed}), Status::solved);
     first += bench.planner.plan().steps();
     ASSERT_EQ(bench.planner.improve(30'000), Status::solved);
     const Path path(bench.planner.plan());
@@ -130,9 +101,10 @@ TEST(PlannerParking, ABetterPlanBacksOutAsThePlanDid) {
 // A plan may have more legs than a way has room for, which are as many as are kept at most.
 TEST(PlannerParking, NoMoreLegsAreKeptThanAWayHasRoomFor) {
   InABay bench(Limits::kLeastLegs);
+  bench.parameters.tuning.stuck_expansions = 0;
   for (std::uint64_t seed = 10'001; seed <= 10'010; ++seed) {
     ASSERT_TRUE(bench.init().ok());
-    ASSERT_EQ(bench.solve({kNoseIn, Goal::named(0), seed}), Status::solved);
+    ASSERT_EQ(bench.solve({InABay::kNoseIn, Goal::named(0), seed}), Status::solved);
     const Path first(bench.planner.plan());
     ASSERT_EQ(bench.planner.improve(3000), Status::solved);
     const Path better(bench.planner.plan());
