@@ -81,7 +81,9 @@ CONSTANTS = {
             "kLooks": (), "kCornerLooks": (), "kCircleLooks": (), "kLooksBefore": (), "kOutward": (), "kMostCut": (),
             "kSharpest": (), "kTurns": (0.5, 0.75), "kRound": (0.5, 1.3), "kVary": (0.8, 1.1), "kLeaveOut": (0.9, 1.1),
             "kInsert": (0.9, 1.2), "kWithNext": (), "kBeside": (), "kLittle": (), "kMuch": (), "kVaryMoved": ()}},
-    "improve to poses": {"lib/improve/improver.hpp": {"kBraking": ()}},
+    "improve to poses": {
+        "lib/improve/improver.hpp": {"kBraking": ()},
+        "lib/improve/way_drive.hpp": {"kNextShots": (0.5, 1.5)}},
     "improve by turns": {
         "lib/improve/improver.hpp": {"kWorthBackwards": (), "kBackwards": (), "kNoShots": (), "kVaryShots": ()}},
 }

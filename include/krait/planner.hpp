@@ -218,7 +218,7 @@ class Planner {
   friend const detail::AdaptiveSearch& detail::opened(const Planner& planner);
 
   // The size of a detail::AdaptiveSearch, whose arrays are all in the block.
-  static constexpr std::size_t kSearchBytes = sizeof(void*) == 8 ? 6168 : 5576;
+  static constexpr std::size_t kSearchBytes = sizeof(void*) == 8 ? 6200 : 5600;
 
   alignas(std::uint64_t) std::byte search_[kSearchBytes];
 };

@@ -33,6 +33,7 @@ void Improver::allocate(Arena& arena, std::uint32_t legs, int state_size) {
   for (Route& route : routes_) route.allocate(arena, vias);
   best_route_.allocate(arena, vias);
   line_.allocate(arena, std::max(legs, kLeastPoints));
+  drives_.allocate(arena, state_size);
 }
 
 void Improver::begin(const WayTools& tools, PlanProof& proof, const Regions& regions, const PlanPath& plan,
@@ -150,8 +151,10 @@ void Improver::measure_turn() {
   }
   const float most = 20.0F * robot_length_;  // of a robot that drives straight on
   turns_.radius[share_] = path < most * turned ? path / turned : most;
+  if (share_ == 0) sharpest_ = turned / static_cast<float>(kMeasured);
   if (++share_ < Turns::kShares) return;
   turns_.unit = 0.5F * robot_length_ + 2.0F * stride_;
+  if (tools_.last_metres != nullptr) tools_.last_metres->count_turns(sharpest_ > 0.0F ? stride_ / sharpest_ : 0.0F);
   tools_.robot.place(tools_.start, pose);
   trailing_ = trailing_length(pose, tools_.robot.body_count());
   turns_.trail = straightens() ? trailing_ : 0.0F;

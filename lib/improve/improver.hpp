@@ -272,6 +272,7 @@ class Improver {
   float half_width_ = 0.0F;
   float trailing_ = 0.0F;  // metres: of one trailer that cuts corners as all do
   float stride_ = 0.0F;    // metres: the longest step that the robot made
+  float sharpest_ = 0.0F;  // radians of a step of the sharpest turn
   Turns turns_{};
   std::uint32_t share_ = 0;     // of the turns, that is measured next
   std::uint32_t searches_ = 0;  // before each round along a line, and

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "improve/way_drive.hpp"
 
+#include <algorithm>
+
 namespace krait::detail {
+
+void WayDrive::allocate(Arena& arena, int state_size) {
+  resumed_from_ = arena.allocate<float>(Pool::improvement, static_cast<std::uint32_t>(state_size));
+}
 
 void WayDrive::assign(const WayTools& tools, const Manner& manner) {
   tools_ = &tools;
   manner_ = manner;
   step_ = ProvenStep(tools.robot, *tools.scene, *tools.parameters, *tools.check);
+  resumed_after_ = kNone;
 }
 
 void WayDrive::begin(Way& way, const Way& from, std::uint32_t legs, const Route& route, std::uint32_t bound,
@@ -15,10 +22,13 @@ void WayDrive::begin(Way& way, const Way& from, std::uint32_t legs, const Route&
   route_ = &route;
   bound_ = bound;
   until_ = until;
-  const std::uint32_t last = std::min(legs, from.count() > 0 ? from.count() - 1 : 0);
-  const std::uint32_t first = last - last % Way::kLegsAState;
-  tools_->drive->begin(from.count() > 0 ? from.state(first) : tools_->start);
-  for (std::uint32_t i = first; i < legs; ++i) drive_again(from[i]);
+  if (legs == resumed_after_) {
+    tools_->drive->begin(resumed_from_);
+  } else {
+    drive_again(from, legs);
+    std::copy_n(tools_->drive->state(), tools_->robot.state_size(), resumed_from_);
+    resumed_after_ = legs;
+  }
   way.copy(from, legs);
   tools_->check->begin(tools_->drive->state());
   arc_ = legs < from.count() ? from[legs].arc : 0.0F;
@@ -27,6 +37,7 @@ void WayDrive::begin(Way& way, const Way& from, std::uint32_t legs, const Route&
   remaining_ = 0;
   braking_ = false;
   shooting_ = false;
+  next_shots_ = route.shots();
 }
 
 WayDrive::Outcome WayDrive::advance(std::uint32_t steps) {
@@ -54,15 +65,20 @@ WayDrive::Outcome WayDrive::advance(std::uint32_t steps) {
   return Outcome::drives;
 }
 
-void WayDrive::drive_again(const Leg& leg) {
+void WayDrive::drive_again(const Way& way, std::uint32_t legs) {
   Drive& drive = *tools_->drive;
-  Pose poses[kMaxBodies];
-  drive.aim(tools_->grid.unpack(leg.target));
-  for (std::uint32_t step = 0; step < leg.steps; ++step) {
-    tools_->robot.place(drive.state(), poses);
-    drive.lead(poses);
-    drive.follow(poses);
-    drive.go();
+  const std::uint32_t last = std::min(legs, way.count() > 0 ? way.count() - 1 : 0);
+  const std::uint32_t first = last - last % Way::kLegsAState;
+  drive.begin(way.count() > 0 ? way.state(first) : tools_->start);
+  for (std::uint32_t i = first; i < legs; ++i) {
+    drive.aim(tools_->grid.unpack(way[i].target));
+    for (std::uint32_t step = 0; step < way[i].steps; ++step) {
+      Pose poses[kMaxBodies];
+      tools_->robot.place(drive.state(), poses);
+      drive.lead(poses);
+      drive.follow(poses);
+      drive.go();
+    }
   }
 }
 
@@ -101,8 +117,10 @@ bool WayDrive::brake() {
 void WayDrive::begin_shots() {
   LastMetres* const last_metres = tools_->last_metres;
   const float* const state = tools_->drive->state();
-  if (last_metres == nullptr || route_->length() - arc_ > route_->shots()) return;
+  const float remaining = route_->length() - arc_;
+  if (last_metres == nullptr || remaining > next_shots_) return;
   if (!last_metres->near({state[0], state[1]})) return;
+  next_shots_ = kNextShots * remaining;
   last_metres->choose(tools_->check->poses());
   shot_ = way_->count();
   shooting_ = begin_shot();

@@ -37,6 +37,9 @@ class WayDrive {
     full       // the way has no room for more legs
   };
 
+  // Room for a state.
+  void allocate(Arena& arena, int state_size);
+
   // The tools must outlive this. What is the same for all ways: legs of `hold` steps, `stride` metres the longest step
   // that the robot has made, `reach` metres how far on along the route its place is looked for, `near` metres how far
   // from the route's end a way may end.
@@ -51,7 +54,7 @@ class WayDrive {
 
   // Makes `way` the first `legs` legs of `from`, or of none, and drives on from there along the measured route, while
   // it may have fewer than `bound` steps and has not come `until` metres along it. Drives at most Way::kLegsAState of
-  // the legs again.
+  // the legs again, and none where the last way since assign began with as many: `from` must begin with the same.
   void begin(Way& way, const Way& from, std::uint32_t legs, const Route& route, std::uint32_t bound, float until);
 
   // Drives at most `steps` steps more.
@@ -65,9 +68,11 @@ class WayDrive {
   static constexpr std::uint32_t kMostStuck = 12;  // legs that get no further along the route
   static constexpr float kFurther = 0.025F;        // of `reach`: what counts as further
   static constexpr float kLeastShare = 0.97F;      // of the route or line that is left, below which no way on is
+  static constexpr float kNextShots = 0.65F;       // of the route that was left when the robot last shot: there it
+                                                   // shoots again
 
-  // The same bits as when the leg was driven first.
-  void drive_again(const Leg& leg);
+  // Drives to where that leg of the way begins, or would begin, with the same bits as when its legs were driven first.
+  void drive_again(const Way& way, std::uint32_t legs);
 
   // False when the step is not free.
   bool take_step(Drive& drive);
@@ -105,12 +110,15 @@ class WayDrive {
   const Route* route_;
   std::uint32_t bound_;
   float until_;
+  float* resumed_from_;          // the state where the last way left the one before,
+  std::uint32_t resumed_after_;  // after so many legs; kNone: there is none since assign
   float arc_;
   float furthest_;  // of arc_, from where on it counted as further
   std::uint32_t stuck_;
   std::uint32_t remaining_;  // steps of the leg
   bool braking_;             // whether the last leg is a brake
   bool shooting_;            // whether the last legs are a shot's,
+  float next_shots_;         // metres of the route that are left where they begin next,
   std::uint32_t shot_;       // the first of them,
   std::uint32_t leg_steps_;  // and the steps of the last
 };

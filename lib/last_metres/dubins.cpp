@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "last_metres/dubins.hpp"
 
+#include <algorithm>
+
 #include "krait/status.hpp"
 #include "last_metres/arc.hpp"
 
@@ -85,6 +87,16 @@ Pose CurvedLine::at(float arc) const {
     arc -= piece.length;
   }
   return along(end_, 0, radius_, arc);
+}
+
+float CurvedLine::curve_from(float arc) const {
+  float curved = 0.0F;
+  for (int i = 0; i < count_; ++i) {
+    const Piece& piece = pieces_[i];
+    if (piece.turn != 0 && arc < piece.length) curved += piece.length - std::max(arc, 0.0F);
+    arc -= piece.length;
+  }
+  return curved / radius_;
 }
 
 bool dubins(int word, const Pose& from, const Pose& to, float radius, CurvedLine& line) {

@@ -25,6 +25,7 @@ class CurvedLine {
 
   float length() const { return length_; }  // metres
   float turned() const { return turned_; }  // radians, on the spot
+  float curve_from(float arc) const;        // radians of its arcs from the place `arc` metres along it on
   const Pose& end() const { return end_; }
 
   // The pose `arc` metres along the line; beyond its ends on the straight lines that it ends with.

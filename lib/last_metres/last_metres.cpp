@@ -58,6 +58,7 @@ void LastMetres::assign(const Scene& scene, const Goal& goal, const Nimbleness& 
   goal_ = goal;
   robot_ = robot;
   braking_ = kBraking;
+  turn_ = 0.0F;
   draw_with({});
   const bool spins = robot.turning_radius == 0.0F;
   short_leads_ = asks_for_straight() || !spins ? kShortLeadCount : 0;
@@ -261,7 +262,16 @@ bool LastMetres::aim(const Moment& now, Target& target) {
 float LastMetres::least_remaining(const Moment& now) const {
   const float way = remaining();
   const float braked = math::absolute(now.robot.stopping_way(now.state)) / braking_;
-  return way + std::min(way, braked);
+  const float radius = radii_[shots_[shot_ - 1].radius];
+  const float turns = turn_ > radius ? (turn_ - radius) * least_turn(now) : 0.0F;
+  return way + std::min(way, braked) + turns;
+}
+
+float LastMetres::least_turn(const Moment& now) const {
+  const Shot& shot = shots_[shot_ - 1];
+  if (!on_the_spot(shot)) return line_.curve_from(arc_);
+  const float here = turning_ ? off(now.poses[leader(shot)]) : 0.0F;
+  return arrived() ? here : here + angle_between(line_.at(0.0F).heading, before_end(shot, 0.0F).heading);
 }
 
 bool LastMetres::leg_over(std::uint32_t steps, const Moment& now) {

@@ -43,6 +43,10 @@ class LastMetres {
   // How sharply later shots brake, of the sharpest: assign sets what keeps most of them on their lines.
   void brake(float share) { braking_ = share; }
 
+  // How many metres the robot drives at its top speed in the time that it takes to turn by a radian as fast as it can,
+  // by which least_remaining counts turns; assign sets 0.
+  void count_turns(float metres) { turn_ = metres; }
+
   // Which lines later shots have: with arcs and straight ends of so many times the size that assign sets, and with
   // detours, ways out or stages or swings, where others fail.
   struct Lines {
@@ -103,7 +107,7 @@ class LastMetres {
   // The next leg's target. False when the shot has ended, the robot has left its line, or it does not turn.
   bool aim(const Moment& now, Target& target);
 
-  // Metres at the top speed that take no more time than what remains of the shot's line.
+  // Metres at the top speed that take no more time than what remains of the shot's line and turns. After aim.
   float least_remaining(const Moment& now) const;
 
   // Whether a leg of `steps` steps is over: one that turns the robot or its wheels, when they have turned.
@@ -150,6 +154,9 @@ class LastMetres {
   // Goes along the line as far as the robot has come. False where it has left the line.
   bool keep_to_line(const Pose& at);
 
+  // Radians by which the robot has to turn still, along the line or on the spot.
+  float least_turn(const Moment& now) const;
+
   // Metres that remain of the shot's line.
   float remaining() const { return line_.length() - arc_; }
 
@@ -174,6 +181,7 @@ class LastMetres {
   Sight sight_;
   Sight spin_;  // for a disc that body 0 lies in
   float braking_;
+  float turn_;               // metres, by which a radian counts
   float radii_[kRadii + 2];  // metres; the last two are that of swings
   float leads_[kLeadCount];  // metres, the short ones first
   int short_leads_;          // how many are only for where there is no room for the others

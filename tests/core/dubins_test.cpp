@@ -104,6 +104,25 @@ TEST_F(Dubins, LengthsAreThoseOfTheFormulas) {
   for (const int count : compared) EXPECT_GT(count, 1000);
 }
 
+TEST_F(Dubins, WhatALineCurvesFromAPlaceOnIsThatOfItsTurns) {
+  for (int i = 0; i < 300; ++i) {
+    const Place from = place(), to = place();
+    const float radius = uniform_float(random_, 0.3F, 3);
+    for (int word = 0; word < detail::kDubinsWords; ++word) {
+      detail::CurvedLine line;
+      if (!detail::dubins(word, pose(from), pose(to), radius, line)) continue;
+      constexpr int kParts = 1000;
+      const float step = line.length() / kParts;
+      double curve = 0;
+      for (int k = kParts; k >= 0; --k) {
+        const Pose here = line.at(step * static_cast<float>(k));
+        ASSERT_NEAR(static_cast<double>(line.curve_from(step * static_cast<float>(k))), curve, 5e-2) << "word " << word;
+        curve += static_cast<double>(angle_between(line.at(step * static_cast<float>(k - 1)).heading, here.heading));
+      }
+    }
+  }
+}
+
 TEST_F(Dubins, OneFindsAWordWhereTheOtherDoes) {
   int differ = 0;
   int found_some = 0;

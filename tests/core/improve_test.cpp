@@ -170,9 +170,10 @@ TEST(ImproveMemory, IsPartOfTheBytesRequired) {
   bench.limits.way_legs = kLegs;
   const auto with = bench.planner.bytes_required(bench.open.scene, bench.robot, bench.limits);
   // Three ways of 16 bytes a leg, two of them with a state for every 16 legs and one more, each padded to 8 bytes,
-  // three routes of 64 vias, and two lines of 256 points.
+  // three routes of 64 vias, two lines of 256 points, and the state that a drive goes on from.
   constexpr std::uint64_t kStates = (5 * 4 * (kLegs / 16 + 1) + 7) / 8 * 8;
-  EXPECT_EQ(with - without, 3 * 16 * kLegs + 2 * kStates + 3 * 64 * 20 + 2 * 256 * 8);
+  constexpr std::uint64_t kState = (5 * 4 + 7) / 8 * 8;
+  EXPECT_EQ(with - without, 3 * 16 * kLegs + 2 * kStates + kState + 3 * 64 * 20 + 2 * 256 * 8);
   const Failure failure = bench.init(with - 1);
   EXPECT_EQ(failure.status, Status::arena_too_small);
   EXPECT_EQ(failure.bytes_needed, with);
