@@ -103,7 +103,7 @@ Room kink() {
 }
 
 // First plans lead around the outside: behind the kink the trailer can be straightened on tight arcs only. With as many
-// checks as 40 times the first plans took these come to 0.723 of their steps, and to 0.809 where the line through the
+// checks as 40 times the first plans took these come to 0.635 of their steps, and to 0.727 where the line through the
 // kink is taken no more often for being much shorter.
 TEST(ImprovePose, ATruckTakesTheShorterWayThroughAKink) {
   constexpr int kSearches = 8;
@@ -122,7 +122,7 @@ TEST(ImprovePose, ATruckTakesTheShorterWayThroughAKink) {
     while (bench.planner.statistics().collision_checks < most) EXPECT_EQ(bench.planner.improve(10), Status::solved);
     better += bench.planner.plan().steps();
   }
-  EXPECT_LE(better / first, 0.765);
+  EXPECT_LE(better / first, 0.68);
 }
 
 // dynobench's unicycle2, in a place of its own with a goal to its side: shots that turn much are slow. By collision

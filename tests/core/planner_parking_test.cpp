@@ -99,12 +99,10 @@ TEST(PlannerParking, ABetterPlanBacksOutAsThePlanDid) {
 }
 
 // A plan may have more legs than a way has room for, which are as many as are kept at most.
-TEST(PlannerParking, NoMoreLegsAreKeptThanAWayHasRoomFor) {
-  InABay bench(Limits::kLeastLegs);
-  bench.parameters.tuning.stuck_expansions = 0;
+void expect_better_with_few_legs(InABay& bench, const Goal& goal) {
   for (std::uint64_t seed = 10'001; seed <= 10'010; ++seed) {
     ASSERT_TRUE(bench.init().ok());
-    ASSERT_EQ(bench.solve({InABay::kNoseIn, Goal::named(0), seed}), Status::solved);
+    ASSERT_EQ(bench.solve({InABay::kNoseIn, goal, seed}), Status::solved);
     const Path first(bench.planner.plan());
     ASSERT_EQ(bench.planner.improve(3000), Status::solved);
     const Path better(bench.planner.plan());
@@ -115,6 +113,18 @@ TEST(PlannerParking, NoMoreLegsAreKeptThanAWayHasRoomFor) {
     }
     EXPECT_GT(better.states.back()[0], 22.0F);
   }
+}
+
+TEST(PlannerParking, NoMoreLegsAreKeptThanAWayHasRoomFor) {
+  InABay bench(Limits::kLeastLegs);
+  bench.parameters.tuning.stuck_expansions = 0;
+  expect_better_with_few_legs(bench, Goal::named(0));
+}
+
+// The plan ends with a shot, whose legs are two steps each, so that it has some fifty legs.
+TEST(PlannerParking, NorOfAPlanOfManyLegs) {
+  InABay bench(Limits::kLeastLegs);
+  expect_better_with_few_legs(bench, Goal::pose({22.7F, 1.0F}, 0.3F, {0.0F, 0.3F, false, kInfinity}));
 }
 
 TEST(PlannerParking, NoLineOfOneGearLeadsThere) {
