@@ -12,6 +12,7 @@
 #include "host/cli/plan_search.hpp"
 #include "host/cli/plan_summary.hpp"
 #include "host/input/file.hpp"
+#include "host/input/interrupt.hpp"
 #include "host/input/outputs.hpp"
 #include "host/input/progress.hpp"
 #include "host/picture/picture.hpp"
@@ -58,6 +59,16 @@ int judge(SearchResult& result, const Ground& ground, const SearchRequest& reque
   return kOwnBug;
 }
 
+// Checks the result and writes it; Ctrl-C comes too late for that. Returns the exit code.
+int finish(SearchResult& result, const Ground& ground, const SearchRequest& request, const PlanOptions& options,
+           Verdict& verdict, Progress& progress) {
+  const Interrupt too_late;
+  const int code = judge(result, ground, request, options, verdict, progress);
+  if (!options.json.empty()) write_file(options.json, to_json(result.plan).dump() + "\n");
+  if (!options.csv.empty()) write_file(options.csv, plan_table(result.plan));
+  return code;
+}
+
 void write_pictures(const PlanOptions& options, const Picture& picture) {
   if (!options.svg.empty()) write_file(options.svg, draw_svg(picture));
   if (!options.png.empty()) write_file(options.png, draw_png(picture));
@@ -99,9 +110,7 @@ void plan(const PlanOptions& options) {
   if (ground.map) name_obstacles(*ground.map, request);
   auto [result, clearance] = answer_for(ground, options, request, progress);
   Verdict verdict;
-  const int code = judge(result, ground, request, options, verdict, progress);
-  if (!options.json.empty()) write_file(options.json, to_json(result.plan).dump() + "\n");
-  if (!options.csv.empty()) write_file(options.csv, plan_table(result.plan));
+  const int code = finish(result, ground, request, options, verdict, progress);
   print_summary(result, request, ground, options.query.heading.has_value(), clearance);
   if (request.improve > 0 && !result.plan.controls.empty()) print_improvement(result, request);
   if (code == kDone) print_quality(result, request, ground.scene, verdict);

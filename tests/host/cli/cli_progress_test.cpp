@@ -114,6 +114,20 @@ TEST_F(CliProgress, CtrlCWhileTheSceneIsWrittenComesTooLate) {
   EXPECT_THAT(krait({"info", "scene.krait"}).output, HasSubstr("small"));
 }
 
+// The pipe that the plan goes to has no room for all of it, and its reader begins after the interrupt.
+TEST_F(CliProgress, CtrlCWhileThePlanIsWrittenComesTooLate) {
+  const std::string plan = " plan room.krait --robot snake:15 --dt 0.01 --improve 0 -o /dev/stdout --csv plan.csv";
+  const std::string command = "exec " + krait_path() + plan + " > >(sleep 3; cat >late; mv late shown)";
+  const Outcome outcome = run_and_interrupt("/bin/bash", {"-c", command}, directory(), 1500ms);
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.errors, "");
+  for (int i = 0; i < 100 && !std::filesystem::exists(path("shown")); ++i) std::this_thread::sleep_for(50ms);
+  const std::string shown = read_text(path("shown"));
+  EXPECT_GT(shown.size(), 1U << 16U);
+  EXPECT_THAT(shown, HasSubstr(", verified\n"));
+  EXPECT_TRUE(std::filesystem::exists(path("plan.csv")));
+}
+
 // A terminal sends it to both programs, of which the one that plans has the word.
 TEST_F(CliProgress, CtrlCWhileTheMapIsCompiledHasALine) {
   std::filesystem::copy_file(krait_path(), path("krait"));
