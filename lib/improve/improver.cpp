@@ -154,7 +154,7 @@ void Improver::measure_turn() {
   if (share_ == 0) sharpest_ = turned / static_cast<float>(kMeasured);
   if (++share_ < Turns::kShares) return;
   turns_.unit = 0.5F * robot_length_ + 2.0F * stride_;
-  if (tools_.last_metres != nullptr) tools_.last_metres->count_turns(sharpest_ > 0.0F ? stride_ / sharpest_ : 0.0F);
+  if (chooses_shots() && sharpest_ > 0.0F) tools_.last_metres->count_turns(stride_ / sharpest_);
   tools_.robot.place(tools_.start, pose);
   trailing_ = trailing_length(pose, tools_.robot.body_count());
   turns_.trail = straightens() ? trailing_ : 0.0F;
