@@ -167,12 +167,12 @@ far a plan's positions are apart, at most over all plans, if its controls are in
 within the tolerances above, which is a little less way than to the goal itself. Its times are those of a search in a
 program that has compiled the map. The machines differ.
 
-**Where krait is no better.** `unicycle2` drives as its steering lets it, which brakes to turn in narrow corners: after
-50 ms its plans through `kink_0` and `bugtrap_0` take 1.43 and 1.19 times the best, after 1 s 1.10 and 1.00 times.
-First plans of `car1` through `kink_0` go around the outside, and 50 ms are too short to find the way through the kink,
-which 1 s is enough for. A plan of `car1` that ends in a push at a fifth of its speed, as some first plans through
-`bugtrap_0` do, takes three times as long, and 50 ms are not always enough to replace it. A search of `car1` in
-`parallelpark_0` that misses the way in at first takes longer than 50 ms: one of 100.
+**Where krait is no better.** `unicycle2` drives as its steering lets it, which brakes to turn in narrow corners: 50 ms
+are too short for as good plans through `kink_0` and `bugtrap_0`. First plans through `kink_0` go around the outside,
+and in 50 ms about half of the searches for `car1` and `unicycle2` find a way through the kink, in 1 s all of them. A
+plan of `car1` that ends in a push at a fifth of its speed, as some first plans through `bugtrap_0` do, takes three
+times as long, and 50 ms are not always enough to replace it. A search of `car1` in `parallelpark_0` that misses the way
+in at first takes longer than 50 ms.
 """
 
 
