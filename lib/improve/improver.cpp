@@ -121,19 +121,6 @@ void Improver::take_found(const PlanPath& found) {
   best_kept_ = 0;
 }
 
-float Improver::step_unproven(Pose& after) {
-  Drive& drive = *tools_.drive;
-  Pose poses[kMaxBodies];
-  tools_.robot.place(drive.state(), poses);
-  const Vec2 before = poses[0].position;
-  drive.lead(poses);
-  drive.follow(poses);
-  drive.go();
-  tools_.robot.place(drive.state(), poses);
-  after = poses[0];
-  return length(after.position - before);
-}
-
 void Improver::measure_turn() {
   tools_.drive->begin(tools_.start);
   Pose pose[kMaxBodies];
@@ -142,12 +129,14 @@ void Improver::measure_turn() {
   float turned = 0.0F;
   for (std::uint32_t step = 0; step < kRunUp + kTurning; ++step) {
     if (step % kHold == 0) aim_aside(pose[0], step >= kRunUp);
-    const SinCos before = pose[0].heading;
-    const float made = step_unproven(pose[0]);
+    const Pose before = pose[0];
+    tools_.drive->step();
+    tools_.robot.place(tools_.drive->state(), pose);
+    const float made = length(pose[0].position - before.position);
     if (made > stride_) stride_ = made;
     if (step < kRunUp + kTurning - kMeasured) continue;
     path += made;
-    turned += length(Vec2{pose[0].heading.cos - before.cos, pose[0].heading.sin - before.sin});
+    turned += length(Vec2{pose[0].heading.cos - before.heading.cos, pose[0].heading.sin - before.heading.sin});
   }
   const float most = 20.0F * robot_length_;  // of a robot that drives straight on
   turns_.radius[share_] = path < most * turned ? path / turned : most;
@@ -224,8 +213,7 @@ void Improver::keep() {
 
 bool Improver::follow_plan() {
   if (step_ == 0) tools_.drive->aim(plan_.target(leg_));
-  Pose pose;
-  step_unproven(pose);
+  tools_.drive->step();
   if (++step_ < plan_.steps(leg_)) return false;
   step_ = 0;
   leg_ = plan_.next(leg_);

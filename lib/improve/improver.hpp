@@ -123,9 +123,6 @@ class Improver {
 
   void take_plan(const PlanPath& plan);
 
-  // One unproven step of the drive; returns how long it is.
-  float step_unproven(Pose& after);
-
   // What the robot's turns are like: far ahead for some steps, then far to the left, as if nothing was there.
   void measure_turn();
 

@@ -72,13 +72,7 @@ void WayDrive::drive_again(const Way& way, std::uint32_t legs) {
   drive.begin(way.count() > 0 ? way.state(first) : tools_->start);
   for (std::uint32_t i = first; i < legs; ++i) {
     drive.aim(tools_->grid.unpack(way[i].target));
-    for (std::uint32_t step = 0; step < way[i].steps; ++step) {
-      Pose poses[kMaxBodies];
-      tools_->robot.place(drive.state(), poses);
-      drive.lead(poses);
-      drive.follow(poses);
-      drive.go();
-    }
+    for (std::uint32_t step = 0; step < way[i].steps; ++step) drive.step();
   }
 }
 

@@ -34,4 +34,12 @@ void Drive::follow(const Pose* poses) {
   if (parts_ == 1) motion_.follow(robot_, states_[here_], poses, dt_, states_[1 - here_]);
 }
 
+void Drive::step() {
+  Pose poses[kMaxBodies];
+  robot_.place(state(), poses);
+  lead(poses);
+  follow(poses);
+  go();
+}
+
 }  // namespace krait::detail

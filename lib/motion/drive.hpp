@@ -28,6 +28,9 @@ class Drive {
   // Goes there.
   void go() { here_ = 1 - here_; }
 
+  // All of a step, which nothing proves.
+  void step();
+
   const float* state() const { return states_[here_]; }
   const float* control() const { return control_; }         // of the last step
   const float* next() const { return states_[1 - here_]; }  // where it leads, until go

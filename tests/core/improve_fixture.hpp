@@ -53,6 +53,12 @@ struct Solved : Bench<R> {
   std::vector<float> start;
 };
 
+// Improves the first plan, by `cut` iterations a call, until all has cost `times` as many collision checks as it did.
+inline void improve_by_checks(Planner& planner, std::uint64_t times, std::uint64_t cut = 10) {
+  const std::uint64_t most = times * planner.statistics().collision_checks;
+  while (planner.statistics().collision_checks < most) ASSERT_EQ(planner.improve(cut), Status::solved);
+}
+
 inline bool same(const Statistics& a, const Statistics& b) {
   return a.hash == b.hash && a.plan_steps == b.plan_steps && a.improvements == b.improvements &&
          a.collision_checks == b.collision_checks;

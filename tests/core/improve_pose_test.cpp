@@ -75,8 +75,7 @@ TEST(ImprovePose, ARobotThatIsSlowToTurnShootsWhereThatHelps) {
   double steps = 0;
   for (std::uint64_t seed = kSeed; seed < kSeed + kSearches; ++seed) {
     Solved<Unicycle> bench(slow_to_turn(0.5F), seed, kManyLegs, pose(static_cast<int>(seed % 4)));
-    const std::uint64_t most = 3 * bench.planner.statistics().collision_checks;
-    while (bench.planner.statistics().collision_checks < most) EXPECT_EQ(bench.planner.improve(10), Status::solved);
+    improve_by_checks(bench.planner, 3);
     steps += bench.planner.plan().steps();
   }
   EXPECT_LE(steps / kSearches, 331);
@@ -117,25 +116,19 @@ TEST(ImprovePose, ATruckTakesTheShorterWayThroughAKink) {
     bench.robot.rest({1.5F, 4}, 0.5F * kPi, nullptr, start.data());
     const Goal goal = Goal::pose({6.5F, 4}, kNear, {0.5F * kPi, kNear, false, kNear});
     ASSERT_EQ(bench.solve({start.data(), goal, seed}), Status::solved);
-    const std::uint64_t most = 40 * bench.planner.statistics().collision_checks;
     first += bench.planner.plan().steps();
-    while (bench.planner.statistics().collision_checks < most) EXPECT_EQ(bench.planner.improve(10), Status::solved);
+    improve_by_checks(bench.planner, 40);
     better += bench.planner.plan().steps();
   }
   EXPECT_LE(better / first, 0.68);
 }
 
-// dynobench's unicycle2, in a place of its own with a goal to its side: shots that turn much are slow. By collision
+// A goal to the side of a machine that turns slowly: shots that turn much are slow. By collision
 // checks; where turns count as no time, plans take 126 steps.
 TEST(ImprovePose, ShotsThatTurnTooSlowlyTakeNoChecks) {
   constexpr int kSearches = 40;
-  Unicycle2Parameters p;
+  Unicycle2Parameters p = sluggish();
   p.body_width = 0.25F;
-  p.max_speed = 0.5F;
-  p.min_speed = -0.5F;
-  p.max_turn_rate = 0.5F;
-  p.max_acceleration = 0.25F;
-  p.max_turn_acceleration = 0.25F;
   Room room;
   room.bounds = {0, 0, 12, 12};
   double steps = 0;
@@ -146,8 +139,7 @@ TEST(ImprovePose, ShotsThatTurnTooSlowlyTakeNoChecks) {
     const std::vector<float> start = standing(bench.robot, {4, 6});
     const Goal goal = Goal::pose({6, 8}, kNear, {0.0F, kNear, false, kInfinity});
     ASSERT_EQ(bench.solve({start.data(), goal, seed}), Status::solved);
-    const std::uint64_t most = 10 * bench.planner.statistics().collision_checks;
-    while (bench.planner.statistics().collision_checks < most) EXPECT_EQ(bench.planner.improve(10), Status::solved);
+    improve_by_checks(bench.planner, 10);
     steps += bench.planner.plan().steps();
   }
   EXPECT_LE(steps / kSearches, 118);

@@ -79,8 +79,7 @@ TEST(Improve, TriesBeginNearTheirCorner) {
     ASSERT_TRUE(bench.init().ok());
     const std::vector<float> start = start_of(bench.robot);
     ASSERT_EQ(bench.solve({start.data(), Goal::named(0), seed}), Status::solved);
-    const std::uint64_t most = 2 * bench.planner.statistics().collision_checks;
-    while (bench.planner.statistics().collision_checks < most) ASSERT_EQ(bench.planner.improve(1), Status::solved);
+    improve_by_checks(bench.planner, 2, 1);
     steps += bench.planner.plan().steps();
   }
   EXPECT_LE(steps, 15'140U);

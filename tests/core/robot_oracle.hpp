@@ -153,14 +153,20 @@ inline std::vector<Unicycle> instances<Unicycle>() {
   slow.min_speed = 0.0F;
   return {Unicycle({}), Unicycle(slow)};
 }
+// dynobench's machine, which takes two seconds to its top speed and to its largest turn rate.
+inline Unicycle2Parameters sluggish() {
+  Unicycle2Parameters p;
+  p.max_speed = 0.5F;
+  p.min_speed = -0.5F;
+  p.max_turn_rate = 0.5F;
+  p.max_acceleration = 0.25F;
+  p.max_turn_acceleration = 0.25F;
+  return p;
+}
 template <>
 inline std::vector<Unicycle2> instances<Unicycle2>() {
-  Unicycle2Parameters slow;
-  slow.max_speed = 0.5F;
+  Unicycle2Parameters slow = sluggish();
   slow.min_speed = 0.0F;
-  slow.max_turn_rate = 0.5F;
-  slow.max_acceleration = 0.25F;
-  slow.max_turn_acceleration = 0.25F;
   return {Unicycle2({}), Unicycle2(slow)};
 }
 template <>

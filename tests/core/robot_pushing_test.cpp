@@ -46,9 +46,7 @@ class Backing {
   void aim(Vec2 point) { drive.aim({point, -1.0F, dt_}); }
 
   void step() {
-    drive.lead(poses.data());
-    drive.follow(poses.data());
-    drive.go();
+    drive.step();
     place();
   }
 

@@ -7,6 +7,7 @@
 
 #include "krait/krait.hpp"
 #include "motion/drive.hpp"
+#include "robot_oracle.hpp"
 
 namespace krait::test::robot_steering_test {
 namespace {
@@ -56,11 +57,7 @@ std::vector<float> turned_to(float heading, const R& robot, const std::vector<fl
   drive.aim(target);
   std::vector<float> errors;
   for (int i = 0; i < 200; ++i) {
-    Pose poses[1];
-    robot.place(StateView(drive.state(), 5), poses);
-    drive.lead(poses);
-    drive.follow(poses);
-    drive.go();
+    drive.step();
     EXPECT_TRUE(robot.within_limits(StateView(drive.state(), 5)));
     errors.push_back(drive.state()[2] - heading);
   }
@@ -68,28 +65,17 @@ std::vector<float> turned_to(float heading, const R& robot, const std::vector<fl
   return errors;
 }
 
-// dynobench's machine, which takes two seconds to its top speed and to its largest turn rate.
-Unicycle2 sluggish() {
-  Unicycle2Parameters p;
-  p.max_speed = 0.5F;
-  p.min_speed = -0.5F;
-  p.max_turn_rate = 0.5F;
-  p.max_acceleration = 0.25F;
-  p.max_turn_acceleration = 0.25F;
-  return Unicycle2(p);
-}
-
 TEST(RobotSteering, ASecondOrderUnicycleTurnsToItsTargetWithoutPassingIt) {
   for (const float speed : {1.0F, 1e-3F}) {
     for (const float heading : {0.05F, 0.4F, 1.5F, 3.1F}) {
-      for (const float error : turned_to(heading, sluggish(), {0, 0, 0, 0, 0}, speed)) EXPECT_LT(error, 2e-3F);
-      EXPECT_NEAR(turned_to(heading, sluggish(), {0, 0, 0, 0, 0}, speed).back(), 0.0F, 2e-3F);
+      for (const float error : turned_to(heading, Unicycle2(sluggish()), {0, 0, 0, 0, 0}, speed))
+        EXPECT_LT(error, 2e-3F);
+      EXPECT_NEAR(turned_to(heading, Unicycle2(sluggish()), {0, 0, 0, 0, 0}, speed).back(), 0.0F, 2e-3F);
       EXPECT_NEAR(turned_to(heading, Unicycle2(Unicycle2Parameters()), {0, 0, 0, 0, 0}, speed).back(), 0.0F, 2e-3F);
     }
   }
 }
 
-// It turns by half a radian more until its turn rate is 0, which brings it nearer to what lies behind it.
 // Its wheels take four seconds to their top speed.
 TEST(RobotSteering, ADifferentialDriveWithSlowWheelsHardlyPassesItsTarget) {
   DifferentialDriveParameters p;
@@ -118,13 +104,14 @@ TEST(RobotSteering, ACarWithSlowWheelsHardlyPassesItsTarget) {
   }
 }
 
+// It turns by half a radian more until its turn rate is 0, which brings it nearer to what lies behind it.
 TEST(RobotSteering, ASecondOrderUnicycleTurnsOnWhereItCannotTurnBack) {
   for (const float side : {1.0F, -1.0F}) {
     const std::vector<float> turning = {0, 0, 0, 0, 0.5F * side};
-    const std::vector<float> on = turned_to(-2.9F * side, sluggish(), turning, 1.0F);
+    const std::vector<float> on = turned_to(-2.9F * side, Unicycle2(sluggish()), turning, 1.0F);
     EXPECT_NEAR(on[9] - on[0], 0.45F * side, 1e-3F);  // it does not brake
     EXPECT_NEAR(on.back(), 2.0F * kPi * side, 2e-3F);
-    const std::vector<float> back = turned_to(-2.0F * side, sluggish(), turning, 1.0F);
+    const std::vector<float> back = turned_to(-2.0F * side, Unicycle2(sluggish()), turning, 1.0F);
     EXPECT_LT((back[9] - back[0]) * side, 0.4F);
     EXPECT_NEAR(back.back(), 0.0F, 2e-3F);
   }
@@ -164,7 +151,7 @@ TEST(RobotSteering, ASecondOrderUnicycleDrivesOnThroughATurnThatIsNotTheSharpest
     target.dt = 1.0F;
     Steering steering;
     float control[2];
-    sluggish().steer(StateView(state, 5), target, steering, ControlRef(control, 2));
+    Unicycle2(sluggish()).steer(StateView(state, 5), target, steering, ControlRef(control, 2));
     return state[3] + control[0];
   };
   const float takes = 0.5F * kPi / 0.5F + 0.5F / 0.245F;
@@ -266,11 +253,7 @@ std::vector<float> stopped(const R& robot, std::vector<float> state, Vec2 toward
   drive.aim(target);
   for (int i = 0; i < 100 && robot.speed(StateView(drive.state(), size)) > 1e-3F; ++i) {
     const float before = robot.speed(StateView(drive.state(), size));
-    Pose poses[R::kMaxBodies];
-    robot.place(StateView(drive.state(), size), poses);
-    drive.lead(poses);
-    drive.follow(poses);
-    drive.go();
+    drive.step();
     EXPECT_LT(robot.speed(StateView(drive.state(), size)), before);
     EXPECT_TRUE(robot.within_limits(StateView(drive.state(), size)));
   }

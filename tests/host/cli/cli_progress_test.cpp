@@ -42,6 +42,10 @@ class CliProgress : public CliTest {
   Outcome interrupted(const std::vector<std::string>& arguments) const {
     return run_and_interrupt(krait_path(), arguments, directory(), 1500ms);
   }
+  // Until the file is there, or five seconds.
+  void wait_for(const char* file) const {
+    for (int i = 0; i < 100 && !std::filesystem::exists(path(file)); ++i) std::this_thread::sleep_for(50ms);
+  }
 };
 
 TEST_F(CliProgress, CtrlCEndsASearchAsATimeLimitDoes) {
@@ -110,7 +114,7 @@ TEST_F(CliProgress, CtrlCWhileTheSceneIsWrittenComesTooLate) {
   const Outcome outcome = run_and_interrupt("/bin/bash", {"-c", command}, directory(), 1500ms);
   EXPECT_EQ(outcome.code, 0);
   EXPECT_EQ(outcome.errors, "");
-  for (int i = 0; i < 100 && !std::filesystem::exists(path("scene.krait")); ++i) std::this_thread::sleep_for(50ms);
+  wait_for("scene.krait");
   EXPECT_THAT(krait({"info", "scene.krait"}).output, HasSubstr("small"));
 }
 
@@ -121,7 +125,7 @@ TEST_F(CliProgress, CtrlCWhileThePlanIsWrittenComesTooLate) {
   const Outcome outcome = run_and_interrupt("/bin/bash", {"-c", command}, directory(), 1500ms);
   EXPECT_EQ(outcome.code, 0);
   EXPECT_EQ(outcome.errors, "");
-  for (int i = 0; i < 100 && !std::filesystem::exists(path("shown")); ++i) std::this_thread::sleep_for(50ms);
+  wait_for("shown");
   const std::string shown = read_text(path("shown"));
   EXPECT_GT(shown.size(), 1U << 16U);
   EXPECT_THAT(shown, HasSubstr(", verified\n"));
