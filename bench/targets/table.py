@@ -14,6 +14,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "tests/targets"), str(ROOT / "bench")]
 from flash import planner_flash  # noqa: E402
+from harness import machine  # noqa: E402
 from harness.prose import wrapped  # noqa: E402
 
 PAGE = ROOT / "bench/targets/RESULTS.md"
@@ -54,16 +55,16 @@ class Build:
         self.firmware = self.folder / "bin" / f"{self.machine}-snake.elf"
         self.environment = dict(os.environ, CXXFLAGS=f"-{option} -DNDEBUG -fcallgraph-info=su", LDFLAGS="-Wl,-Map=bin")
 
-    def make(self, *targets, improve="ON"):
+    def make(self, *targets, whole="ON"):
         preset = self.name.rpartition("-")[0]
         # ccache does not know of the files that -fcallgraph-info writes.
         run("cmake", "--preset", preset, "-B", self.folder, "-DCMAKE_BUILD_TYPE=None", "-DCMAKE_CXX_COMPILER_LAUNCHER=",
-            f"-DKRAIT_IMPROVE={improve}", env=self.environment)
+            f"-DKRAIT_IMPROVE={whole}", f"-DKRAIT_REASONS={whole}", env=self.environment)
         run("cmake", "--build", self.folder, "--target", *targets)
 
     def make_snake(self):
-        """The firmware for snakes and the meter, after the firmware that does not improve plans was measured."""
-        self.make(f"{self.machine}-snake", improve="OFF")
+        """The firmware for snakes and the meter, after the firmware that only plans was measured."""
+        self.make(f"{self.machine}-snake", whole="OFF")
         self.first_only = self.firmware_sizes()
         self.make(f"{self.machine}-snake", "meter")
 
@@ -129,7 +130,7 @@ def size_table(builds):
         rows.append([f"{build.core}, {build.option}"] + [f"{count:,}" for count in (
             build.library_flash(), *build.firmware_sizes(), *build.first_only, build.static_bytes(),
             build.stack()["bytes"])])
-    return table(["bytes", "library, all of it", "firmware", "planner in it", "firmware without `improve`",
+    return table(["bytes", "library, all of it", "firmware", "planner in it", "firmware that only plans",
                   "planner in it", "static RAM", "worst-case stack"], rows)
 
 
@@ -232,6 +233,8 @@ def main():
         parts[MARKS] = report([Build(name, arguments.folder) for name in arguments.builds or BUILDS])
     if arguments.improve or not arguments.builds:
         parts[IMPROVE_MARKS] = improve_report(arguments.folder)
+    for lines in parts.values():
+        lines += ["", f"Measured at commit {machine.commit()}."]
     for marks, lines in parts.items():
         print("\n".join(lines))
         if not arguments.only_print:

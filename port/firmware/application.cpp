@@ -117,6 +117,7 @@ void plan(const Board& board, const Request& request, Report& report) {
   }
   report.statistics = planner.statistics();
   if (kImproves && report.failure.status == Status::solved) look_on(planner, request, watch, report);
+  if (kGivesReasons && explains(report.failure.status)) report.why = ask_why(planner, scene);
   if (report.failure.status != Status::bad_scene) report.scene = scene.name();
 }
 
@@ -148,6 +149,7 @@ Failure rest_at_start(const Scene& scene, const Robot& robot, const Request& req
 int run(const Board& board, int count, const char* const* words) {
   Request request;
   const char* const complaint = parse(count, words, kModel, kHasTrailers, request);
+  if (complaint == kUnknownOption) return refuse(board, complaint, request.unknown, kKnownOptions);
   if (complaint != nullptr) return refuse(board, complaint, complaint == kAnotherRobot ? kModel : "");
   if (!kImproves && request.improve > 0.0)
     return refuse(board, "--improve: this firmware is built with KRAIT_IMPROVE=OFF");

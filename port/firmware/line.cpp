@@ -35,6 +35,14 @@ Line& Line::put_decimal(float number) {
   return put(std::uint64_t{whole}).put('.').put(std::uint64_t{millionths}, 6);
 }
 
+Line& Line::put_metres(double metres) {
+  constexpr std::uint64_t kMillimetres = 1000;  // of a metre
+  const bool negative = metres < 0.0;
+  const auto millimetres = static_cast<std::uint64_t>((negative ? -metres : metres) * 1e3 + 0.5);
+  if (negative && millimetres > 0) put('-');
+  return put(millimetres / kMillimetres).put('.').put(millimetres % kMillimetres, 3);
+}
+
 const char* Line::end() {
   text_[length_] = '\n';
   text_[length_ + 1] = '\0';
@@ -87,6 +95,12 @@ JsonLine& JsonLine::add_seconds(const char* name, std::uint64_t nanoseconds) {
 JsonLine& JsonLine::add_decimal(const char* name, float number) {
   put_name(name);
   line_.put_decimal(number);
+  return *this;
+}
+
+JsonLine& JsonLine::add_metres(const char* name, double metres) {
+  put_name(name);
+  line_.put_metres(metres);
   return *this;
 }
 

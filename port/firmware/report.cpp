@@ -64,8 +64,9 @@ void put_bad_scene(Line& line, const Board& board, const Failure& failure) {
   line.put(": not a whole scene file of this version (compile it again)");
 }
 
-// Why a request is refused.
-void put_reason(Line& line, const Board& board, const Request& request, const Failure& failure) {
+// Why there is no plan.
+void put_reason(Line& line, const Board& board, const Request& request, const Report& report) {
+  const Failure& failure = report.failure;
   line.put(to_string(failure.status));
   switch (failure.status) {
     case Status::arena_too_small:
@@ -83,7 +84,11 @@ void put_reason(Line& line, const Board& board, const Request& request, const Fa
         line.put(", less than ").put_decimal(failure.most).put(" for a robot so fast and so short");
       break;
     default:
-      line.put(advice(failure.status));
+      if (kGivesReasons && explains(failure.status)) {
+        put_why(line, failure.status, report.why);
+      } else {
+        line.put(advice(failure.status));
+      }
   }
 }
 
@@ -180,9 +185,9 @@ int exit_code(Status status) {
 
 int write(const Board& board, const Request& request, const Report& report) {
   const int code = exit_code(report.failure.status);
-  if (code >= kBadInput) {
+  if (code != kDone) {
     static Line reason;  // too large for a small stack; written once
-    put_reason(reason.put("krait: "), board, request, report.failure);
+    put_reason(reason.put("krait: "), board, request, report);
     say(board, reason.end());
   }
   static JsonLine line;  // too large for a small stack, too
@@ -192,6 +197,7 @@ int write(const Board& board, const Request& request, const Report& report) {
       .add("robot", request.robot)
       .add("seed", request.seed);
   add_failure(line, report.failure);
+  if (kGivesReasons) add_why(line, report.failure.status, report.why);
   add_statistics(line, report);
   if (request.improve > 0.0) add_improvement(line, report);
   add_machine(line, board, request, report);
@@ -200,9 +206,10 @@ int write(const Board& board, const Request& request, const Report& report) {
   return code;
 }
 
-int refuse(const Board& board, const char* complaint, const char* more) {
+int refuse(const Board& board, const char* complaint, const char* about, const char* more) {
   say(board, "krait: ");
   say(board, complaint);
+  say(board, about);
   say(board, more);
   say(board, "\n");
   return kBadInput;

@@ -6,6 +6,7 @@
 
 #include "firmware/board.hpp"
 #include "firmware/request.hpp"
+#include "firmware/why.hpp"
 #include "krait/planner.hpp"
 #include "krait/status.hpp"
 
@@ -37,12 +38,14 @@ struct Report {
   std::uint64_t setup = 0;        // nanoseconds of those before the first expansion
   std::uint64_t slowest = 0;      // nanoseconds of the longest expansion
   Improvement improvement;
+  Why why;  // there is no plan; of firmware that gives reasons
 };
 
-// Says in one line why a request is refused, if it is, then writes the line of JSON. Returns the exit code.
+// Says in one line why there is no plan, if there is none, then writes the line of JSON. Returns the exit code.
 int write(const Board& board, const Request& request, const Report& report);
 
-// Says what is wrong with the command line, and what more there is to it. Returns the exit code.
-int refuse(const Board& board, const char* complaint, const char* more = "");
+// Says what is wrong with the command line: the complaint, what it is about, and what more there is to it. Returns the
+// exit code.
+int refuse(const Board& board, const char* complaint, const char* about = "", const char* more = "");
 
 }  // namespace krait::firmware

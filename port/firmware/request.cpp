@@ -48,8 +48,8 @@ const char* parse_parameter(const char* option, const char* value, Request& requ
     request.has_dt = true;
     return parse_decimal(value, request.dt) ? nullptr : "--dt: give seconds, as 0.05";
   }
-  return "unknown option: --robot, --seed, --memory, --iterations, --improve, --start, --goal, --heading, "
-         "--heading-tolerance, --clearance, --dt and --icount are known";
+  request.unknown = option;
+  return kUnknownOption;
 }
 
 const char* parse_query(const char* option, const char* value, Request& request) {

@@ -18,6 +18,7 @@ struct Triple {
 
 struct Request {
   const char* robot = "";    // "snake:15", "truck:2", "car", …
+  const char* unknown = "";  // the word that is no option, after kUnknownOption
   int trailers = 0;          // the number after the colon
   std::uint64_t seed = 1;    //
   std::uint64_t memory = 0;  // bytes of the planner's block; 0: by the robot's size, as much as there is
@@ -40,10 +41,15 @@ struct Request {
 
 inline constexpr char kAnotherRobot[] = "--robot: this firmware plans for another robot, ";  // whose name is to follow
 
+inline constexpr char kUnknownOption[] = "unknown option: ";  // whose word and kKnownOptions are to follow
+inline constexpr char kKnownOptions[] =
+    "; known are --robot, --seed, --memory, --iterations, --improve, --start, --goal, --heading, --heading-tolerance, "
+    "--clearance, --dt and --icount";
+
 // Reads `--robot MODEL[:N] --seed S --memory B[K|M] --iterations N --improve N --start X,Y,HEADING --goal X,Y,RADIUS
 // --heading H --heading-tolerance T --clearance C --dt S --icount` for a program that plans for `model`, which has a
-// number of trailers to ask for or not. Returns null, or what is wrong, kAnotherRobot itself for a robot of another
-// name. The words must stay.
+// number of trailers to ask for or not. Returns null, or what is wrong: kAnotherRobot itself for a robot of another
+// name, kUnknownOption itself for what is no option. The words must stay.
 const char* parse(int count, const char* const* words, const char* model, bool has_trailers, Request& request);
 
 }  // namespace krait::firmware

@@ -3,6 +3,7 @@
 // plan.
 #include <nlohmann/json.hpp>
 
+#include "firmware/request.hpp"
 #include "host/cli/program.hpp"
 #include "host/workspace/printed.hpp"
 #include "krait/parameters.hpp"
@@ -35,6 +36,18 @@ class CompiledFirmware : public CliTest {
     EXPECT_EQ(answer.at("status"), "solved");
     EXPECT_EQ(answer.at("robot"), "van");
     EXPECT_EQ(answer.at("hash"), json("plan.json").at("statistics").at("hash"));
+    return answer;
+  }
+
+  // Its line begins so, and its answer has those fields. Returns the answer.
+  nlohmann::json expect_explained(const Arguments& arguments, int code, const std::string& line,
+                                  const nlohmann::json& fields, const std::string& scene = "room.krait") const {
+    const Outcome outcome = firmware(arguments, scene);
+    EXPECT_EQ(outcome.code, code);
+    EXPECT_THAT(outcome.output, testing::StartsWith("krait: " + line));
+    const auto end = outcome.output.find('\n') + 1;
+    nlohmann::json answer = nlohmann::json::parse(outcome.output.substr(end));
+    for (const auto& [name, value] : fields.items()) EXPECT_EQ(answer.at(name), value) << name;
     return answer;
   }
 
@@ -92,6 +105,11 @@ TEST_F(CompiledFirmware, PlansForItsRobotOnly) {
   EXPECT_EQ(firmware({"--robot", "van"}).code, 0);
 }
 
+TEST_F(CompiledFirmware, NamesWhatIsNoOption) {
+  expect_firmware_refuses({"--seed", "2", "--end-speed", "1"},
+                          std::string("unknown option: --end-speed") + firmware::kKnownOptions);
+}
+
 TEST_F(CompiledFirmware, NamesWhatIsOutOfItsRange) {
   const auto range = [](Argument argument) {
     const ParameterRange numbers = Parameters::range(argument);
@@ -105,9 +123,46 @@ TEST_F(CompiledFirmware, NamesWhatIsOutOfItsRange) {
 TEST_F(CompiledFirmware, SaysWhatToDoAboutAStartOrAGoalThatCannotBeUsed) {
   expect_firmware_refuses({"--start", "-40,5,0"},
                           "start_outside: the start lies outside of the scene: ask with another --start");
-  expect_firmware_refuses({"--start", "0,0,0"},
-                          "start_in_collision: the robot has no room at the start: ask with another --start, or with "
-                          "less --clearance");
+  const std::vector<std::string> in_a_wall = {"--scene", "room.krait", "--start", "10,2,0"};
+  const Outcome short_of_words = run_program(test::program_path("firmware_van_first"), in_a_wall, directory());
+  EXPECT_THAT(short_of_words.output,
+              testing::StartsWith("krait: start_in_collision: the robot has no room at the start: ask with another "
+                                  "--start, or with less --clearance\n"));
+}
+
+TEST_F(CompiledFirmware, SaysWhatTheRobotMeetsAtItsStart) {
+  expect_explained({"--start", "10,2,0"}, 2, "start_in_collision: body 0 overlaps an obstacle at (9.",
+                   {{"contact", "obstacle"}, {"contact_body", 0}, {"contact_distance_m", 0}});
+  expect_explained({"--start", "-11.9,5,0"}, 2, "start_in_collision: body 0 reaches to or beyond the bounds at (-12",
+                   {{"contact", "bounds"}, {"contact_distance_m", 0}});
+  const auto near =
+      expect_explained({"--start", "8,2,1.5707964", "--clearance", "1.2"}, 2,
+                       "start_in_collision: the start does not keep the clearance: body 0 is 1.145 m from "
+                       "an obstacle at (8.9",
+                       {{"contact", "obstacle"}});
+  EXPECT_NEAR(near.at("contact_distance_m"), 9.5 - 8 - 0.71 / 2, 1e-5);
+  EXPECT_NEAR(near.at("contact_needed_m"), 1.2, 0.01);
+}
+
+TEST_F(CompiledFirmware, SaysWhereItsWayIsTooNarrow) {
+  auto room = nlohmann::json::parse(read_text(path("room.json")));
+  for (const int wall : {0, 1}) room.at("obstacles").at(wall).at("box").at("size").at(1) = 5.4;  // 0.6 m between them
+  write("narrow.json", room.dump());
+  expect_done({"compile", "narrow.json", "-o", "narrow.krait", "--tolerance", "0"});
+  const auto narrow = expect_explained({}, 1, "no_route: every way to the goal is narrower than the robot: 0.6",
+                                       {{"bottleneck_in_goal", 0}}, "narrow.krait");
+  EXPECT_NEAR(narrow.at("bottleneck_m"), 0.6, 0.01);
+  EXPECT_NEAR(narrow.at("bottleneck_needed_m"), 0.712, 1e-4);
+  EXPECT_NEAR(narrow.at("bottleneck_x"), 10, 0.51);
+  EXPECT_NEAR(narrow.at("bottleneck_y"), 5, 0.01);
+  EXPECT_FALSE(narrow.contains("effort_tries"));
+}
+
+TEST_F(CompiledFirmware, SaysWhereItsSearchTriedMost) {
+  const auto vain = expect_explained({"--iterations", "1", "--clearance", "0.1"}, 1,
+                                     "budget_used: the search tried most at (", {{"effort_tries", 1}});
+  EXPECT_NEAR(vain.at("bottleneck_m"), 2, 0.01);
+  EXPECT_NEAR(vain.at("effort_y"), 5, 5);
 }
 
 TEST_F(CompiledFirmware, SaysThatNoSceneLiesThere) {

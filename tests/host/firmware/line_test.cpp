@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -20,6 +21,19 @@ TEST(FirmwareLine, ADecimalIsTheNumberToAMillionth) {
     ASSERT_EQ(text.size() - text.find('.'), std::string(".123456\n").size()) << text;
     EXPECT_NEAR(std::strtod(text.c_str(), nullptr), static_cast<double>(number), 1e-6) << text;
   }
+}
+
+TEST(FirmwareLine, MetresAreToAMillimetreAndHaveASign) {
+  for (const double number : {0.0, -0.0004, -0.0006, 1.5, -12.9996, 999'999'999.9994, -3.9e9, 0.0005}) {
+    char expected[32];
+    std::snprintf(expected, sizeof expected, "%.3f", std::abs(number) < 5e-4 ? 0.0 : number);
+    Line line;
+    const std::string text = line.put_metres(number).end();
+    EXPECT_NEAR(std::strtod(text.c_str(), nullptr), number, 5.01e-4) << text;
+    EXPECT_EQ(text.size(), std::string(expected).size() + 1) << text;
+  }
+  JsonLine line;
+  EXPECT_EQ(nlohmann::json::parse(line.add_metres("x", -1.25).end()).at("x"), -1.25);
 }
 
 TEST(FirmwareLine, WhatDoesNotFitIsCutOff) {
