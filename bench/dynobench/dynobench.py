@@ -5,17 +5,20 @@ import argparse
 import csv
 import json
 import math
-import platform
 import re
 import subprocess
 import sys
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from harness import machine  # noqa: E402
+from harness.statistics import Figure, interval, quantile  # noqa: E402
+
 KRAIT = "build/host/bin/krait"
 WORK = Path("build/bench/dynobench")
 ROBOT = WORK / "robot.json"
 PAGE = Path("bench/DYNOBENCH.md")
-FIRST_SEED = 10_001
+FIRST_SEED = 50_001  # by which nothing was chosen
 SHORT, LONG = 0.05, 1.0  # seconds of one core, first plan included
 STEP = 0.1  # seconds, of dynobench's robots
 CONTROLS = 2  # of every robot of these
@@ -110,11 +113,13 @@ def plan(problem, robot, seed, *options):
 
 
 def middle(values, share=0.5):
-    return sorted(values)[int(share * (len(values) - 1))]
+    return quantile(sorted(values), share)
 
 
-def times(ratio):
-    return f"{ratio:.0f}" if ratio >= 10 else f"{ratio:.2g}"
+# The ratio of medians, with its 95 % interval by bootstrap over the seeds.
+def ratio(values, of_median, form):
+    found = interval([values], lambda samples: Figure(of_median(middle(samples[0])), False))
+    return f"{found.estimate.value:{form}} ({found.low:{form}}–{found.high:{form}})"
 
 
 # Of the runs that found a plan.
@@ -122,8 +127,9 @@ def shown(runs, best):
     costs = [found[1] for found in runs if found]
     if not costs:
         return "–"
-    few = "" if len(costs) == len(runs) else f" ({len(costs)} of {len(runs)})"
-    return f"{middle(costs):.1f} [{middle(costs, 0.9):.1f}], {middle(costs) / best:.2f}{few}"
+    few = "" if len(costs) == len(runs) else f", {len(costs)} of {len(runs)}"
+    return (f"{middle(costs):.1f} [{middle(costs, 0.9):.1f}], "
+            f"{ratio(costs, lambda cost: cost / best, '.2f')}{few}")
 
 
 def row(samples, name, problem, seeds, long_seeds):
@@ -138,22 +144,23 @@ def row(samples, name, problem, seeds, long_seeds):
     if not solved:
         return f"| {name} | {problem} | 0 of {seeds} |" + 6 * " – |"
     first_time, first_cost, best = PUBLISHED[name, problem]
-    took = middle([found[0] for found in solved])
+    took = [found[0] for found in solved]
     apart = max(found[2] for runs in (firsts, shorts, longs) for found in runs if found)
-    return (f"| {name} | {problem} | {len(solved)} of {seeds} | {1e3 * took:.1f} [{1e3 * first_time:.0f}], "
-            f"{times(first_time / took)} | {middle([found[1] for found in solved]):.1f} [{first_cost}] | {best} | "
+    return (f"| {name} | {problem} | {len(solved)} of {seeds} | {1e3 * middle(took):.1f} [{1e3 * first_time:.0f}], "
+            f"{ratio(took, lambda seconds: first_time / seconds, '.0f')} | {middle([found[1] for found in solved]):.1f} [{first_cost}] | {best} | "
             f"{shown(shorts, best)} | {shown(longs, best)} | {100 * apart:.1f} |")
 
 
-def page(rows, seeds, long_seeds):
-    commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True).stdout.strip()
+def page(commit, rows, seeds, long_seeds):
     return f"""# dynobench's problems with their own robots
-Written by `python3 bench/dynobench/dynobench.py SAMPLES` at commit {commit}, on one core of {machine()}.
+Written by `python3 bench/dynobench/dynobench.py SAMPLES` at commit {commit}, on one core of {machine.processor()}.
 
 The goals are full states: within 0.1 m of the position and 0.1 rad of the heading, at rest, and the trailer of `car1`
-within 0.1 rad of straight. Every plan was proven, and verified in double precision.
-There are {seeds} seeds from {FIRST_SEED:,}, {long_seeds} for the plans of {LONG:g} s. Costs are durations in seconds,
-medians with the 90th percentile in brackets. Published are the time and cost of iDb-A*'s first plan, and the best final
+within 0.1 rad of straight. Every plan was proven, and verified in double precision; it keeps the clearance that
+`krait plan` has when none is asked for, 2 % of the robot's width.
+There are {seeds} seeds from {FIRST_SEED:,}, {long_seeds} for the plans of {LONG:g} s. What steers these robots and
+improves their plans was chosen on these problems, with other seeds. Costs are durations in seconds, medians with the
+90th percentile in brackets; ratios are those of medians, with 95 % intervals over the seeds. Published are the time and cost of iDb-A*'s first plan, and the best final
 cost of iDb-A*, RRT* with trajectory optimisation, and SST*, in medians (Ortiz-Haro, Hönig, Hartmann and Toussaint,
 iDb-A*, IEEE T-RO 2024; one core of an EPYC 7502, 120 s).
 
@@ -174,11 +181,6 @@ plan of `car1` that ends in a push at a fifth of its speed, as some first plans 
 times as long, and 50 ms are not always enough to replace it. A search of `car1` in `parallelpark_0` that misses the way
 in at first takes longer than 50 ms.
 """
-
-
-def machine():
-    model = re.search(r"model name\s*: (.*)", Path("/proc/cpuinfo").read_text())
-    return model.group(1) if model else platform.processor()
 
 
 def count(text):
@@ -202,12 +204,15 @@ def parse_arguments():
 
 def main():
     options = parse_arguments()
+    commit = machine.commit()
+    if commit.endswith("-dirty"):
+        sys.exit("dynobench: the working tree has changes: commit them, so that the page names what was measured")
     WORK.mkdir(parents=True, exist_ok=True)
     rows = []
     for name, problem in PUBLISHED:
         rows.append(row(options.samples, name, problem, options.seeds, options.long_seeds))
         print(rows[-1], flush=True)
-    PAGE.write_text(page(rows, options.seeds, options.long_seeds))
+    PAGE.write_text(page(commit, rows, options.seeds, options.long_seeds))
 
 
 if __name__ == "__main__":
