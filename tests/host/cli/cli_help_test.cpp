@@ -168,32 +168,5 @@ TEST_F(CliHelp, InfoSaysThatTheTimeStepIsTooLongAndNotTheBlockTooSmall) {
   expect_refused({"info", "room.krait", "--dt", "2"}, "--dt");
 }
 
-TEST_F(CliHelp, DemoExplainsItself) {
-  const Outcome outcome = run_program("/bin/bash", {test::source_path("port/host/demo"), "--help"}, directory());
-  EXPECT_EQ(outcome.code, 0);
-  EXPECT_THAT(outcome.output, HasSubstr("bash port/host/demo MAP"));
-}
-
-TEST_F(CliHelp, DemoRefusesAMissingMapBeforeItBuilds) {
-  const Outcome outcome = run_program("/bin/bash", {test::source_path("port/host/demo"), "gone.yaml"}, directory());
-  EXPECT_EQ(outcome.code, 2);
-  EXPECT_EQ(outcome.errors, "demo: gone.yaml: no such file\n");
-  const Outcome folder = run_program("/bin/bash", {test::source_path("port/host/demo"), "."}, directory());
-  EXPECT_EQ(folder.code, 2);
-  EXPECT_EQ(folder.errors, "demo: .: is a directory, not a file\n");
-}
-
-TEST_F(CliHelp, DemoRefusesOptionsThatItCannotReadBeforeItBuilds) {
-  for (const std::vector<std::string>& arguments :
-       std::vector<std::vector<std::string>>{{"--seed"}, {"stray"}, {"--seed=1", "stray"}}) {
-    std::vector<std::string> whole = {test::source_path("port/host/demo"), "room.json"};
-    whole.insert(whole.end(), arguments.begin(), arguments.end());
-    const Outcome outcome = run_program("/bin/bash", whole, directory());
-    EXPECT_EQ(outcome.code, 2);
-    EXPECT_THAT(outcome.errors, testing::StartsWith("demo: "));
-    EXPECT_THAT(outcome.errors, HasSubstr(arguments.back()));
-  }
-}
-
 }  // namespace
 }  // namespace krait::host
