@@ -98,6 +98,15 @@ class Decomposition {
     return total;
   }
 
+  // The regions that a point lies in or within `tolerance` metres of.
+  std::vector<Index> around(Point p, double tolerance) const {
+    std::vector<Index> found;
+    for (Index r = 0; r < count(); ++r) {
+      if (region(r) == r && contains(r, p, tolerance)) found.push_back(r);
+    }
+    return found;
+  }
+
   // Whether a point lies in the region or within `tolerance` metres of it.
   bool contains(Index region, Point p, double tolerance) const {
     bool found = false;

@@ -154,12 +154,15 @@ class Follower {
     return found;
   }
 
-  // Likewise of two triangles that share an edge; a position that no triangle contains is in the last one's region.
+  // Likewise of a position on the edge of regions; one that no region contains is in the last one.
   Index region_of(Vec2 p, Index last) const {
+    const std::vector<Index> found = regions_.around(point(p), kGrid);
+    if (found.size() == 1) return found.front();
     const Index triangle = detail::locate(*scene_, p, last);
-    if (triangle == kNone) return last;
-    EXPECT_TRUE(regions_.contains(regions_.region(triangle), point(p), kGrid)) << p.x << " " << p.y;
-    return regions_.region(triangle);
+    const Index chosen = triangle == kNone ? last : regions_.region(triangle);
+    const bool among = std::find(found.begin(), found.end(), chosen) != found.end();
+    EXPECT_TRUE(found.empty() ? triangle == kNone : among) << p.x << " " << p.y;
+    return chosen;
   }
 
   // Eqn 7, as a logarithm.

@@ -2,7 +2,6 @@
 // Searches followed by a second planner that is written from the paper alone: every decision is held against it.
 #include "choices.hpp"
 #include "rivals.hpp"
-#include "robot/shape.hpp"
 #include "robot_oracle.hpp"
 #include "search/adaptive_search.hpp"
 
@@ -271,9 +270,7 @@ TEST(ReferencePlannerChain, AgreesWithAdaptive) {
   bench.parameters.tuning.stopping_ways = 0.0F;
   Choices choices(shares_of(bench.parameters));
   Seen seen;
-  const Polygon body = bench.robot.body(0);
-  follow(bench, rules_of(bench.parameters, 0.4, double{detail::inner_radius(body, {})}), choices,
-         bench.parameters.tuning.path_regions, 900, seen);
+  follow(bench, rules_of(bench.parameters, 0.4, 0.15), choices, bench.parameters.tuning.path_regions, 900, seen);
   EXPECT_GT(seen.updates, 10U);
   EXPECT_GT(seen.expansions, 500U);
 }
