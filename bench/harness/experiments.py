@@ -165,8 +165,8 @@ def rounds(protocol):
 
 
 def own(path, robot):
-    """A user's map and robot, by every planner."""
-    return [Cell(OWN + str(path), robot, planner) for planner in (*RIVALS, *PEERS)]
+    """A user's map and robot, by every planner, and by krait's in a new process for each run as the peers have it."""
+    return [Cell(OWN + str(path), robot, planner) for planner in (*RIVALS, FRESH + "adaptive", *PEERS)]
 
 
 EXPERIMENTS = {

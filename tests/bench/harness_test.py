@@ -756,7 +756,7 @@ class Experiments(unittest.TestCase):
 
     def test_of_a_users_own_have_every_planner(self):
         planners = [cell.planner for cell in experiments.own("map.png", "car")]
-        self.assertEqual(planners, [*experiments.RIVALS, *experiments.PEERS])
+        self.assertEqual(planners, [*experiments.RIVALS, "fresh:adaptive", *experiments.PEERS])
 
 
 if __name__ == "__main__":
