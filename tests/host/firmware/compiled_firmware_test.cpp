@@ -145,17 +145,26 @@ TEST_F(CompiledFirmware, SaysWhatTheRobotMeetsAtItsStart) {
 }
 
 TEST_F(CompiledFirmware, SaysWhereItsWayIsTooNarrow) {
+  const double east = 8000;  // metres: a scene file has coordinates of its own there
   auto room = nlohmann::json::parse(read_text(path("room.json")));
-  for (const int wall : {0, 1}) room.at("obstacles").at(wall).at("box").at("size").at(1) = 5.4;  // 0.6 m between them
+  const auto move = [&](nlohmann::json& place) { place.at(0) = place.at(0).get<double>() + east; };
+  for (const char* corner : {"min", "max"}) move(room.at("bounds").at(corner));
+  for (auto& obstacle : room.at("obstacles")) {
+    move(obstacle.at("box").at("center"));
+    obstacle.at("box").at("size").at(1) = 5.4;  // leaves 0.6 m between the two
+  }
+  for (auto& goal : room.at("goals")) move(goal.at("box").at("center"));
+  for (auto& start : room.at("starts")) move(start.at("position"));
   write("narrow.json", room.dump());
   expect_done({"compile", "narrow.json", "-o", "narrow.krait", "--tolerance", "0"});
   const auto narrow = expect_explained({}, 1, "no_route: every way to the goal is narrower than the robot: 0.6",
                                        {{"bottleneck_in_goal", 0}}, "narrow.krait");
   EXPECT_NEAR(narrow.at("bottleneck_m"), 0.6, 0.01);
   EXPECT_NEAR(narrow.at("bottleneck_needed_m"), 0.712, 1e-4);
-  EXPECT_NEAR(narrow.at("bottleneck_x"), 10, 0.51);
+  EXPECT_NEAR(narrow.at("bottleneck_x"), east + 10, 0.51);
   EXPECT_NEAR(narrow.at("bottleneck_y"), 5, 0.01);
   EXPECT_FALSE(narrow.contains("effort_tries"));
+  EXPECT_THAT(firmware({}, "narrow.krait").output, testing::HasSubstr(" m at (80"));
 }
 
 TEST_F(CompiledFirmware, SaysWhereItsSearchTriedMost) {
