@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Protocol:
-    """Round k is the k-th run of every cell: what is held against each other was measured within a minute.
+    """Round k is the k-th run of every cell: what is held against each other was measured in one round.
 
     No setting was chosen on the seeds from `first_seed` on; limits come from a pilot on others.
     """

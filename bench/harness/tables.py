@@ -36,11 +36,15 @@ DIFFERENCES = """## What differs from the paper
   say that they are solved; how many of these plans the verifier accepts stands beside. Every other planner proves whole
   steps free, and its runs count only if the verifier accepts the plan.
 - **What `paper` has that is ours:** an edge never costs less than 5 % of its length; targets are points of a grid of 16
-  bits over a region; 1 mm of clearance; limits of speed, steering and hitches hold between the states too; set-points
-  of the speed are uniform from 0.75 to 1 of the top.
+  bits over a region; 1 mm of clearance, and in the tree 0.2 % of a body's length more; limits of speed, steering and
+  hitches hold between the states too; set-points of the speed are uniform from 0.75 to 1 of the top; a plan is driven
+  once more from its controls, and is refused where it does not hold; a robot that can reverse does so in a share of the
+  expansions; front wheels are turned so that they are straight again in time (since 30 November 2026).
 - **Not in `paper`, but in `adaptive`:** sight, sketches, restarts, strays, gentle turns, a sample of 12 states a group,
   no states just before a collision, κ 10, γ 20, Eqn 9 with a length, a goal shrunk by 3 cm, an end at rest, no raise
-  just before the goal, no portals that are too narrow.
+  just before the goal, no portals that are too narrow, longer expansions in the open, targets further along the path,
+  expansions toward a point in the goal that end in the goal only, updates that are rarer where they look at many
+  regions, and (since 30 November 2026) speeds at which the robot can stop in time and ways out of narrow starts.
 - **An end at rest.** `adaptive` and its variants brake at the end of the plan; all rivals and peers may end at full
   speed.
 - **Prior and RRT** are this project's implementations of the published methods, not the authors' programs. They share
@@ -371,7 +375,7 @@ Written by `bash bench/run results` from [every run](runs.jsonl.xz); the same as
 [CSV](cells.csv). What they say: [RESULTS](../RESULTS.md).
 
 **Protocol.** Round k is the k-th run of every cell (scene, robot, planner, settings), with seed {before} + k, one timed
-program at a time: what is held against each other was measured within a minute. There are {protocol['seeds']} rounds,
+program at a time: what is held against each other was measured in one round. There are {protocol['seeds']} rounds,
 {protocol['goal_seeds']} of the cells that goals are held against, and {protocol['few_seeds']} of peers that are slow by
 far. Mean and standard deviation (in brackets) leave out a twelfth of the runs at each end, the paper's five best and
 five worst of 60; median, 90th and 99th percentile (nearest rank) and success are over all runs. A run counts as solved
