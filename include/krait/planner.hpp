@@ -133,14 +133,14 @@ class Planner {
   /// a limit; bad_robot; or arena_too_small. May be called again, which ends every search and plan. Work: looks at
   /// every vertex of the bodies, calls the robot's fastest_rate at most 26 times, reads at most 310 words of the scene
   /// (Scene::fingerprint), and evaluates bytes_required once, or with Limits::vertices 0 23 times.
-  [[nodiscard]] Failure init(const Setup& setup, const Parameters& parameters = {}, const Limits& limits = {});
+  Failure init(const Setup& setup, const Parameters& parameters = {}, const Limits& limits = {});
 
   /// Begins a search, ending any other. Returns searching; or solved, when a plan may end with the start; or no_route,
   /// goal_in_obstacle, start_outside, start_in_collision, bad_argument; bad_scene, when the scene is found to be
   /// another than at init (Scene::fingerprint); after an init that failed, what that one returned. Work: one Dijkstra
   /// over the regions, O(R log R); at most 2,730 distances of a point from the obstacles; one collision check; and at
   /// most 310 words of the scene.
-  [[nodiscard]] Status start(const Query& query);
+  Status start(const Query& query);
 
   /// Runs at most `iterations` more expansions, each of at most max_steps steps; returns at once when the search has
   /// ended. Returns searching where it goes on, or how it has ended: solved, budget_used, tree_full (WhenFull),
@@ -157,15 +157,15 @@ class Planner {
   /// looks at 147,456 placements of body 0, at most, once a query and once more after each way out of its start; one
   /// that pushes trailers (kDocks) tries at most 288 more. While a robot that parks does not get away from its start,
   /// it looks at 73,728 placements, at most, before each way out that it drives (SearchTuning::stuck_expansions).
-  [[nodiscard]] Status advance(std::uint64_t iterations);
+  Status advance(std::uint64_t iterations);
 
   /// The same, and calls watch(from, to) with the two states of every step that the tree grows by, and
   /// watch.expands(vertex, target) before each expansion toward a point, where there is such a member: not before the
   /// legs of brakes, shots and ways out of a narrow place.
-  [[nodiscard]] Status advance(std::uint64_t iterations, const Watch& watch);
+  Status advance(std::uint64_t iterations, const Watch& watch);
   /// The same with a watch that has no name, such as a lambda: it is called during the call only.
   template <detail::Watches W>
-  [[nodiscard]] Status advance(std::uint64_t iterations, W&& watch) {
+  Status advance(std::uint64_t iterations, W&& watch) {
     return advance(iterations, Watch(watch));
   }
 
@@ -180,13 +180,13 @@ class Planner {
   /// choice of lines to a pose as in advance after at most every third, and the unproven steps of 16 legs or of 16 of
   /// the first plan's expansions; or O(way_legs). The first call after start adds one Dijkstra, and so does the begin
   /// of each search and the end of the last of a series.
-  [[nodiscard]] Status improve(std::uint64_t iterations);
+  Status improve(std::uint64_t iterations);
 
   /// Ends the search as time_used, for a port whose clock says so. No effect once it has ended. O(1).
   void stop_for_time();
 
   /// Where the search stands: ready before the first start; before init, bad_argument. O(1).
-  [[nodiscard]] Status status() const;
+  Status status() const;
   /// The last status with its details. The reference is valid for as long as the planner, and later calls change what
   /// it refers to. O(1).
   [[nodiscard]] const Failure& failure() const;

@@ -124,7 +124,7 @@ class Scene {
   /// as the scene is used. Reads only [bytes, bytes + size); writes to `scene` only, and only where it succeeds.
   /// `bytes` is aligned to 4; where it is not, or null, the failure is at the header's first byte. Returns bad_scene
   /// with section and element, or ok. O(size log l), l the longest list of a bucket.
-  [[nodiscard]] static Failure open(const void* bytes, std::size_t size, Scene& scene);
+  static Failure open(const void* bytes, std::size_t size, Scene& scene);
 
   std::uint32_t bytes() const { return header_.total_bytes; }  ///< length of the file; 0 of one that was not opened
 

@@ -20,6 +20,9 @@
 
 namespace krait {
 
+// Has the attribute here, and keeps it in its definition: the compiler warns where a Status is thrown away.
+enum class [[nodiscard]] Status : std::uint8_t;
+
 /// How a call or a search has ended.
 enum class Status : std::uint8_t {
   ok,                  ///< of open and init: done
@@ -97,7 +100,7 @@ enum class Argument : std::uint8_t {
 const char* to_string(Argument argument);
 
 /// What went wrong, where. Fields that do not apply are zero.
-struct Failure {
+struct [[nodiscard]] Failure {
   Status status = Status::ok;      ///< ok where nothing did
   std::uint8_t section = 0;        ///< bad_scene: format::Section, or Scene::kHeaderSection
   std::uint32_t element = 0;       ///< bad_scene: index in the section, or the header's byte; else an Argument

@@ -15,11 +15,11 @@ class AdaptiveSearch : public GroupedSearch {
   // These do what the members of Planner do (krait/planner.hpp).
   static std::uint64_t bytes_required(const Scene& scene, const Robot& robot, const Limits& limits);
   static Limits limits_for(std::uint64_t bytes, const Scene& scene, const Robot& robot, std::uint32_t way_legs = 0);
-  [[nodiscard]] Failure init(const Setup& setup, const Parameters& parameters = {}, const Limits& limits = {});
-  [[nodiscard]] Status start(const Query& query);
-  [[nodiscard]] Status advance(std::uint64_t iterations) { return advance(iterations, Watch()); }
-  [[nodiscard]] Status advance(std::uint64_t iterations, const Watch& watch);
-  [[nodiscard]] Status improve(std::uint64_t iterations);
+  Failure init(const Setup& setup, const Parameters& parameters = {}, const Limits& limits = {});
+  Status start(const Query& query);
+  Status advance(std::uint64_t iterations) { return advance(iterations, Watch()); }
+  Status advance(std::uint64_t iterations, const Watch& watch);
+  Status improve(std::uint64_t iterations);
 
  private:
   // Measured: bench/ABLATIONS.md, "Constants".

@@ -99,8 +99,8 @@ Status Search::begin(const Query& query, const Keeper& keeper) {
   end_depth_ = {kDepthKept * goal_depth_, deepest};
   equip_expander(keeper);
   const bool fits = !parameters_.tuning.prune_portals || disc_route().fits();
-  if (!find_paths()) return finish(Status::goal_in_obstacle);
-  return add_root(fits);
+  find_paths() ? add_root(fits) : finish(Status::goal_in_obstacle);
+  return status();
 }
 
 Failure Search::check_query(const Query& query) {
@@ -146,7 +146,7 @@ bool Search::find_paths() {
   return regions_.reset(ending_.goal(), width, kLeastCost * robot_length_);
 }
 
-Status Search::add_root(bool fits) {
+void Search::add_root(bool fits) {
   const Index triangle = locate(*scene_, start_position());
   if (triangle == kNone) return finish(Status::start_in_collision);
   root_region_ = regions_.region(triangle);
@@ -157,7 +157,6 @@ Status Search::add_root(bool fits) {
   finish(fits ? Status::searching : Status::no_route);
   const float depth = std::min(end_depth_.most, kStartDepth);
   if (ending_.holds(expander_.state(), depth)) begin_plan({});
-  return status();
 }
 
 DiscRoute Search::disc_route() {
@@ -342,10 +341,7 @@ void Search::pause_restarted() {
 
 // Answers.
 
-Status Search::finish(Status status) {
-  failure_ = {status};
-  return status;
-}
+void Search::finish(Status status) { failure_ = {status}; }
 
 void Search::stop_for_time() {
   if (status() == Status::searching) finish(Status::time_used);

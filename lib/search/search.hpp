@@ -38,7 +38,7 @@ class Search {
   Search& operator=(const Search&) = delete;
 
   // Does what Planner::improve does, for a planner that does not restart its search.
-  [[nodiscard]] Status improve(std::uint64_t iterations) {
+  Status improve(std::uint64_t iterations) {
     return improve_by(iterations, false, [] {});
   }
 
@@ -48,7 +48,7 @@ class Search {
   const Regions& regions() const { return regions_; }
 
   // These do what the members of Planner do.
-  [[nodiscard]] Status status() const { return failure_.status; }
+  Status status() const { return failure_.status; }
   [[nodiscard]] const Failure& failure() const { return failure_; }
   Contact contact();
   Bottleneck bottleneck();
@@ -171,7 +171,7 @@ class Search {
 
   Vec2 position(Index vertex) const { return {tree_.state(vertex)[0], tree_.state(vertex)[1]}; }
 
-  Status finish(Status status);
+  void finish(Status status);
 
   bool shoots_at_poses_ = true;
   bool shortcuts_ = true;  // the plan is the same without, which tests and measurements of them search
@@ -224,7 +224,7 @@ class Search {
   // Resets the edge costs and finds the shortest paths. False when no region belongs to the goal.
   bool find_paths();
 
-  Status add_root(bool fits);
+  void add_root(bool fits);
 
   void keep_root() { (void)keeper_(root_region_, {}, expander_.state()); }
 

@@ -76,7 +76,7 @@ void expect_nothing_written_outside(Bench<R, P>& bench, const float* start) {
   std::vector<std::uint64_t> memory(needed / 8 + 2 * kAround, kPattern);
   const Setup setup{memory.data() + kAround, needed, &bench.open.scene, bench.robot};
   ASSERT_TRUE(bench.planner.init(setup, bench.parameters, bench.limits).ok());
-  for (const std::uint64_t seed : {1U, 2U, 3U}) bench.solve({start, Goal::named(0), seed});
+  for (const std::uint64_t seed : {1U, 2U, 3U}) (void)bench.solve({start, Goal::named(0), seed});
   for (std::size_t i = 0; i < kAround; ++i) {
     ASSERT_EQ(memory[i], kPattern);
     ASSERT_EQ(memory[kAround + needed / 8 + i], kPattern);

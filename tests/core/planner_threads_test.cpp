@@ -14,7 +14,7 @@ class PlannerThreads : public ::testing::Test {
   using TestBench = Bench<Unicycle>;
 
   static std::uint64_t hash_of(TestBench& bench, std::uint64_t seed) {
-    bench.solve({kStart, Goal::named(0), seed});
+    (void)bench.solve({kStart, Goal::named(0), seed});
     return bench.planner.statistics().hash;
   }
 };

@@ -2,6 +2,7 @@
 // Must not compile: every result that says what went wrong is thrown away.
 #include "krait/krait.hpp"
 #include "krait/robot_check.hpp"
+#include "search/search.hpp"
 
 void plan(krait::Planner& planner, const krait::Scene& scene, const krait::Unicycle& robot) {
   krait::Scene opened;
@@ -15,6 +16,14 @@ void plan(krait::Planner& planner, const krait::Scene& scene, const krait::Unicy
   planner.status();
   planner.failure();
 }
+
+// Internal ones: their types alone say so.
+struct Inside : krait::detail::Search {
+  void plan(const krait::Setup& setup, const krait::detail::Keeper& keeper) {
+    check_setup(setup, {}, {});
+    begin({}, keeper);
+  }
+};
 
 void ask(const krait::Scene& scene, const krait::Robot& robot, float* state, krait::Pose* poses) {
   krait::Travel travel[krait::Unicycle::kMaxBodies];

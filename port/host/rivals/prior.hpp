@@ -24,10 +24,10 @@ class PriorPlanner : public GroupedSearch {
 
   static std::uint64_t bytes_required(const Scene& scene, const Robot& robot, const Limits& limits);
 
-  [[nodiscard]] Failure init(const Setup& setup, const Parameters& parameters = {}, const Limits& limits = {});
-  [[nodiscard]] Status start(const Query& query);
+  Failure init(const Setup& setup, const Parameters& parameters = {}, const Limits& limits = {});
+  Status start(const Query& query);
   // An expansion also looks at every vertex of its group.
-  [[nodiscard]] Status advance(std::uint64_t iterations, const Watch& watch = Watch());
+  Status advance(std::uint64_t iterations, const Watch& watch = Watch());
 
  private:
   static constexpr int kMaxTries = 16;  // at a point outside obstacles

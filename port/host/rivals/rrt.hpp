@@ -21,11 +21,11 @@ class RrtPlanner : public Search {
 
   static std::uint64_t bytes_required(const Scene& scene, const Robot& robot, const Limits& limits);
 
-  [[nodiscard]] Failure init(const Setup& setup, const Parameters& parameters = {}, const Limits& limits = {});
-  [[nodiscard]] Status start(const Query& query);
+  Failure init(const Setup& setup, const Parameters& parameters = {}, const Limits& limits = {});
+  Status start(const Query& query);
   // A connection longer than one expansion goes on in the next iteration. It also searches the nearest vertex,
   // O(vertices) at worst.
-  [[nodiscard]] Status advance(std::uint64_t iterations, const Watch& watch = Watch());
+  Status advance(std::uint64_t iterations, const Watch& watch = Watch());
 
  private:
   friend class krait::detail::Keeper;

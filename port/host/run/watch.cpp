@@ -112,7 +112,7 @@ void watch(Session& session, std::uint64_t iterations, Picture& picture) {
   while (done < iterations && session.status() == Status::searching) {
     const std::uint64_t until = std::min(done + slice, iterations);
     while (done < until && session.status() == Status::searching) {
-      session.advance_watched([&](const auto& from, const auto& to) { recorder.add_step(from, to, done + 1); });
+      (void)session.advance_watched([&](const auto& from, const auto& to) { recorder.add_step(from, to, done + 1); });
       done = session.statistics().iterations;
     }
     picture.frames.push_back(costs_now(session.regions(), done));
