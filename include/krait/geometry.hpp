@@ -1,12 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 /// \file
-/// Numbers of things, and points, frames, boxes and polygons in the plane; metres. Every function is O(1) where nothing
-/// else is stated.
+/// Indices, and points, frames, boxes and polygons in the plane; metres. And the hook for checked preconditions. Every
+/// function is O(1) where nothing else is stated.
 #pragma once
 
 #include <cstdint>
 
 #include "krait/math.hpp"
+
+#ifdef KRAIT_ASSERT_HEADER
+#include KRAIT_ASSERT_HEADER
+#endif
+
+#ifndef KRAIT_ASSERT
+/// A precondition, such as that an index is below a count. It is checked where the build names a header,
+/// KRAIT_ASSERT_HEADER, that defines the macro as an expression of type void; otherwise the condition is not evaluated,
+/// and costs nothing.
+#define KRAIT_ASSERT(condition) static_cast<void>(sizeof((condition) ? 1 : 0))
+#endif
 
 namespace krait {
 
@@ -82,7 +93,10 @@ struct Polygon {
   int count = 0;                   ///< kMinVertices … kMaxVertices for a piece or a body, more for a goal
 
   /// Vertex i, 0 … count - 1.
-  Vec2 operator[](int i) const { return vertices[i]; }
+  Vec2 operator[](int i) const {
+    KRAIT_ASSERT(i >= 0 && i < count);
+    return vertices[i];
+  }
 };
 
 /// The smallest box around a polygon's vertices, of which there must be one. O(vertices).

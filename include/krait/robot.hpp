@@ -36,15 +36,18 @@ class Robot {
   int control_size() const { return control_size_; }  ///< floats of a control, 1 … kMaxControl where sizes_valid()
   int body_count() const { return body_count_; }      ///< 1 … kMaxBodies where sizes_valid()
   /// Bodies i and j are tested against each other where |i - j| is at least this.
-  int self_collision_gap() const { return functions_->self_collision_gap(self_); }
-  /// Whether dimensions and limits can be used; true for none.
+  int self_collision_gap() const { return functions()->self_collision_gap(self_); }
+  /// Whether dimensions and limits can be used; true where it refers to no robot.
   bool sound() const { return functions_ == nullptr || functions_->sound(self_); }
   /// Whether the robot can drive backwards.
-  bool reversible() const { return functions_->reversible(self_); }
+  bool reversible() const { return functions()->reversible(self_); }
   /// The body that steer brings to the target's point when it drives backwards, 0 … body_count() - 1.
-  int backing_body() const { return functions_->backing_body(self_); }
+  int backing_body() const { return functions()->backing_body(self_); }
   /// Body k's outline in its own frame, 0 … body_count() - 1; metres. Its vertices are the robot's.
-  Polygon body(int k) const { return functions_->body(self_, k); }
+  Polygon body(int k) const {
+    KRAIT_ASSERT(k >= 0 && k < body_count_);
+    return functions()->body(self_, k);
+  }
 
   /// Whether the sizes are within the model's, the backing body is one of the robot's, and self_collision_gap is 1 or
   /// more.
@@ -53,92 +56,97 @@ class Robot {
            control_size_ <= functions_->max_control && body_count_ >= 1 && body_count_ <= functions_->max_bodies &&
            backing_body() >= 0 && backing_body() < body_count_ && self_collision_gap() >= 1;
   }
-  bool leads() const { return functions_->leads; }          ///< whether leading components are integrated first
-  bool has_speed() const { return functions_->has_speed; }  ///< whether the robot has the function `speed`
+  bool leads() const { return functions()->leads; }          ///< whether leading components are integrated first
+  bool has_speed() const { return functions()->has_speed; }  ///< whether the robot has the function `speed`
   /// Whether the robot was compiled with the library's arithmetic.
   bool exact() const { return functions_ == nullptr || functions_->exact(self_); }
-  const detail::Parking* parking() const { return functions_->parking; }  ///< the library's own; null where not kParks
+  const detail::Parking* parking() const { return functions()->parking; }  ///< the library's own; null where not kParks
   /// The library's own; null where not kParks.
-  const detail::Departing* departing() const { return functions_->departing; }
-  const detail::Docking* docking() const { return functions_->docking; }  ///< the library's own; null where not kDocks
-  bool answers_proven() const { return functions_->answers_proven; }      ///< kAnswersProven of its class
+  const detail::Departing* departing() const { return functions()->departing; }
+  const detail::Docking* docking() const { return functions()->docking; }  ///< the library's own; null where not kDocks
+  bool answers_proven() const { return functions()->answers_proven; }      ///< kAnswersProven of its class
 
   /// Writes the frame of every body in s.
-  void place(const float* s, Pose* poses) const { functions_->place(self_, s, state_size_, poses); }
+  void place(const float* s, Pose* poses) const { functions()->place(self_, s, state_size_, poses); }
   /// Writes body 0's frame, by the leading components of s alone.
-  void place_lead(const float* s, Pose* poses) const { functions_->place(self_, s, leading_size_, poses); }
+  void place_lead(const float* s, Pose* poses) const { functions()->place(self_, s, leading_size_, poses); }
   /// Writes the dynamics ds = f(s, u), in units of the state a second.
   void derivative(const float* s, const float* u, float* ds) const {
-    functions_->derivative(self_, s, state_size_, u, ds);
+    functions()->derivative(self_, s, state_size_, u, ds);
   }
   /// Writes ds of the leading components, by them alone.
   void lead_rates(const float* s, const float* u, float* ds) const {
-    functions_->derivative(self_, s, leading_size_, u, ds);
+    functions()->derivative(self_, s, leading_size_, u, ds);
   }
   /// Writes to d what dt seconds under u add to those components of s that are integrated first: the leading ones, or
   /// all. `poses` are the frames in s; `lead` is filled for integrate_rest. As much as four derivatives, at most.
   void integrate_lead(const float* s, const Pose* poses, const float* u, float dt, detail::Lead& lead, float* d) const {
-    functions_->integrate_lead(self_, s, state_size_, poses, u, dt, lead, d);
+    functions()->integrate_lead(self_, s, state_size_, poses, u, dt, lead, d);
   }
   /// The same of a state that has no others than the leading components; `poses` is body 0's frame.
   void integrate_lead_alone(const float* s, const Pose* poses, const float* u, float dt, detail::Lead& lead,
                             float* d) const {
-    functions_->integrate_lead(self_, s, leading_size_, poses, u, dt, lead, d);
+    functions()->integrate_lead(self_, s, leading_size_, poses, u, dt, lead, d);
   }
   /// Writes to d what the same step adds to the components that integrate_lead does not integrate.
   void integrate_rest(const float* s, const Pose* poses, float dt, const detail::Lead& lead, float* d) const {
-    if (functions_->leads) functions_->integrate_rest(self_, s, poses, dt, lead, d);
+    if (functions()->leads) functions()->integrate_rest(self_, s, poses, dt, lead, d);
   }
 
   /// Writes the control that steers s, whose frames are `poses`, toward the target.
   void steer(const float* s, const Pose* poses, const Target& target, Steering& steering, float* u) const {
-    functions_->steer(self_, s, poses, target, steering, u);
+    functions()->steer(self_, s, poses, target, steering, u);
   }
   /// Changes u, the control of `reference`, which s is very near to, so that the robot comes back to the reference's
   /// motion within some time steps of dt seconds.
   void track(const float* s, const float* reference, float dt, float* u) const {
-    functions_->track(self_, s, reference, dt, u);
+    functions()->track(self_, s, reference, dt, u);
   }
   /// Carries the errors of a state's components over a time step of dt seconds; returns the metres that a body may be
   /// off then.
   float carry_errors(const float* s, const Pose* poses, const float* u, float dt, float* errors) const {
-    return functions_->carry_errors(self_, s, poses, u, dt, errors);
+    return functions()->carry_errors(self_, s, poses, u, dt, errors);
   }
   /// Whether s is within the robot's limits.
-  bool within_limits(const float* s) const { return functions_->within_limits(self_, s); }
-  /// Whether s is so far within them that the tree may keep it.
-  bool keeps_reserve(const float* s) const { return functions_->keeps_reserve(self_, s); }
+  bool within_limits(const float* s) const { return functions()->within_limits(self_, s); }
+  /// Whether s is so far within the limits that the tree may keep it.
+  bool keeps_reserve(const float* s) const { return functions()->keeps_reserve(self_, s); }
   /// Writes bounds on the motion of every body while u is held for dt seconds from s to next; returns false where the
   /// limits are not proven to hold in between.
   [[nodiscard]] bool travel(const float* s, const float* u, float dt, const float* next, Travel* travel) const {
-    return functions_->travel(self_, s, u, dt, next, travel);
+    return functions()->travel(self_, s, u, dt, next, travel);
   }
   /// A cheap bound on the same step; one that proves nothing for a robot without that function.
   QuickBound quick_bound(const float* s, const float* u, float dt, const float* next) const {
-    return functions_->quick_bound(self_, s, u, dt, next);
+    return functions()->quick_bound(self_, s, u, dt, next);
   }
   /// Moves s and its frames by dt seconds under u, roughly; false where that leaves the limits.
   [[nodiscard]] bool sketch(float* s, Pose* poses, const float* u, float dt) const {
-    return functions_->sketch(self_, s, poses, u, dt);
+    return functions()->sketch(self_, s, poses, u, dt);
   }
   /// 1/s: how fast the dynamics can change within a time step of dt seconds; 0 for a robot without that function.
-  float fastest_rate(float dt) const { return functions_->fastest_rate(self_, dt); }
+  float fastest_rate(float dt) const { return functions()->fastest_rate(self_, dt); }
   /// m/s, at least 0; 0 for a robot without that function.
-  float speed(const float* s) const { return functions_->speed(self_, s); }
+  float speed(const float* s) const { return functions()->speed(self_, s); }
   /// Metres along body 0's x axis, negative backwards; 0 for a robot without that function.
-  float stopping_way(const float* s) const { return functions_->stopping_way(self_, s); }
-  /// Metres, of the sharpest turn that it drives for long; `length` for a robot without that function.
-  float turning_radius(float length) const { return functions_->turning_radius(self_, length); }
+  float stopping_way(const float* s) const { return functions()->stopping_way(self_, s); }
+  /// Metres: the radius of the sharpest turn that it can drive for long; `length` for a robot without that function.
+  float turning_radius(float length) const { return functions()->turning_radius(self_, length); }
   /// m/s, straight ahead; `length` metres a second for a robot without that function.
-  float top_speed(float length) const { return functions_->top_speed(self_, length); }
-  /// Writes to s the state of standing still there: metres, radians; `angles` are `count` headings of the bodies after
-  /// the first, none: they have `heading`. False, and nothing is written, where the robot has no such function or
-  /// another number of bodies.
+  float top_speed(float length) const { return functions()->top_speed(self_, length); }
+  /// Writes to s the state in which the robot stands still there: metres, radians. `angles` are the `count` headings of
+  /// the bodies after the first; with count 0 all of them have `heading`. Returns false, and writes nothing, where the
+  /// robot has no such function or another number of bodies.
   [[nodiscard]] bool rest(Vec2 position, float heading, const float* angles, std::uint32_t count, float* s) const {
-    return functions_->rest(self_, position, heading, angles, count, s);
+    return functions()->rest(self_, position, heading, angles, count, s);
   }
 
  private:
+  const detail::RobotFunctions* functions() const {
+    KRAIT_ASSERT(functions_ != nullptr);
+    return functions_;
+  }
+
   const detail::RobotFunctions* functions_ = nullptr;
   const void* self_ = nullptr;
   int state_size_ = 0;

@@ -23,8 +23,9 @@ class IndexArray {
  public:
   IndexArray() = default;  ///< of nothing
 
-  /// Integer i, or kNone; unchecked.
+  /// Integer i of the file's array, or kNone. The array does not know its length, so i is not checked.
   Index operator[](std::size_t i) const {
+    KRAIT_ASSERT(data_ != nullptr);
     if (wide_) return reinterpret_cast<const std::uint32_t*>(data_)[i];
     const Index index = reinterpret_cast<const std::uint16_t*>(data_)[i];
     return index == format::kNone16 ? kNone : index;
@@ -58,6 +59,7 @@ struct CellGrid {
   }
   /// The number of a cell of the grid, by rows.
   std::size_t index(Cell c) const {
+    KRAIT_ASSERT(c.column >= 0 && c.column < columns && c.row >= 0 && c.row < rows);
     return static_cast<std::size_t>(c.row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(c.column);
   }
 
@@ -213,13 +215,25 @@ class Scene {
   // Buckets: triangles and pieces by place. A bucket's list ends where that of the next one begins.
   const CellGrid& buckets() const { return buckets_; }  ///< a bucket's number is CellGrid::index
   /// Where the list of a bucket's triangles begins; `bucket` is at most the number of buckets.
-  std::uint32_t bucket_triangles_begin(std::size_t bucket) const { return bucket_triangle_offsets_[bucket]; }
+  std::uint32_t bucket_triangles_begin(std::size_t bucket) const {
+    KRAIT_ASSERT(bucket <= bucket_count());
+    return bucket_triangle_offsets_[bucket];
+  }
   /// Entry i of all buckets' lists of triangles: a triangle that meets the bucket, ascending in each.
-  Index bucket_triangle(std::uint32_t i) const { return bucket_triangles_[i]; }
+  Index bucket_triangle(std::uint32_t i) const {
+    KRAIT_ASSERT(i < header_.bucket_triangles);
+    return bucket_triangles_[i];
+  }
   /// Where the list of a bucket's pieces begins; `bucket` is at most the number of buckets.
-  std::uint32_t bucket_pieces_begin(std::size_t bucket) const { return bucket_piece_offsets_[bucket]; }
+  std::uint32_t bucket_pieces_begin(std::size_t bucket) const {
+    KRAIT_ASSERT(bucket <= bucket_count());
+    return bucket_piece_offsets_[bucket];
+  }
   /// Entry i of all buckets' lists of pieces: a piece whose box meets the bucket, ascending in each.
-  Index bucket_piece(std::uint32_t i) const { return bucket_pieces_[i]; }
+  Index bucket_piece(std::uint32_t i) const {
+    KRAIT_ASSERT(i < header_.bucket_pieces);
+    return bucket_pieces_[i];
+  }
 
   const ClearanceGrid& clearance() const { return clearance_grid_; }  ///< how far obstacles and bounds are, at least
 
@@ -229,6 +243,7 @@ class Scene {
     KRAIT_ASSERT(triangle < triangle_count() && i >= 0 && i < 3);
     return at(triangle, i);
   }
+  std::size_t bucket_count() const { return std::size_t{header_.bucket_columns} * header_.bucket_rows; }
   // The header of a scene that was not opened, which contains no point.
   static format::Header unopened() {
     format::Header header{};

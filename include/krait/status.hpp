@@ -1,22 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 /// \file
-/// Statuses and their details, why a search found no plan, and the hook for checked preconditions.
+/// Statuses and their details, and why a search found no plan.
 #pragma once
 
 #include <cstdint>
 
 #include "krait/geometry.hpp"
-
-#ifdef KRAIT_ASSERT_HEADER
-#include KRAIT_ASSERT_HEADER
-#endif
-
-#ifndef KRAIT_ASSERT
-/// A precondition, such as that an index is below a count. It is checked where the build names a header,
-/// KRAIT_ASSERT_HEADER, that defines the macro as an expression of type void; otherwise the condition is not evaluated,
-/// and costs nothing.
-#define KRAIT_ASSERT(condition) static_cast<void>(sizeof((condition) ? 1 : 0))
-#endif
 
 namespace krait {
 

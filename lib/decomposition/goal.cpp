@@ -72,6 +72,7 @@ bool Goal::valid(const Scene& scene) const {
 }
 
 bool Goal::contains(const Scene& scene, Vec2 p, float depth) const {
+  KRAIT_ASSERT(valid(scene));
   if (is_disc()) return length(p - center_) <= radius_ - depth;
   const Polygon polygon = scene.goal_polygon(index_);
   const bool in = inside(polygon, p);
@@ -81,10 +82,12 @@ bool Goal::contains(const Scene& scene, Vec2 p, float depth) const {
 }
 
 bool Goal::covers(const Scene& scene, Index triangle) const {
+  KRAIT_ASSERT(valid(scene));
   return is_disc() ? triangle_meets_disc(scene, triangle, center_, radius_) : scene.goal_of(triangle) == index_;
 }
 
 bool Goal::may_reach(const Scene& scene, Index triangle, float reach, const Box& box) const {
+  KRAIT_ASSERT(valid(scene));
   if (is_disc()) return triangle_meets_disc(scene, triangle, center_, radius_ + reach);
   const Vec2 corners[3] = {scene.corner(triangle, 0), scene.corner(triangle, 1), scene.corner(triangle, 2)};
   const Box a = bounding_box({corners, 3});
@@ -95,11 +98,13 @@ bool Goal::may_reach(const Scene& scene, Index triangle, float reach, const Box&
 bool Goal::near(const Scene& scene, Vec2 p, float reach) const { return contains(scene, p, -reach); }
 
 Box Goal::box(const Scene& scene) const {
+  KRAIT_ASSERT(valid(scene));
   if (is_disc()) return {center_ - Vec2{radius_, radius_}, center_ + Vec2{radius_, radius_}};
   return bounding_box(scene.goal_polygon(index_));
 }
 
 float Goal::size(const Scene& scene) const {
+  KRAIT_ASSERT(valid(scene));
   if (is_disc()) return 1.7724539F * radius_;  // sqrt(pi) * radius
   const Polygon polygon = scene.goal_polygon(index_);
   // The area is found in grid steps: floats would find none in a sliver, or a negative one. The sum wraps around and

@@ -149,6 +149,7 @@ Chain::Chain(const ChainParameters& parameters, bool slip)
 }
 
 void Chain::set_body(int k, Polygon polygon) {
+  KRAIT_ASSERT(k >= 0 && k < kMaxBodies);
   Body& body = bodies_[k];
   body.count = polygon.count <= kMaxVertices ? polygon.count : 0;
   for (int i = 0; i < body.count; ++i) body.vertices[i] = polygon[i];

@@ -87,7 +87,10 @@ class Chain {
   /// frame; copied. Of more it keeps none, which init refuses as bad_robot.
   void set_body(int k, Polygon polygon);
   /// Body k's polygon, 0 … kMaxTrailers, in its frame; metres. The vertices are this robot's.
-  Polygon body(int k) const { return {bodies_[k].vertices, bodies_[k].count}; }
+  Polygon body(int k) const {
+    KRAIT_ASSERT(k >= 0 && k < kMaxBodies);
+    return {bodies_[k].vertices, bodies_[k].count};
+  }
 
   /// Standing straight and still: writes state_size() floats. Metres, radians; `angles`: one heading a trailer, or null
   /// for `heading`. O(trailers).

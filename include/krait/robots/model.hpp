@@ -77,6 +77,7 @@ class Pid {
  public:
   /// The output for an error held over dt seconds, dt > 0. O(1).
   float operator()(const PidGains& gains, float error, float dt) {
+    KRAIT_ASSERT(dt > 0.0F);
     sum_ = sum_ + error * dt;
     const float slope = fresh_ ? 0.0F : (error - last_) / dt;
     last_ = error;
