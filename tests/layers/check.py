@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Whether the includes follow the layers: no file and no folder includes itself, directly or round about, the core
-includes nothing of the workstation, none of the core's layers includes one above it, what is installed is what the list
-here says, and no header that is installed includes one that is not. Prints what breaks a rule. Exit code: 0 none does,
-1 some do."""
+"""Whether the includes follow the layers: no file and no folder, of tests and bench as well, includes itself, directly or
+round about; the core includes nothing of the workstation, none of the core's layers includes one above it, what is
+installed is what the list here says, and no header that is installed includes one that is not. Prints what breaks a
+rule. Exit code: 0 none does, 1 some do."""
 import argparse
 import re
 import subprocess
@@ -29,7 +29,11 @@ PUBLIC = {
     "robots/detail/defaults.hpp", "robots/detail/functions.hpp",  # what such a robot is compiled with
 }
 ENTRANCES = ["krait.hpp", "krait.h", "robot_check.hpp"]  # what a user's program includes, under include/krait
-SEARCHED = ["include", "lib", "port"]  # what #include "…" is relative to, beside the including file's folder
+SEARCHED = ["include", "lib", "port", "bench", "tests"]
+# What #include "…" is relative to, beside the including file's folder.
+RELATIVE_TO = [*SEARCHED, ".", "bench/constants", "tests/campaign", "tests/consumer/c", "tests/consumer/firmware",
+               "tests/core", "tests/host/compiler", "tests/host/rivals"]
+CORE = ("include", "lib")
 
 
 def sources(root):
@@ -43,17 +47,17 @@ def includes(root, names):
     for name in sorted(names):
         for path in re.findall(r'^\s*#\s*include "([^"]+)"', (root / name).read_text(), re.MULTILINE):
             beside = str(Path(name).parent / path)
-            for candidate in [beside, *(f"{folder}/{path}" for folder in SEARCHED)]:
+            for candidate in [beside, *(str(Path(folder) / path) for folder in RELATIVE_TO)]:
                 if candidate in names:
                     found.append((name, candidate))
                     break
     return found
 
 
-# The name of a core file's layer; None for a file of the workstation or of a port.
+# The name of a core file's layer; None for any other file.
 def layer(name):
     parts = Path(name).parts
-    if parts[0] == "port":
+    if parts[0] not in CORE:
         return None
     inner = parts[2:] if parts[0] == "include" else parts[1:]
     return Path(inner[0]).stem
@@ -99,7 +103,7 @@ def complaints(pairs):
                 yield f"{name}: the layer {of} is not in the list of tests/layers/check.py"
                 return
         if own is not None and other is None:
-            yield f"{a} includes {b}: the core must not include a port"
+            yield f"{a} includes {b}: the core must include nothing of {Path(b).parts[0]}"
         elif own is not None and LAYERS.index(other) > LAYERS.index(own):
             yield f"{a} includes {b}: {own} lies below {other}"
     for what, edges in (("files", pairs), ("folders", [(folder(a), folder(b)) for a, b in pairs])):
