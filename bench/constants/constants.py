@@ -97,13 +97,15 @@ ARGUED = {
     "lib/last_metres/dubins.cpp": ["kNoTurn"],
     "lib/last_metres/dubins.hpp": ["kMostPieces", "kDubinsWords"],
     "lib/last_metres/last_metres.hpp": ["kRadii", "kShortLeadCount", "kLeadCount"],
-    "lib/last_metres/manoeuvre.hpp": ["kNoWay"],
+    "lib/last_metres/manoeuvre.hpp": ["kNoWay", "kShortening", "kMostShortenings"],
     "lib/last_metres/pull_outs.cpp": ["kSides", "kFarOut"],
     "lib/last_metres/pull_outs.hpp": ["kMostLooks"],
     "lib/search/recent_states.hpp": ["kCount"],
     # What 32 bits hold.
     "lib/search/restarts.hpp": ["kMostUnit"],
     "lib/improve/improver.hpp": ["kLeastVias", "kLeastPoints"],
+    # Larger than any turn that matters, and than any way that is driven toward it.
+    "lib/improve/improver.cpp": ["kStraightRadius", "kFarAway"],
     "lib/improve/corners.hpp": ["kShares"],
     "lib/collision/distance.cpp": ["kMaxRounds"],
     "lib/collision/goal_room.cpp": ["kDiagonal"],
@@ -123,6 +125,8 @@ ARGUED = {
     "lib/motion/plan_drive.cpp": ["kSimpson", "kSplitter", "kSame", "kNear"],
     # A power of two, so that it rounds nothing; and shorter steps than the tree's, whatever the robot.
     "lib/motion/plan_drive.hpp": ["kMagnified", "kUnknownParts"],
+    # Promised to users: Goal::deepest.
+    "lib/decomposition/goal.cpp": ["kDeepestShare"],
     # They bound the error of a step, which tests hold (lib/DESIGN.md, "Integration"), and the work that keeps it.
     "lib/motion/rk4.hpp": ["kStepRate", "kPlanStepRate", "kFinePlanStepRate", "kMostParts", "kMostPlanParts"],
     # Promised to users: Parameters::end_speed; and at most a tenth of what a pose's tolerances leave.
@@ -136,7 +140,8 @@ ARGUED = {
     # No length; and memory against work: a state takes as much as a leg or two, and a leg is driven to find it again.
     "lib/plan/way.hpp": ["kOffRoute", "kLegsAState"],
     # Bounds on rounding and on Runge-Kutta's error, which the lemmas' tests hold, and a reserve of several of them.
-    "lib/robot/chain.cpp": ["kHitchReserve", "kHitchError", "kRounding", "kNormError", "kStages", "kMaxHeading"],
+    "lib/robot/chain.cpp": ["kHitchReserve", "kHitchError", "kRounding", "kNormError", "kMostReach", "kSteeringShare",
+                            "kStages", "kMaxHeading"],
     "lib/robot/chain_sketch.cpp": ["kLittlePull"],
     # Controls of robots that hold still.
     "lib/robot/differential_drive.cpp": ["kStill"],
@@ -159,8 +164,8 @@ STEERING = {
     "lib/robot/front_wheels.hpp": ["kSteeringGains", "kCreep"],
     "lib/robot/unicycle.cpp": ["kHeadingGains"],
     "lib/robot/pushing.cpp": ["kNear", "kSharpest", "kLockShare", "kShortest", "kLongest", "kBack"],
-    "lib/robot/tracking.hpp": ["kHeadingShare", "kShare"],
-    "lib/robot/trailers.hpp": ["kUnfoldRate", "kFoldBound"],
+    "lib/robot/tracking.hpp": ["kHeadingShare", "kSteps", "kShare"],
+    "lib/robot/trailers.hpp": ["kUnfoldRate", "kFoldBound", "kLeastSpeed"],
     "lib/robot/turning.hpp": ["kSteered", "kTurnBrake", "kTurnTimes"],
 }
 SECTIONS = {

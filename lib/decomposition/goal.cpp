@@ -12,6 +12,8 @@ using detail::to_grid;
 
 namespace {
 
+constexpr float kDeepestShare = 0.1F;  // of a goal's size: lib/DESIGN.md, "The goal is shrunk"
+
 float distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
   const Vec2 ab = b - a;
   const Vec2 ap = p - a;
@@ -119,8 +121,8 @@ float Goal::size(const Scene& scene) const {
 
 float Goal::deepest(const Scene& scene) const {
   const float side = size(scene);
-  const float tenth = 0.1F * side;
-  if (is_disc()) return tenth;
+  const float most = kDeepestShare * side;
+  if (is_disc()) return most;
   // The largest circle in any polygon has a radius of its area by its perimeter at least (Bonnesen).
   const Polygon polygon = scene.goal_polygon(index_);
   float perimeter = 0.0F;
@@ -130,7 +132,7 @@ float Goal::deepest(const Scene& scene) const {
     last = polygon[i];
   }
   const float half_radius = 0.5F * side * side / perimeter;
-  return std::min(tenth, half_radius);
+  return std::min(most, half_radius);
 }
 
 }  // namespace krait

@@ -6,6 +6,9 @@
 namespace krait::detail {
 namespace {
 
+constexpr float kStraightRadius = 20.0F;  // lengths of body 0: a wider turn counts as one of this radius
+constexpr float kFarAway = 100.0F;        // lengths of body 0: to a point that the robot does not get near to
+
 // Metres: of one trailer that cuts corners about as much as all of the robot's together.
 float trailing_length(const Pose* poses, int bodies) {
   float sum = 0.0F;
@@ -138,7 +141,7 @@ void Improver::measure_turn() {
     path += made;
     turned += length(Vec2{pose[0].heading.cos - before.heading.cos, pose[0].heading.sin - before.heading.sin});
   }
-  const float most = 20.0F * robot_length_;  // of a robot that drives straight on
+  const float most = kStraightRadius * robot_length_;
   turns_.radius[share_] = path < most * turned ? path / turned : most;
   if (share_ == 0) sharpest_ = turned / static_cast<float>(kMeasured);
   if (++share_ < Turns::kShares) return;
@@ -154,7 +157,7 @@ void Improver::aim_aside(const Pose& pose, bool to_the_left) {
   const Vec2 ahead{pose.heading.cos, pose.heading.sin};
   const Vec2 aside{-ahead.y, ahead.x};
   Target target;
-  target.point = pose.position + 100.0F * robot_length_ * (to_the_left ? aside : ahead);
+  target.point = pose.position + kFarAway * robot_length_ * (to_the_left ? aside : ahead);
   target.turn = Turns::kShare[share_];
   tools_.drive->aim(target);
 }

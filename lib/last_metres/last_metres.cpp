@@ -315,8 +315,8 @@ bool LastMetres::turn(const Pose& at, Target& target) {
 
 Vec2 LastMetres::point_ahead(const CurvedLine& line, float arc, float look) const {
   Vec2 point = line.at(arc + look).position;
-  for (int i = 0; i < 8 && !scene_->inside_bounds(point); ++i) {  // down to a seventeenth: the line begins inside
-    look = 0.7F * look;
+  for (int i = 0; i < kMostShortenings && !scene_->inside_bounds(point); ++i) {
+    look = kShortening * look;
     point = line.at(arc + look).position;
   }
   return point;

@@ -76,7 +76,7 @@ float Manoeuvre::curvature(const Move::Offset& off) const {
 
 Vec2 Manoeuvre::beside(const Pose& at, float side) const {
   Vec2 way = side * robot_->length * left_of(direction(at.heading));
-  for (int i = 0; i < 8 && !scene_->inside_bounds(at.position + way); ++i) way = 0.7F * way;
+  for (int i = 0; i < kMostShortenings && !scene_->inside_bounds(at.position + way); ++i) way = kShortening * way;
   return at.position + way;
 }
 

@@ -12,6 +12,11 @@
 
 namespace krait::detail {
 
+// A target is a point of the bounds (TargetGrid). Where it would lie outside, the way to it, which begins inside, is
+// shortened by this factor, at most so often: to a seventeenth.
+inline constexpr float kShortening = 0.7F;
+inline constexpr int kMostShortenings = 8;
+
 class Manoeuvre {
  public:
   static constexpr std::uint8_t kNoWay = 255;

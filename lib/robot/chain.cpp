@@ -33,11 +33,21 @@ namespace {
 // m/s^2 per m/s of speed error. Found by driving, and part of the models: lib/robot/SNAKE.md, "Steering".
 constexpr PidGains kSpeedGains{10.0F, 0.1F, 0.1F};
 
-constexpr float kHitchReserve = 2e-3F;            // radians: the tree's hitch angles stay so far below their limit
-constexpr float kHitchError = 3e-4F;              // radians: what RK4 may be off by in a step
-constexpr float kRounding = 4e-8F;                // of a float, and of the sines that are found of it
-constexpr float kNormError = 5.0F * kHitchError;  // of as many angles as there may be trailers, in the Euclidean norm
+// Radians: how far below their limit the tree's hitch angles stay, several times what a step is off by, so that a plan,
+// which is driven a little beside the tree, keeps the limit: keeps_reserve of RobotModel.
+constexpr float kHitchReserve = 2e-3F;
+// Radians: more than a Runge-Kutta step of the tree is off by; lemma 6 of CHAIN.md. And what that is for as many angles
+// as there may be trailers, in the Euclidean norm; lemma 11.
+constexpr float kHitchError = 3e-4F;
+constexpr float kNormError = 5.0F * kHitchError;
 static_assert(5 * 5 >= kMaxTrailers);
+// Times 1 + |heading|: what the float of a heading and its sine are taken to be off by; lib/DESIGN.md, "Integration",
+// on pushed trailers.
+constexpr float kRounding = 4e-8F;
+// Lemmas 10 to 13 of CHAIN.md hold for r below this, where 2 - 2 r is far from 0. Longer steps are bounded by travel.
+constexpr float kMostReach = 0.9F;
+// How much the steering rate counts among the rates of the dynamics; lib/DESIGN.md, "Integration".
+constexpr float kSteeringShare = 0.75F;
 
 // Largest |x| on the way from x at `rate` for dt.
 float largest(float x, float rate, float dt) {
@@ -304,7 +314,7 @@ float Chain::fastest_rate(float dt) const {
   const float speed = detail::fastest(p);
   const float acceleration = std::min(p.max_acceleration, (p.max_speed - p.min_speed) / dt);
   const float steering = std::min(p.max_steering_rate, 2.0F * p.max_steering / dt);
-  const float rates[] = {speed / arm, std::sqrt(acceleration / arm), 0.75F * steering};
+  const float rates[] = {speed / arm, std::sqrt(acceleration / arm), kSteeringShare * steering};
   float most = 0.0F;
   for (const float rate : rates) most = std::max(most, rate);
   return most;
@@ -440,7 +450,7 @@ bool Chain::travel(StateView s, ControlView u, float dt, StateView next, Travel*
   const float steering = largest(s[4], u[1], dt);
   const float car_turn = way * steering / p.wheelbase;
   const float reach = way / p.hitch_length;
-  if (!(reach < 0.9F)) return {};
+  if (!(reach < kMostReach)) return {};
   float most = 0.0F;
   float squares = 0.0F;
   float high = s[2] + next[2];

@@ -27,7 +27,9 @@ constexpr PidGains kHeadingGains{3.0F, 0.05F, 0.1F};
 // Share of the speed by which a robot that lags may be faster. Measured: bench/ABLATIONS.md, "Plans are driven once
 // more".
 constexpr float kCatchUp = 0.1F;
-constexpr float kCreep = 1e-3F;  // metres a second by which it may be faster at any speed
+// Metres a second by which it may be faster at any speed, since a share of no speed is none: lib/DESIGN.md,
+// "Integration".
+constexpr float kCreep = 1e-3F;
 
 // The wheels' speeds after a step in which each changes by `change` at most: half their difference comes as near as
 // that allows to half_turn, and their mean, by what then remains, to `forward`.

@@ -36,7 +36,7 @@ struct TurningWheels {
 // angle's half of the step. Where the car hardly moves, any angle will do.
 inline float straightenable(float wanted, float error, const TurningWheels& wheels) {
   constexpr float kPast = 0.25F;   // measured: bench/ABLATIONS.md, "Wheels are straight again in time"
-  constexpr float kCreep = 1e-3F;  // wheelbases a step
+  constexpr float kCreep = 1e-3F;  // wheelbases a step: a slower car hardly moves; keeps the divisions below from zero
   const float way = std::max(kCreep, math::absolute(wheels.speed) * wheels.dt / wheels.wheelbase);
   const float step = wheels.rate * wheels.dt;
   const float toward = error < 0.0F ? -wheels.angle : wheels.angle;

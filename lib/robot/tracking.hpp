@@ -23,7 +23,8 @@ inline Deviation deviation(StateView s, StateView reference) {
   return {dot(along, apart), cross(along, apart), s[2] - reference[2]};
 }
 
-// Share of a heading's error that a time step removes, where nothing steers. Found by driving.
+// Share of a heading's error that a time step removes, where nothing steers. Found by driving: lib/DESIGN.md,
+// "Integration".
 inline constexpr float kHeadingShare = 0.2F;
 
 // What removes deviations (lib/DESIGN.md, "Integration"): speed by a tenth of what lags a time step, heading toward the
@@ -33,14 +34,15 @@ struct Correction {
   float heading;  // radians, by which the heading should change
 };
 
-// Metres: `distance`, or eight time steps' way where that is more, below which tracking would not be stable.
+// Metres: `distance`, or the way of some time steps where that is more.
 inline float tracking_distance(float speed, float distance, float dt) {
+  constexpr float kSteps = 8.0F;  // with fewer tracking would not be stable; found by driving
   const float way = math::absolute(speed) * dt;
-  return std::max(8.0F * way, distance);
+  return std::max(kSteps * way, distance);
 }
 
 inline Correction correction(const Deviation& from, float speed, float distance, float dt) {
-  constexpr float kShare = 0.1F;
+  constexpr float kShare = 0.1F;  // of what lags, that a time step makes up for: lib/DESIGN.md, "Integration"
   const float turn = from.sideways / tracking_distance(speed, distance, dt);
   return {-kShare * from.ahead / dt, (speed < 0.0F ? turn : -turn) - from.heading};
 }

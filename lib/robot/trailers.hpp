@@ -27,9 +27,11 @@ inline void rest_trailers(float heading, const float* angles, int trailers, floa
 }
 
 // Of lemma 15: k, 1/s, how fast the first hitch may close in on its bound, and B, radians, that bound: more than the
-// 1.141 of a steady turn (lemma 14), and less than pi/2.
+// 1.141 of a steady turn (lemma 14), and less than pi/2. lib/robot/CHAIN.md, "How tightly trailers follow", has both
+// numbers, and that of the least speed.
 inline constexpr float kUnfoldRate = 2.0F;
 inline constexpr float kFoldBound = 1.2F;
+inline constexpr float kLeastSpeed = 0.1F;  // m/s: a slower speed counts as this one, so that the bound is smaller
 
 // The most tangent of the steering angle of a turn that all trailers follow for long, by lemma 14. P: ChainParameters
 // or the like.
@@ -43,7 +45,7 @@ template <class P>
 template <class P>
 [[gnu::always_inline]] inline float recoverable_tangent(const P& p, float hitch, float speed) {
   const float bound = std::min(kFoldBound, p.max_hitch_angle);
-  const float recovery = kUnfoldRate * (bound - hitch) / std::max(0.1F, math::absolute(speed));
+  const float recovery = kUnfoldRate * (bound - hitch) / std::max(kLeastSpeed, math::absolute(speed));
   return p.wheelbase * (math::sin_cos(hitch).sin / p.hitch_length + recovery);
 }
 

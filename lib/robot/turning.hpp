@@ -6,6 +6,7 @@
 
 namespace krait::detail {
 
+// Found by driving, and part of the models: lib/robot/UNICYCLE2.md and DIFF_DRIVE.md, "Steering".
 inline constexpr float kSteered = 0.98F;   // of the largest accelerations: what steering takes; tracking has the rest,
                                            // too, without which plans sway away from the tree
 inline constexpr float kTurnBrake = 0.7F;  // of the largest turn acceleration: what turning is to be stopped with
