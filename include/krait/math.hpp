@@ -97,7 +97,8 @@ inline SinCos sin_cos(float x) {
 }
 
 /// Sine and cosine of a small angle in radians, or of one a lane, error below 1.1e-7 for |x| <= kSmallAngle: the first
-/// terms of their series, the last two adjusted to the range.
+/// terms of their Taylor series, but with such coefficients of the last two that the polynomial's largest error in that
+/// range is least (minimax).
 template <class Real>
 inline SinCosOf<Real> small_sin_cos(Real x) {
   const Real z = x * x;

@@ -22,6 +22,9 @@ Square around(const Box& box, float reach) {
 
 }  // namespace
 
+// The clearance changes by no more than the point moves: its Lipschitz constant is 1. So no point of a square has more
+// than that of the centre and half a diagonal together. A square whose bound is too low is left out, others are
+// quartered.
 GoalRoom goal_room(const Scene& scene, const Obstacles& obstacles, const Goal& goal, float reach, float enough) {
   GoalRoom room;
   Square squares[3 * kDeepest + 1] = {around(goal.box(scene), reach)};

@@ -250,8 +250,8 @@ void Regions::run_dijkstra() {
 
 // A raised edge lengthens the paths that cross it: those of the raised region, whose every edge rose, and of all that
 // follow it in the shortest-path tree. They are recomputed from the neighbours that do not; no other path can have
-// changed. Where h has grown so large that h + C may be h, paths depend on the order of Dijkstra's queue: then all
-// are recomputed.
+// changed. So Ramalingam and Reps (Journal of Algorithms 21, 1996) repair paths where edges have become longer. Where h
+// has grown so large that h + C may be h, paths depend on the order of Dijkstra's queue: then all are recomputed.
 Index Regions::repair(bool all) {
   const Index stale = list_stale();
   if (!all) repair_listed(stale);

@@ -46,6 +46,7 @@ void drive_likewise(Via& via, const Via& as) {
 
 }  // namespace
 
+// The sum of six uniform numbers (Irwin and Hall's distribution), less its mean, by its standard deviation.
 float normal(Random& random) {
   float sum = -3.0F;
   for (int i = 0; i < 6; ++i) sum += random.unit();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pulls a line taut: from one of its points it goes straight to the farthest that a disc can go to, again and again,
-// and to and fro. Its corners remain.
+// and to and fro. Its corners remain. This is string pulling by lines of sight, not the funnel algorithm: the way need
+// not lead through a row of triangles.
 #pragma once
 
 #include "base/arena.hpp"
