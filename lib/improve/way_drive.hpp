@@ -67,9 +67,9 @@ class WayDrive {
   // Measured: bench/ABLATIONS.md, "Constants".
   static constexpr std::uint32_t kMostStuck = 12;  // legs that get no further along the route
   static constexpr float kFurther = 0.025F;        // of `reach`: what counts as further
-  static constexpr float kLeastShare = 0.97F;      // of the route or line that is left, below which no way on is
-  static constexpr float kNextShots = 0.65F;       // of the route that was left when the robot last shot: there it
-                                                   // shoots again
+  static constexpr float kLeastShare = 0.97F;      // of the route or line that remains: any way on is at least as long
+  static constexpr float kNextShots = 0.65F;  // of the route that remained when the robot last shot: it shoots again
+                                              // when no more than that remains
 
   // Drives to where that leg of the way begins, or would begin, with the same bits as when its legs were driven first.
   void drive_again(const Way& way, std::uint32_t legs);
@@ -86,13 +86,13 @@ class WayDrive {
   // Chooses shots from the way's last state if it is near a pose.
   void begin_shots();
 
-  // The next shot from there. False when there is none left.
+  // The next shot from there. False when none remains.
   bool begin_shot();
 
   // One step of a shot; whether it ends the plan. Where none does, the way goes on from where they began.
   bool shoot();
 
-  // Each leg is one of the way. False where there is none left, or the shot would be too long.
+  // Each leg is one of the way. False where the shot has none any more, or would be too long.
   bool begin_shot_leg(const Moment& now);
 
   // So slow that the robot can stop where the route ends.
@@ -110,7 +110,7 @@ class WayDrive {
   const Route* route_;
   std::uint32_t bound_;
   float until_;
-  float* resumed_from_;          // the state where the last way left the one before,
+  float* resumed_from_;          // the state from which the last way differs from the one before,
   std::uint32_t resumed_after_;  // after so many legs; kNone: there is none since assign
   float arc_;
   float furthest_;  // of arc_, from where on it counted as further
@@ -118,7 +118,7 @@ class WayDrive {
   std::uint32_t remaining_;  // steps of the leg
   bool braking_;             // whether the last leg is a brake
   bool shooting_;            // whether the last legs are a shot's,
-  float next_shots_;         // metres of the route that are left where they begin next,
+  float next_shots_;         // metres of the route that remain where they begin next,
   std::uint32_t shot_;       // the first of them,
   std::uint32_t leg_steps_;  // and the steps of the last
 };

@@ -104,7 +104,7 @@ class LastMetres {
   // Begins the next shot that was chosen, from the same place. False when none remains.
   bool next(const Pose* poses);
 
-  // The next leg's target. False when the shot has ended, the robot has left its line, or it does not turn.
+  // The next leg's target. False when the shot has ended, the robot is too far off its line, or it does not turn.
   bool aim(const Moment& now, Target& target);
 
   // Metres at the top speed that take no more time than what remains of the shot's line and turns. After aim.
@@ -151,7 +151,7 @@ class LastMetres {
   // Body 0 where a swing ends whose last arc turns to that side, for one of the goal's headings.
   Pose end_of_swing(SinCos heading, int side) const;
 
-  // Goes along the line as far as the robot has come. False where it has left the line.
+  // Goes along the line as far as the robot has come. False where the robot is too far off the line.
   bool keep_to_line(const Pose& at);
 
   // Radians by which the robot has to turn still, along the line or on the spot.

@@ -46,8 +46,8 @@ class Manoeuvre {
   bool on_last_move() const { return moving_ && moves_left_ == 0 && !turns_wheels_; }
   bool arrived(const Moment& now) const { return on_last_move() && move_.offset(now.at()).way <= near_; }
 
-  // The next leg's target, on the way to the pose or at it. False where the robot has left the move's line or does not
-  // come to rest at the pose.
+  // The next leg's target, on the way to the pose or at it. False where the robot is too far off the move's line or
+  // does not come to rest at the pose.
   bool aim(const Moment& now, Target& target);
 
   // Whether a leg of that many steps is over, which takes `hold` of them, or where the robot turns its wheels, until
