@@ -30,10 +30,13 @@ inline constexpr std::uint32_t kNone32 = 0xFFFFFFFF;  ///< none, where Header::i
 inline constexpr int kMinPieceVertices = kMinVertices;  ///< the least of an obstacle piece
 inline constexpr int kMaxPieceVertices = kMaxVertices;  ///< the most of an obstacle piece
 inline constexpr std::uint8_t kMaxClearance = 255;      ///< the largest byte of a clearance cell
-inline constexpr int kClearanceUnits = 8;  ///< times Header::clearance_unit is the side of a clearance cell
-inline constexpr int kCellMargin = 4;      ///< grid steps by which cells are widened: readers find them in float
+inline constexpr int kClearanceUnits = 8;  ///< the side of a clearance cell, in units of Header::clearance_unit
+/// Grid steps by which each cell is widened on every side, since a reader finds a point's cell in floats, which round.
+inline constexpr int kCellMargin = 4;
 inline constexpr std::uint32_t kMaxCells = 65536;  ///< the most buckets, and the most clearance cells
-inline constexpr std::uint32_t kMostLooks = 16;    ///< the most clearance cells at pieces, a byte of the file
+/// How many comparisons of a clearance cell with a piece Scene::open makes at most for each byte of the file. It
+/// refuses a file that needs more, so that its work is bounded by the length of the file.
+inline constexpr std::uint32_t kMostLooks = 16;
 
 /// Sections follow the header in this order, each at the next multiple of 4 bytes. "index" is an unsigned
 /// integer of Header::index_width bytes. The number of a section is Failure::section of bad_scene.

@@ -21,7 +21,7 @@
 
 namespace krait {
 
-/// Numbers of triangles, regions, vertices and whatever else stands in an array.
+/// The number of a triangle, a region, a vertex or whatever else stands in an array.
 using Index = std::uint32_t;
 inline constexpr Index kNone = 0xFFFFFFFF;  ///< the number of nothing
 

@@ -40,7 +40,7 @@ class Goal {
 
   /// Whether it lies around a point: a disc's or a pose's.
   bool is_disc() const { return index_ == kNone; }
-  /// Whether the bodies' headings matter. What follows but for valid() is of the position only.
+  /// Whether the bodies' headings matter. All functions below, except for valid(), look at the position only.
   bool is_pose() const { return is_pose_; }
   const Facing& facing() const { return facing_; }  ///< of a pose
   Index index() const { return index_; }            ///< of a named goal; kNone of a disc or a pose
@@ -58,7 +58,8 @@ class Goal {
   /// Whether a triangle belongs to the goal: by its label, or by meeting the disc.
   bool covers(const Scene& scene, Index triangle) const;
 
-  /// False only when every point of the triangle is further than `reach` metres from the goal, whose box() is passed.
+  /// False only when every point of the triangle is further than `reach` metres from the goal. `box` is the goal's
+  /// box().
   bool may_reach(const Scene& scene, Index triangle, float reach, const Box& box) const;
 
   /// Whether p lies in the goal or at most `reach` metres away from it. O(vertices of the polygon).

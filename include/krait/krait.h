@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /** \file
-    krait in C: the adaptive planner, its robots and your own behind plain structs. Nothing allocates; all memory
-    is the caller's. The program needs no C++ run-time library, and no special compiler flags but for a robot of your
-    own: link krait::c (-lkrait_c -lkrait -lm). The two functions at the end are for workstations.
+    krait in C: the adaptive planner, its robots and your own behind plain structs. Nothing allocates; all memory is the
+    caller's. Link krait::c (-lkrait_c -lkrait -lm). The program needs no C++ run-time library; only a robot of your own
+    needs special compiler flags (krait_exact). The two functions at the end are for workstations.
 
-    Metres, radians, seconds. Positions are in the scene's local coordinates. A pointer argument must not be NULL
-    where nothing else is said, and what lies there is read during the call only. R is the number of the scene's
-    triangles. */
+    Units are metres, radians and seconds. Positions are in the scene's local coordinates. A pointer argument must not
+   be NULL where nothing else is said, and what it points to is read during the call only. R is the number of the
+   scene's triangles. */
 #ifndef KRAIT_KRAIT_H
 #define KRAIT_KRAIT_H
 
@@ -20,7 +20,7 @@
 extern "C" {
 #endif
 
-/** Whose result must be looked at: the compiler warns where it is thrown away. */
+/** Marks a function whose result must be used: the compiler warns where it is thrown away. */
 #if defined(__cplusplus)
 #define KRAIT_NODISCARD [[nodiscard]]
 #elif defined(__GNUC__)
@@ -68,9 +68,9 @@ enum {
 /** What went wrong, where. KRAIT_OK where nothing did. Fields that do not apply are zero. */
 typedef struct krait_failure {
   krait_status status;   /**< KRAIT_OK where nothing went wrong */
-  uint8_t section;       /**< KRAIT_BAD_SCENE: of the file, by the table of FORMAT.md; 255 is its header */
-  uint32_t element;      /**< KRAIT_BAD_SCENE: in the section, or an offset in the header; KRAIT_BAD_ARGUMENT,
-                              KRAIT_BAD_ROBOT: which, of krait_argument_name */
+  uint8_t section;       /**< KRAIT_BAD_SCENE: the section of the file, by the table of FORMAT.md; 255 is its header */
+  uint32_t element;      /**< KRAIT_BAD_SCENE: an index in the section, or an offset in the header; KRAIT_BAD_ARGUMENT,
+                              KRAIT_BAD_ROBOT: a number for krait_argument_name */
   uint64_t bytes_needed; /**< KRAIT_ARENA_TOO_SMALL: the length of the block that suffices */
   float most;            /**< KRAIT_BAD_ARGUMENT, dt: the longest time step in seconds that the robot allows */
 } krait_failure;
@@ -84,11 +84,11 @@ const char* krait_argument_name(uint32_t element);
 
 /* ---- The scene ---- */
 
-/** A checked view of a scene file, which stays where it is (in flash). To be filled by krait_open only; copies are
+/** A checked view of a scene file, which stays where it is, for example in flash. Only krait_open fills it; copies are
     views of the same file. */
 typedef union krait_scene {
-  uint64_t alignment;                             /**< makes it aligned to 8; not to be used */
-  unsigned char opaque[256 + 32 * sizeof(void*)]; /**< the view; not to be used */
+  uint64_t alignment;                             /**< aligns the union to 8 bytes; do not use it */
+  unsigned char opaque[256 + 32 * sizeof(void*)]; /**< the view; do not use it */
 } krait_scene;
 
 /** Checks the whole file, then views it. `file` is aligned to 4 and must stay, unchanged, for as long as the scene is
@@ -102,9 +102,9 @@ typedef struct krait_scene_facts {
   double origin_x,  /**< whole metres: world = origin + local; all that follows is local */
       origin_y;     /**< whole metres, of y */
   float min_x,      /**< metres: the least x of the workspace */
-      min_y,        /**< metres: the least y */
-      max_x,        /**< metres: the largest x */
-      max_y;        /**< metres: the largest y */
+      min_y,        /**< metres: the least y of the workspace */
+      max_x,        /**< metres: the largest x of the workspace */
+      max_y;        /**< metres: the largest y of the workspace */
   uint32_t goals,   /**< how many goals it has, numbered from 0; at most 65,535 */
       starts;       /**< how many starts it has, numbered from 0; at most 65,535 */
 } krait_scene_facts;
@@ -116,8 +116,8 @@ typedef struct krait_pose {
   float x,              /**< metres, local coordinates, of the position */
       y,                /**< metres, local coordinates, of the position */
       heading;          /**< radians, of body 0 */
-  const float* angles;  /**< radians: the headings of its trailers, or NULL for `heading`; not owned */
-  uint32_t angle_count; /**< how many they are: all trailers', or 0 for `heading`; 0 with NULL */
+  const float* angles;  /**< radians: the headings of its trailers, or NULL where they have `heading`; not owned */
+  uint32_t angle_count; /**< how many there are: as many as trailers; or 0, also with NULL: they have `heading` */
 } krait_pose;
 /** A start of the scene, 0 <= start < krait_scene_facts' starts, which is not checked. `angles` lie in the file.
     O(1). */
@@ -264,20 +264,20 @@ static inline bool krait_exact(void) {
 
 /** A robot of your own: pure functions of their arguments and of what lies at `self`, the argument of krait_own_robot,
     which must outlive the planner. Arrays are the caller's: states (s, next, reference, ds) have state_size floats,
-    controls (u) control_size, frames, travel and rates one element a body; what a function writes to it writes in full.
-    State components 0 and 1 are the position in metres, local coordinates. dt is seconds. A planner calls them during
-    its own calls only, derivative most of all. On a workstation, krait_check_robot says where one breaks what is said
-    here. */
+    controls (u) have control_size, and frames, travel and rates have one element for each body. A function that writes
+    to an array writes all of it. State components 0 and 1 are the position in metres, local coordinates. dt is in
+    seconds. A planner calls them during its own calls only, derivative most often. On a workstation, krait_check_robot
+    reports where one of them does not do what is said here. */
 typedef struct krait_functions {
   bool (*exact)(void); /**< krait_exact, of the file that the functions stand in */
   int state_size;      /**< 2 to KRAIT_MAX_STATE */
   int control_size;    /**< 1 to KRAIT_MAX_CONTROL */
   int body_count;      /**< 1 to KRAIT_MAX_BODIES */
 
-  /** Writes the dynamics ds = f(s, u), in units of the state a second. Four times a Runge-Kutta step. */
+  /** Writes the dynamics ds = f(s, u), in units of the state a second. Called four times for each Runge-Kutta step. */
   void (*derivative)(const void* self, const float* s, const float* u, float* ds);
   /** Writes the control that steers s toward the target, inside its limits and such that a step of target->dt keeps the
-      state inside its own. Once a time step. */
+      state inside its own. Called once for each time step. */
   void (*steer)(const void* self, const float* s, const krait_target* target, float* u);
   /** Whether speeds, steering and hitch angles of s are valid. */
   bool (*within_limits)(const void* self, const float* s);
@@ -292,7 +292,7 @@ typedef struct krait_functions {
       over. Returns false when the limits, which hold in s and next, are not proven to hold in between; it writes the
       bounds in either case. */
   bool (*travel)(const void* self, const float* s, const float* u, float dt, const float* next, krait_travel* travel);
-  /** Stands for travel: writes the most that every body does at any time of that step, and returns what travel
+  /** Replaces travel: writes the most that every body does at any time of that step, and returns what travel
       returns. */
   bool (*rates)(const void* self, const float* s, const float* u, float dt, const float* next, krait_body_rates* rates);
 
@@ -304,11 +304,12 @@ typedef struct krait_functions {
   /** Metres along body 0's x axis, negative backwards: how far from the position it comes to rest, roughly, when it
       brakes in s. Used to know where it pays to brake for the goal. NULL: 0. */
   float (*stopping_way)(const void* self, const float* s);
-  /** Metres, at least 0: of the sharpest turn that it drives for long, forwards; 0: it turns on the spot, at any target
-      speed above 0 toward a point that it does not face. Used to find the way to a pose. NULL: the length of body 0. */
+  /** Metres, at least 0: the radius of the sharpest turn that it can drive forwards for long; 0: it turns on the spot,
+      at any target speed above 0 toward a point that it does not face. Used to find the way to a pose. NULL: the length
+      of body 0. */
   float (*turning_radius)(const void* self);
-  /** m/s, above 0: of the position, straight ahead at a target's speed of 1. Used to come to rest at a pose. NULL: a
-      length of body 0 a second. */
+  /** m/s, above 0: the speed of the position, straight ahead at a target's speed of 1. Used to come to rest at a pose.
+      NULL: one length of body 0 a second. */
   float (*top_speed)(const void* self);
   /** 1/s, at least 0: Runge-Kutta steps of at most 0.32 / fastest_rate(dt) seconds end within 0.5 mm and 0.5 mrad of
       where derivative leads, whatever state and control the limits allow in a time step of dt. NULL: every time step
@@ -337,12 +338,13 @@ typedef struct krait_own {
   const void* self;                 /**< what they are called with; may be NULL */
 } krait_own;
 
-/** What the library knows of a model; in static storage, not to be looked at. */
+/** What the library knows of a model; in static storage, for the library only. */
 typedef struct krait_model krait_model;
 
 /** A robot is made by one of the functions below; change its parameters before krait_init. A program contains the
-    models whose functions it calls. It is a plain value, but for what it points to. One that is NULL or all zeros has
-    sizes of 0 and no state at rest; krait_init refuses it as KRAIT_BAD_ROBOT, and krait_check_robot names it. */
+    models whose functions it calls. It is a plain value, except for what it points to. Where a function here is passed
+    NULL for a robot, or a robot that is all zeros, krait_state_size and krait_control_size return 0, krait_rest returns
+    false, krait_init refuses it as KRAIT_BAD_ROBOT, and krait_check_robot reports it. */
 typedef struct krait_robot {
   const krait_model* model; /**< set by the function that made it; not to be changed */
   /** The one that the function that made it names. */
@@ -391,19 +393,27 @@ uint32_t krait_state_size(const krait_robot* robot);
 /** Floats of a control, at most KRAIT_MAX_CONTROL; 0 where the robot's parameters cannot be used. O(bodies). */
 uint32_t krait_control_size(const krait_robot* robot);
 
-/** Writes the state of the robot standing still there, krait_state_size floats. False, and nothing written, where the
-    robot's parameters cannot be used, where the pose of a robot with trailers has another number of angles, and for a
-    robot of your own. O(bodies). */
+/** Writes the state in which the robot stands still there, krait_state_size floats. Returns false, and writes nothing,
+    where the robot's parameters cannot be used, where the pose of a robot with trailers has another number of angles,
+    and for a robot of your own. O(bodies). */
 KRAIT_NODISCARD bool krait_rest(const krait_robot* robot, krait_pose pose, float* state);
 
 /* ---- Planning ---- */
 
 /** How the search proceeds. The defaults are measured (bench/ABLATIONS.md, which is installed below share/doc/krait),
     and few programs change them. Ranges include their ends where nothing else is said.
-    The group of states with the largest weight grows. The weight is (epsilon + 1 - h / h_max)^alpha beta^n after n
-    selections of the group, where h is the cost of the shortest path of regions to the goal and h_max the largest h.
-    The cost C of an edge between two regions is at first the distance of their centroids, metres. An expansion that
-    fails raises the costs of the edges of the next region on the shortest path. */
+
+    A region is a triangle of the scene, or all triangles of a named goal together; a portal is an edge that two
+    triangles share. The tree's states in one region form a group; an expansion drives from a state of a group toward a
+    target, and each part of a plan that is driven toward one target is a leg. A try is the search between two restarts.
+    A robot parks, that is, it is driven in reverse into narrow places and out of them, if it has one body, can drive
+    backwards and does not turn on the spot: a car or a kinematic_truck without trailers whose min_speed is below 0, or
+    a robot of your own with `reversible` and a turning_radius above 0.
+
+    The group with the largest weight grows. The weight is (epsilon + 1 - h / h_max)^alpha beta^n after n selections of
+    the group, where h is the cost of the shortest path of regions to the goal and h_max the largest h. The cost C of an
+    edge between two regions is at first the distance of their centroids, metres. An expansion that fails raises the
+    costs of the edges of the next region on the shortest path. */
 typedef struct krait_search_tuning {
   uint32_t group_sample; /**< 1 to 65535, default 12: states that a group keeps to grow from, a random sample of all */
   float alpha,           /**< 1 to 64, default 8: strength of the heuristic */
@@ -418,38 +428,46 @@ typedef struct krait_search_tuning {
   uint32_t kappa,        /**< 1 to 10000, default 10: expansions between updates of the heuristic costs */
       update_regions;    /**< 0 to 1e6, default 100: after an update that looked at n regions, the next waits for at
                               least n / update_regions expansions; 0: no such wait */
-  bool raise_goal;       /**< default false: whether a failure right before the goal raises the goal's edges as well */
+  bool raise_goal;       /**< default false: whether a failure in the last region before the goal raises the goal's
+                              edges */
   uint32_t max_steps,    /**< 1 to 1000, default 40: time steps of one expansion, at most */
-      open_steps,        /**< 0 to 1000, default 1000: the same of an expansion in the open, while it nears its target
-                              and has crossed one portal at most */
-      path_regions;      /**< 1 to 64, default 6: targets come from that many regions after the group's own */
-  float path_lengths,    /**< 0 to 100, default 8, in lengths of body 0: and from those after them, up to the 32nd
-                              after the group's own, as long as their centroids lie within this distance of the
-                              group's */
+      open_steps,        /**< 0 to 1000, default 1000: the same limit in the open: an expansion goes on past max_steps,
+                              up to this number, as long as every step brings it nearer to its target and it has crossed
+                              at most one portal */
+      path_regions;      /**< 1 to 64, default 6: targets are points of the next so many regions on the shortest path
+                              from the group's region to the goal */
+  float path_lengths,    /**< 0 to 100, default 8, in lengths of body 0: targets also come from further regions on that
+                              path, up to the 32nd, as long as their centroids lie nearer than this to the centroid of
+                              the group's region */
       near_radius,       /**< 0 to 10, default 0.7, in lengths of body 0: a target counts as reached within this
                               distance */
-      goal_near_radius, /**< 0 to 10, default 0, the same of a target in the goal; 0: only the goal ends an expansion */
-      stray_share,      /**< 0 to 1, default 0.1: share of expansions toward a random point of the workspace instead */
-      gentle_share;     /**< 0 to 1, default 0.35: share of expansions from a group that was often selected that turn
-                             gently */
-  uint32_t sight_tries, /**< 0 to 64, default 16: points drawn for one in sight of the vertex; 0: any point is used */
-      candidates,       /**< 0 to 8, default 4: ways that are sketched before one is driven; 0: none is sketched */
-      least_sketch;     /**< 0 to 20, default 8: sketched steps, of 2 dt at most, below which no way is driven and
-                             costs are raised */
+      goal_near_radius,  /**< 0 to 10, default 0, in lengths of body 0: the same distance for a target that lies in the
+                              goal; 0: such an expansion goes on until the plan may end there, its steps are used up,
+                              or a step is not free */
+      stray_share,       /**< 0 to 1, default 0.1: share of expansions toward a random point of the workspace instead */
+      gentle_share;      /**< 0 to 1, default 0.35: share of gentle turns among the expansions from a group that was
+                              often selected */
+  uint32_t sight_tries,  /**< 0 to 64, default 16: points that are drawn, at most, until one is in sight of the state;
+                              0: the first point is used */
+      candidates,        /**< 0 to 8, default 4: ways that are sketched before one is driven; 0: none is sketched */
+      least_sketch;      /**< 0 to 20, default 8: steps, of at most 2 dt each, that the best sketch must get; with fewer
+                              no way is driven, and costs rise */
   uint32_t doomed_steps, /**< 0 to 3, default 2: this many states before a collision are not kept to grow from */
-      restart_unit,      /**< expansions, 0 to 1e9, default 4000, of a try where the way from the start has 90
-                              regions; on one of n they are multiplied by (n / 90) squared, 0.1 at least and 1 + n / 90
-                              at most; tries last 1, 1, 2, 1, 1, 2, 4, ... of that; 0: one for ever */
-      stuck_expansions;  /**< 0 to 1e9, default 16: a robot that parks whose tree has not come away from the start in so
-                              many expansions of a try is driven along a way out of the narrow place, and along another
-                              after every so many further expansions; 0: it is not */
+      restart_unit,      /**< 0 to 1e9, default 4000: how many expansions the shortest try has if the shortest path from
+                              the start to the goal has 90 regions. If it has n regions, this number is multiplied by
+                              (n / 90)^2, but by at least 0.1 and at most 1 + n / 90. The tries last 1, 1, 2, 1, 1, 2,
+                              4, ... times as long as the shortest (Luby's sequence). 0: the search never restarts */
+      stuck_expansions;  /**< 0 to 1e9, default 16: for a robot that parks: if, after so many expansions of a try, no
+                              expansion has ended away from the start, the robot is driven along a way out of the narrow
+                              place, and along another one after every so many further expansions; 0: it is not */
   float slowest,         /**< 0.05 to 1, default 1: speed set-points are uniform from this share of the top speed to all
                               of it */
-      stopping_ways,     /**< 0 to 10, default 1: a target nearer than this many of a robot's stopping ways is driven to
-                              at the speed from which that many end there, so that what brakes weakly grows no faster
-                              than it can stop; of a robot that has `speed`; 0: at any */
-      reverse_share;     /**< 0 to 1, default 0.2: share of expansions from a group that was often selected that drive
-                              backwards, of a robot that can */
+      stopping_ways,     /**< 0 to 10, default 1, in stopping distances of the robot at its present speed: toward a
+                              target outside the goal that is nearer than this, the robot drives at a lower speed, at
+                              which this many stopping distances lead to the target. A robot that brakes weakly then
+                              drives no faster than it can stop. Only for robots that have `speed`. 0: at any speed */
+      reverse_share;     /**< 0 to 1, default 0.2: share of backward drives among the expansions from a group that was
+                              often selected, of a robot that can reverse */
   bool continuous;       /**< default true: whether whole steps are proven free, or states only */
   uint32_t max_substeps; /**< 1 to 64, a power of two, default 16: how finely a step is cut to prove it */
   bool prune_portals;    /**< default true: whether portals too narrow for the robot are removed before the search */
@@ -458,13 +476,14 @@ typedef struct krait_search_tuning {
 /** What a program says of its robot's motion and of its plans. */
 typedef struct krait_parameters {
   float dt;                   /**< seconds, 0.001 to 1, default 0.1: a time step */
-  float clearance;            /**< metres, 0 to 10, default 0.001: a plan keeps it between bodies and everything, on top
-                                   of rounding */
+  float clearance;            /**< metres, 0 to 10, default 0.001: the distance that a plan keeps between the robot's
+                                   bodies and everything else, and between those bodies that are tested against each
+                                   other; what rounding needs comes on top */
   float goal_margin;          /**< metres, 0 to 10, at most a tenth of the goal's size, less where it is long and
-                                   narrow, default 0.03: how deep inside the plan must end */
-  float end_speed;            /**< m/s, 0 to INFINITY, default 0: a plan ends no faster, to 5 mm/s; 0: at rest;
-                                   INFINITY: at any speed */
-  krait_search_tuning tuning; /**< how the search goes about it */
+                                   narrow, default 0.03: how deep inside the goal the plan must end */
+  float end_speed;            /**< m/s, 0 to INFINITY, default 0: a plan ends no faster than this, within 5 mm/s;
+                                   0: at rest; INFINITY: at any speed */
+  krait_search_tuning tuning; /**< how the search proceeds */
 } krait_parameters;
 /** All fields with their defaults. O(1). */
 krait_parameters krait_default_parameters(void);
@@ -479,11 +498,11 @@ enum {
     and 0 way_legs. It refuses a number out of its range as KRAIT_BAD_ARGUMENT. */
 typedef struct krait_limits {
   uint32_t vertices;   /**< states kept to grow from, 2 to 4,192,256; 0: as many as the block has room for */
-  uint32_t expansions; /**< kept, 2 to 4,192,256; 0: half as many as vertices */
-  uint64_t iterations; /**< expansions made, at least 1 */
+  uint32_t expansions; /**< expansions that are kept, 2 to 4,192,256; 0: half as many as vertices */
+  uint64_t iterations; /**< expansions that a search makes at most, at least 1 */
   uint8_t when_full;   /**< KRAIT_RECYCLE or KRAIT_STOP; krait_init refuses every other number */
-  uint32_t way_legs;   /**< room for krait_improve: 0, or 16 to 1e6, best half of a plan's steps; 0: none, no
-                            memory */
+  uint32_t way_legs;   /**< 0, or 16 to 1e6: how many legs krait_improve has room for; half of a plan's steps is the
+                            best number. 0: no memory is taken, and krait_improve cannot be used */
 } krait_limits;
 
 /** Lies at the front of the block; to be used by its address only, never copied. Planners in blocks of their own may be
@@ -561,27 +580,36 @@ KRAIT_NODISCARD krait_status krait_start(krait_planner* planner, const krait_que
     KRAIT_TREE_FULL (when_full of krait_limits), KRAIT_INTERNAL, or what krait_start returned. A way that reached the
     goal is driven once more before it becomes the plan: each max_steps steps of that use up one of `iterations`, but do
     not count in krait_statistics and krait_limits. The plan does not depend on how a search is split into calls.
-    Work per iteration: at most max_steps steps, each with its collision check and a look at the goal, O(vertices of
-    its polygon); the lines of sight and sketches of sight_tries and candidates; and at most one Dijkstra. `krait info`
-    on the workstation prints these bounds for a scene and a robot. Two more depend on the query. With a full memory:
-    O(R) per step and per group of states that is dropped. Near a pose: at every fourth state at most 288 lines to it,
-    of at most 128 looks at a disc each; where none of them ends in the goal, a robot of one body that reverses tries
-    at most 576 more, and looks at 147,456 placements of its body, at most, once a query and once more after each way
-    out of its start; while it does not get away from there, at 73,728, at most, before each of those ways, which it
-    drives after every so many expansions as stuck_expansions says; one that pushes trailers tries
-    at most 288 more. */
+
+    Work per iteration, at most; `krait info` on the workstation prints these bounds for a scene and a robot:
+    - max_steps steps, each with its collision check and a test for the goal, O(vertices of its polygon);
+    - the lines of sight and the sketches that sight_tries and candidates allow;
+    - one Dijkstra, O(R log R).
+
+    And, where the query causes it:
+    - when the memory is full: O(R) for each step and for each group whose states are dropped;
+    - near a pose, at every fourth state: 288 lines to the pose, with 128 looks at a disc each. Where none of these
+      lines ends in the goal, a robot that pushes trailers tries 288 more, and one that parks (krait_search_tuning) 576;
+    - for a robot that parks, 147,456 placements of its body to find the ways out of the pose: once a query, and again
+      after each search for ways out of the start;
+    - for a robot that parks and has not come away from its start, 73,728 placements before each way out that it drives
+      (stuck_expansions). */
 KRAIT_NODISCARD krait_status krait_advance(krait_planner* planner, uint64_t iterations);
 
 /** Runs at most `iterations` iterations that look for a plan with fewer steps. The plan and its figures in
     krait_statistics are then those of the best plan so far, and krait_next begins again with its first state. Returns
     KRAIT_SOLVED; where there is no plan, the search's status; KRAIT_BAD_ARGUMENT where way_legs of krait_limits is 0.
-    The plan does not depend on how iterations are split into calls. For a chain of four or more bodies, and for any
-    robot as long as no line from the start has helped but backwards, most iterations are those of searches that start
-    over in the same tree; they count in krait_statistics and krait_limits as those of krait_advance do.
-    Work per iteration of such a search: that of krait_advance. Of any other: at most max_steps steps along a line, with
-    the choice of lines to a pose as in krait_advance after at most every third, and the unproven steps of 16 legs or of
-    16 of the first plan's expansions; or O(way_legs). The first call after krait_start adds one Dijkstra, and so does
-    the begin of each search and the end of the last of a series. */
+    The plan does not depend on how iterations are split into calls.
+
+    An iteration either drives along a line or belongs to a search that starts again with an empty tree. Such searches
+    take most iterations for a chain of four or more bodies. They do so for any other robot, too, until a line that is
+    driven forwards from the start has led to a better plan. Their iterations count in krait_statistics and krait_limits
+    as those of krait_advance do.
+
+    Work per iteration of such a search: that of krait_advance. Work of any other iteration: at most max_steps steps
+    along a line, a choice of lines to a pose, as in krait_advance, after at most every third step, and the unproven
+    steps of 16 legs or of 16 of the first plan's expansions; or O(way_legs). One Dijkstra more in the first call after
+    krait_start, at the begin of each search, and at the end of the last search of a series. */
 KRAIT_NODISCARD krait_status krait_improve(krait_planner* planner, uint64_t iterations);
 
 /** Ends a search as KRAIT_TIME_USED, for a program whose clock says so. No effect once it has ended. O(1). */
@@ -590,19 +618,19 @@ void krait_stop_for_time(krait_planner* planner);
 /** Returns the last status of krait_init, krait_start or the search, with its details. O(1). */
 KRAIT_NODISCARD krait_failure krait_last_failure(const krait_planner* planner);
 
-/** What a start lies against. */
+/** What a robot is too near to at its start. */
 enum {
   KRAIT_NO_CONTACT,    /**< nothing */
   KRAIT_WITH_OBSTACLE, /**< a piece of the scene */
   KRAIT_WITH_BOUNDS,   /**< the bounds of the workspace */
-  KRAIT_WITH_BODY,     /**< another one of the robot's own bodies */
+  KRAIT_WITH_BODY,     /**< another body of the robot */
   KRAIT_WITH_GROUND    /**< the position lies in no triangle of the scene */
 };
 
 /** What a body is too near to, and where. */
 typedef struct krait_contact {
   uint8_t kind;   /**< KRAIT_NO_CONTACT to KRAIT_WITH_GROUND */
-  uint32_t body;  /**< of the robot, from 0 */
+  uint32_t body;  /**< the robot's body, from 0 */
   uint32_t other; /**< the obstacle's piece, or the robot's other body; KRAIT_NONE */
   float distance; /**< metres; 0 where they overlap */
   float needed;   /**< metres that they must keep: the clearance, and what rounding needs */
@@ -613,48 +641,49 @@ typedef struct krait_contact {
 /** After KRAIT_START_IN_COLLISION; KRAIT_NO_CONTACT elsewhere. O(pieces near the robot + bodies^2). */
 krait_contact krait_start_contact(krait_planner* planner);
 
-/** The widest of all ways from the start to the goal, at its narrowest place. */
+/** The narrowest place of the widest way from the start to the goal. */
 typedef struct krait_bottleneck {
   float width;  /**< metres, of a disc that passes there; 0 where no way leads to the goal at all */
   float needed; /**< metres, of the disc that lies in body 0, with the clearance on both sides */
   float x,      /**< metres, local coordinates: the place, where there is a way */
       y;        /**< metres, local coordinates, of the same place */
-  bool at_goal; /**< whether the place is the roomiest of the goal itself: the robot cannot stand in it */
+  bool at_goal; /**< true: the robot cannot stand in the goal, and the place is the goal's point of most room */
 } krait_bottleneck;
 
-/** Returns the bottleneck of a search that ended without a plan, after KRAIT_NO_ROUTE too narrow for the robot; all
-    zero elsewhere. It lasts as long as krait_start: at most four Dijkstras and 2,730 distances of a point. */
+/** Returns the bottleneck after a search that ended without a plan; all zeros after every other status. After
+    KRAIT_NO_ROUTE it is too narrow for the robot. Work: at most four Dijkstras, O(R log R), and 2,730 distances of a
+    point. */
 krait_bottleneck krait_bottleneck_of(krait_planner* planner);
 
-/** Where a search has made most of its expansions since its last restart, as a rule without success. */
+/** The region from which a search has made most expansions since its last restart, as a rule without success. */
 typedef struct krait_effort {
   float x,        /**< metres, local coordinates: the middle of a triangle of the scene */
       y;          /**< metres, local coordinates, of the same point */
-  uint32_t tries; /**< expansions from there since the last restart; 0: none */
+  uint32_t tries; /**< expansions from there since the last restart; 0: there was none */
 } krait_effort;
-/** Returns the effort of a search that has started, the first place among equals. O(R). */
+/** Returns the effort of a search that has started; of several regions with equally many tries the first. O(R). */
 krait_effort krait_effort_of(const krait_planner* planner);
 
 /** What a search and the calls of krait_improve after it have done so far. */
 typedef struct krait_statistics {
-  uint64_t iterations,   /**< expansions; each max_steps steps of a long one count as one */
-      restarts,          /**< tries after the first (krait_search_tuning's restart_unit) */
-      vertices,          /**< that were added to the motion tree */
-      recycled,          /**< of those kept to grow from, dropped for lack of memory */
-      collision_checks,  /**< placements of the whole robot that were tested */
-      dijkstra_runs,     /**< how often the shortest paths of all regions were computed */
-      regions_repaired,  /**< shortest paths that were recomputed by a repair in place of a run */
-      plans_refused;     /**< ways to the goal that did not hold as driven */
-  uint64_t bytes_used,   /**< of the block behind the planner itself: tables, and what vertices and expansions took at
-                              most */
-      bytes_given;       /**< of the block behind the planner itself: `krait plan --memory bytes_given --clearance 0.001
-                              --improve 0` on the workstation finds the same plan */
-  uint32_t plan_steps;   /**< controls of the plan, each held for a time step */
-  float plan_length;     /**< metres */
-  float plan_duration;   /**< seconds */
-  float plan_end_speed;  /**< m/s, of the last state; 0 of a robot whose states have no speed */
-  uint64_t hash;         /**< of the plan: FNV-1a 64 over the bytes of s0, u0, s1, u1, ..., sL; 0 without a plan */
-  uint64_t improvements; /**< better plans that krait_improve has found */
+  uint64_t iterations,  /**< expansions; each max_steps steps of a long one count as one */
+      restarts,         /**< tries after the first (krait_search_tuning's restart_unit) */
+      vertices,         /**< states that were added to the motion tree, with the start */
+      recycled,         /**< states that were kept to grow from and dropped for lack of memory */
+      collision_checks, /**< placements of the whole robot that were tested */
+      dijkstra_runs,    /**< computations of the shortest paths of all regions */
+      regions_repaired, /**< single shortest paths that were recomputed after costs had risen */
+      plans_refused;    /**< ways to the goal that failed the proof when they were driven once more */
+  uint64_t bytes_used,  /**< bytes of the block behind the planner itself: those of the tables, and the most that
+                             vertices and expansions took */
+      bytes_given;      /**< length of the block behind the planner itself: `krait plan --memory bytes_given --clearance
+                             0.001 --improve 0` on the workstation finds the same plan */
+  uint32_t plan_steps;  /**< controls of the plan, each held for a time step */
+  float plan_length;    /**< metres */
+  float plan_duration;  /**< seconds */
+  float plan_end_speed; /**< m/s, of the last state; 0 of a robot whose states have no speed */
+  uint64_t hash;        /**< of the plan: FNV-1a 64 over the bytes of s0, u0, s1, u1, ..., sL; 0 without a plan */
+  uint64_t improvements; /**< better plans found by krait_improve */
 } krait_statistics;
 /** Returns the statistics of the search that started last. O(1). */
 krait_statistics krait_statistics_of(const krait_planner* planner);
@@ -680,36 +709,42 @@ typedef struct krait_range {
   float high; /**< in the component's own unit, not below low */
 } krait_range;
 
-/** Where a robot's states and controls lie, in its own units, and what holds of it. Nothing in it is owned. */
+/** The ranges of a robot's states and controls, in its own units, and what else krait_check_robot must know of it.
+    Nothing in it is owned. */
 typedef struct krait_ranges {
-  const krait_range* state;   /**< one a component; drawn evenly, but for the position now and then at the ends */
-  const krait_range* control; /**< one a component: the limits that steer keeps to; drawn in the same way */
+  const krait_range* state;   /**< one for each component. Samples are uniform in it; except for the position, some are
+                                   at its ends */
+  const krait_range* control; /**< one for each component: the limits that steer keeps to. Samples are drawn in the same
+                                   way */
   const float* dt;            /**< seconds, finite and above 0: the time steps to be tried */
   uint32_t dt_count;          /**< of them; 0: 0.1 s alone */
-  /** The components of the state that are headings, in radians: turning the robot adds to them and changes nothing else
-      but the position. Whether it moves alike in every direction is checked where there are any. */
+  /** The components of the state that are headings, in radians: to turn the whole robot changes only these, by the
+      angle, and the position. If there are any, krait_check_robot checks that the robot moves in the same way in every
+      direction. */
   const int* headings;
   uint32_t heading_count;     /**< of them, or 0; 0 with NULL */
-  bool translation_invariant; /**< default true: whether it moves alike wherever it stands, which is checked then */
-  float
-      leaving_share, /**< 0 to 1, default 0: share of steered steps that may leave the limits, as where hitches fold */
-      step_rate,     /**< finite, 0 or more, default 0.32: Runge-Kutta steps of step_rate / fastest_rate(dt) seconds,
-                          and of at most dt, are to be accurate to step_error; 0: not checked */
-      step_error;    /**< metres and radians, finite, 0 or more, default 5e-4 */
-  /** Makes a state of the numbers that were drawn, where components depend on each other; NULL: they are the state. */
+  bool translation_invariant; /**< default true: whether to check that the robot moves in the same way at every
+                                   position */
+  float leaving_share, /**< 0 to 1, default 0: share of steered steps that may leave the limits, as when hitches fold */
+      step_rate,       /**< finite, 0 or more, default 0.32: Runge-Kutta steps of step_rate / fastest_rate(dt) seconds,
+                            but of at most dt, must be accurate to step_error; 0: not checked */
+      step_error;      /**< metres and radians, finite, 0 or more, default 5e-4 */
+  /** Turns the numbers that were drawn into a state, for a robot whose components depend on each other; NULL: the
+      numbers are the state. */
   void (*complete_state)(const void* self, float* state);
   const void* self; /**< what complete_state is called with; may be NULL */
 } krait_ranges;
-/** All fields with their defaults; both arrays must stay. O(1). */
+/** Ranges with these two arrays, which must stay, and the defaults of all other fields. O(1). */
 krait_ranges krait_default_ranges(const krait_range* state, const krait_range* control);
 
 /** Draws `samples` states and controls from the ranges, and returns how many promises of krait_functions the robot
-    breaks at one of them; 0: none was found to be broken, which is no proof. Ranges that do not fit the robot's sizes,
-    or of which one is not as stated above, count as one, and nothing is drawn; so does a time step in fewer than a
-    tenth of whose samples the motion was checked, since in the others no control that was drawn ends the step within
-    the limits. Writes a line for each into `text`: what is broken, by how much and where in the worst case, and what to
-    do. It writes at most `bytes`, the zero at the end among them; `text` may be NULL where `bytes` is 0. The same for
-    the same seed. Work: some thousand derivatives a sample. */
+    breaks at one of them. 0 means that no broken promise was found, which is no proof. If the ranges do not fit the
+    robot's sizes, or a number in them is not as its comment says, no sample is drawn, and that counts as one broken
+    promise. Each time step counts as one, too, if the motion could be checked in fewer than a tenth of its samples: in
+    the other samples, no control that was drawn ended the step within the limits. Writes a line for each into `text`:
+    what is broken, by how much and where in the worst case, and what to do. It writes at most `bytes` bytes, with the
+    zero at the end; `text` may be NULL where `bytes` is 0. The result is the same for the same seed. Work: some
+    thousand derivatives a sample. */
 KRAIT_NODISCARD uint32_t krait_check_robot(const krait_robot* robot, const krait_ranges* ranges, uint32_t samples,
                                            uint64_t seed, char* text, size_t bytes);
 

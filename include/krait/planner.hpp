@@ -91,27 +91,29 @@ struct Query {
 struct Statistics {
   std::uint64_t iterations = 0;        ///< expansions; each max_steps steps of a long one count as one
   std::uint64_t restarts = 0;          ///< tries after the first (SearchTuning::restart_unit)
-  std::uint64_t vertices = 0;          ///< that were added to the motion tree
-  std::uint64_t recycled = 0;          ///< of those kept to grow from, dropped for lack of memory
+  std::uint64_t vertices = 0;          ///< states that were added to the motion tree, with the start
+  std::uint64_t recycled = 0;          ///< states that were kept to grow from and dropped for lack of memory
   std::uint64_t collision_checks = 0;  ///< placements of the whole robot that were tested
-  std::uint64_t dijkstra_runs = 0;     ///< how often the shortest paths of all regions were computed
-  std::uint64_t regions_repaired = 0;  ///< shortest paths that were recomputed by a repair in place of a run
-  std::uint64_t plans_refused = 0;     ///< ways to the goal that did not hold as driven
-  std::uint64_t bytes_used = 0;        ///< of the block: tables, and what vertices and expansions took at most
+  std::uint64_t dijkstra_runs = 0;     ///< computations of the shortest paths of all regions
+  std::uint64_t regions_repaired = 0;  ///< single shortest paths that were recomputed after costs had risen
+  std::uint64_t plans_refused = 0;     ///< ways to the goal that failed the proof when they were driven once more
+  std::uint64_t bytes_used = 0;        ///< bytes of the block for tables, and the most for vertices and expansions
   std::uint64_t bytes_given = 0;       ///< length of the block
   std::uint32_t plan_steps = 0;        ///< controls of the plan, each held for a time step
   float plan_length = 0.0F;            ///< metres
   float plan_duration = 0.0F;          ///< seconds
   float plan_end_speed = 0.0F;         ///< m/s, of the last state; 0 of a robot whose states have no speed
   std::uint64_t hash = 0;              ///< Plan::hash; 0 without a plan
-  std::uint64_t improvements = 0;      ///< better plans that improve has found
+  std::uint64_t improvements = 0;      ///< better plans found by improve
 };
 
-/// Until an init has succeeded, every member that returns a Status returns that of the last init, bad_argument before
-/// the first; plan() is empty and statistics() is all zeros. The same holds after an init that fails, except that
-/// statistics() keeps the counts of the last search. A planner is neither copied nor moved: a copy would write to the
-/// same block. Planners with blocks of their own may be used in threads of their own, also of one scene and one robot;
-/// a planner is used by one thread at a time. Below, R is the number of the scene's triangles.
+/// Plans for one robot in one scene, in the caller's block.
+///
+/// Before the first init, every member that returns a Status returns bad_argument; after an init that failed, it
+/// returns the Status of that init. In both cases plan() is empty. statistics() is all zeros before the first init, and
+/// keeps the counts of the last search after an init that failed. A planner is neither copied nor moved: a copy would
+/// write to the same block. Several threads may each use a planner with a block of its own, also for the same scene and
+/// robot; one planner is used by one thread at a time. Below, R is the number of the scene's triangles.
 class Planner {
  public:
   /// A planner without a block: call init before all else. O(1).
@@ -149,19 +151,24 @@ class Planner {
   /// driven once more before it becomes the plan: each max_steps steps of that use up one of `iterations`, but do not
   /// count in Statistics and Limits. The result does not depend on how a search is split into calls.
   ///
-  /// Work per iteration: at most max_steps steps, each with its collision check and Goal::contains; the lines of sight
-  /// and sketches of SearchTuning::sight_tries and candidates; and at most one Dijkstra, O(R log R). `krait info`
-  /// prints these bounds for a scene and a robot. Two more depend on the query. With a full memory: O(R) per step and
-  /// per group of states that is dropped. Near a pose: at every fourth state at most 288 lines to it, of at most 128
-  /// looks at a disc each; where none of them ends in the goal, a robot that parks (kParks) tries at most 576 more, and
-  /// looks at 147,456 placements of body 0, at most, once a query and once more after each way out of its start; one
-  /// that pushes trailers (kDocks) tries at most 288 more. While a robot that parks does not get away from its start,
-  /// it looks at 73,728 placements, at most, before each way out that it drives (SearchTuning::stuck_expansions).
+  /// Work per iteration, at most; `krait info` prints these bounds for a scene and a robot:
+  /// - max_steps steps, each with its collision check and Goal::contains;
+  /// - the lines of sight and the sketches that SearchTuning::sight_tries and candidates allow;
+  /// - one Dijkstra, O(R log R).
+  ///
+  /// And, where the query causes it:
+  /// - when the memory is full: O(R) for each step and for each group whose states are dropped;
+  /// - near a pose, at every fourth state: 288 lines to the pose, with 128 looks at a disc each. Where none of these
+  ///   lines ends in the goal, a robot that pushes trailers (kDocks) tries 288 more, and one that parks (kParks) 576;
+  /// - for a robot that parks, 147,456 placements of body 0 to find the ways out of the pose: once a query, and again
+  ///   after each search for ways out of the start;
+  /// - for a robot that parks and has not come away from its start, 73,728 placements before each way out that it
+  ///   drives (SearchTuning::stuck_expansions).
   Status advance(std::uint64_t iterations);
 
-  /// The same, and calls watch(from, to) with the two states of every step that the tree grows by, and
-  /// watch.expands(vertex, target) before each expansion toward a point, where there is such a member: not before the
-  /// legs of brakes, shots and ways out of a narrow place.
+  /// The same, and calls watch(from, to) with the two states of every step that the tree grows by. Where watch has a
+  /// member `expands`, it also calls watch.expands(vertex, target) before each expansion toward a point, but not before
+  /// the legs that brake, that lead to a pose, or that lead out of a narrow place.
   Status advance(std::uint64_t iterations, const Watch& watch);
   /// The same with a watch that has no name, such as a lambda: it is called during the call only.
   template <detail::Watches W>
@@ -172,14 +179,17 @@ class Planner {
   /// Runs at most `iterations` iterations that look for a plan with fewer steps. plan() and the plan's figures in
   /// Statistics are then those of the best plan so far, proven like the first. Invalidates earlier plans and cursors.
   /// Returns status(); does nothing unless that is solved and the plan has steps; bad_argument where Limits::way_legs
-  /// is 0. The result does not depend on how iterations are split into calls. For a chain of four or more bodies, and
-  /// for any robot as long as no line from the start has helped but backwards, most iterations are those of searches
-  /// that start over in the same tree; they count in Statistics and Limits as those of advance do.
+  /// is 0. The result does not depend on how iterations are split into calls.
   ///
-  /// Work per iteration of such a search: that of advance. Of any other: at most max_steps steps along a line, with the
-  /// choice of lines to a pose as in advance after at most every third, and the unproven steps of 16 legs or of 16 of
-  /// the first plan's expansions; or O(way_legs). The first call after start adds one Dijkstra, and so does the begin
-  /// of each search and the end of the last of a series.
+  /// An iteration either drives along a line or belongs to a search that starts again with an empty tree. Such searches
+  /// take most iterations for a chain of four or more bodies. They do so for any other robot, too, until a line that is
+  /// driven forwards from the start has led to a better plan. Their iterations count in Statistics and Limits as those
+  /// of advance do.
+  ///
+  /// Work per iteration of such a search: that of advance. Work of any other iteration: at most max_steps steps along a
+  /// line, a choice of lines to a pose, as in advance, after at most every third step, and the unproven steps of 16
+  /// legs or of 16 of the first plan's expansions; or O(way_legs). One Dijkstra more in the first call after start, at
+  /// the begin of each search, and at the end of the last search of a series.
   Status improve(std::uint64_t iterations);
 
   /// Ends the search as time_used, for a port whose clock says so. No effect once it has ended. O(1).
@@ -201,16 +211,17 @@ class Planner {
   /// robot + bodies^2).
   Contact contact();
 
-  /// The widest way of a search that ended without a plan, which after no_route is too narrow for the robot; all zeros
-  /// after every other status. Work: at most four Dijkstras, O(R log R), and 2,730 distances of a point.
+  /// The widest way from the start to the goal, after a search that ended without a plan; all zeros after every other
+  /// status. After no_route this way is too narrow for the robot. Work: at most four Dijkstras, O(R log R), and 2,730
+  /// distances of a point.
   Bottleneck bottleneck();
 
-  /// Where a search has made most of its expansions since its last restart, the first among equals; zero before the
-  /// first start. O(R).
+  /// The region from which a search has made most expansions since its last restart, the first of equal ones; zero
+  /// before the first start. O(R).
   Effort effort() const;
 
-  /// The least cost h of the regions that a search has reached since its last restart, metres; infinite before the
-  /// first start. O(R).
+  /// Metres: the least cost h (SearchTuning) among the regions that a search has reached since its last restart;
+  /// infinite before the first start. O(R).
   float cost_to_go() const;
 
  private:

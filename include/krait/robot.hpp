@@ -9,16 +9,17 @@
 
 namespace krait {
 
-/// Refers to a robot that must outlive it, or to none; every class that models a robot converts to it. Its sizes are
-/// those when it was made. It owns nothing, and copies refer to the same robot.
+/// A reference to a robot, which must outlive it; a default-constructed one refers to no robot. Every class that models
+/// a robot converts to it. It reads the robot's sizes once, when it is made. It owns nothing, and copies refer to the
+/// same robot.
 ///
 /// States (s, next, reference, ds, d, errors) are arrays of state_size() floats, controls (u) of control_size(), poses,
 /// travel and rates of one a body; all of them are the caller's. Each member costs a call through a pointer and what
 /// the robot's own function of its name does, or what stands for it where the robot has none (RobotModel says which).
-/// A Robot that refers to none has its default constructor, its sizes, sizes_valid, sound and exact only.
+/// Of a Robot that refers to none, only its sizes, sizes_valid, sound and exact may be called.
 class Robot {
  public:
-  Robot() = default;  ///< of none: every size is 0
+  Robot() = default;  ///< refers to no robot: every size is 0
   /// Refers to `robot`, which must stay where it is. O(1).
   template <RobotModel R>
   Robot(const R& robot)  // NOLINT(google-explicit-constructor): a planner is made for any robot by its name
@@ -79,11 +80,11 @@ class Robot {
     functions()->derivative(self_, s, leading_size_, u, ds);
   }
   /// Writes to d what dt seconds under u add to those components of s that are integrated first: the leading ones, or
-  /// all. `poses` are the frames in s; `lead` is filled for integrate_rest. As much as four derivatives, at most.
+  /// all. `poses` are the frames in s; `lead` is filled for integrate_rest. Costs four derivatives at most.
   void integrate_lead(const float* s, const Pose* poses, const float* u, float dt, detail::Lead& lead, float* d) const {
     functions()->integrate_lead(self_, s, state_size_, poses, u, dt, lead, d);
   }
-  /// The same of a state that has no others than the leading components; `poses` is body 0's frame.
+  /// The same for a state that has the leading components only; `poses` is body 0's frame.
   void integrate_lead_alone(const float* s, const Pose* poses, const float* u, float dt, detail::Lead& lead,
                             float* d) const {
     functions()->integrate_lead(self_, s, leading_size_, poses, u, dt, lead, d);

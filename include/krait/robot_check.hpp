@@ -19,15 +19,15 @@ namespace krait {
 struct RobotFault {
   std::string function;  ///< the name of the function, such as travel
   std::string promise;   ///< a short name of what it promises, such as path
-  std::string message;   ///< what, by how much, at which state and control, and what to do
-  double amount = 0;     ///< how far off it is, in the promise's own unit; infinite where that is unknown
-  int samples = 0;       ///< in how many it was found; 0: it is of no sample, but of the check as a whole
+  std::string message;   ///< what is wrong, by how much, at which state and control, and what to do
+  double amount = 0;     ///< by how much it is broken, in the promise's own unit; infinite where that is unknown
+  int samples = 0;       ///< the number of samples that showed it; 0: it concerns the check as a whole, no sample
 };
 
 /// What check_robot has found. It owns everything in it.
 struct RobotReport {
-  std::vector<RobotFault> faults;  ///< one a broken promise; empty where none was found
-  int samples = 0;                 ///< that were looked at
+  std::vector<RobotFault> faults;  ///< one for each broken promise; empty where none was found
+  int samples = 0;                 ///< the number of samples that were checked
 
   /// Whether no broken promise was found. O(1).
   bool ok() const { return faults.empty(); }
@@ -42,25 +42,29 @@ struct RobotRange {
   float high;  ///< in the component's own unit, not below low
 };
 
-/// Where a robot's states and controls lie, in its own units, and what holds of it. Where they do not fit the robot's
-/// sizes, or one of them is not as stated here, check_robot draws nothing and reports a fault of the function `ranges`.
-/// So it does where the motion was checked in fewer than a tenth of a time step's samples, since in the others no
-/// control that it drew ends the step within the limits.
+/// The ranges of a robot's states and controls, in its own units, and what else check_robot must know of it. If the
+/// ranges do not fit the robot's sizes, or a number here is not as its comment says, check_robot draws no sample and
+/// reports a fault of the function `ranges`. It also reports such a fault if it could check the motion in fewer than a
+/// tenth of the samples of a time step: in the other samples, no control that it drew ended the step within the limits.
 struct RobotRanges {
-  std::vector<RobotRange> state;    ///< one a component; drawn evenly, but for the position now and then at the ends
-  std::vector<RobotRange> control;  ///< one a component: the limits that steer keeps to; drawn in the same way
+  /// One for each component. Samples are uniform in it; except for the position, some are at its ends.
+  std::vector<RobotRange> state;
+  /// One for each component: the limits that steer keeps to. Samples are drawn in the same way.
+  std::vector<RobotRange> control;
   std::vector<float> dt = {Parameters().dt};  ///< seconds, finite and above 0: the time steps to be tried
-  /// The components of the state that are headings, in radians: turning the robot adds to them and changes nothing else
-  /// but the position. Whether it moves alike in every direction is checked where there are any.
+  /// The components of the state that are headings, in radians: to turn the whole robot changes only these, by the
+  /// angle, and the position. If there are any, check_robot checks that the robot moves in the same way in every
+  /// direction.
   std::vector<int> headings = {};
-  bool translation_invariant = true;  ///< whether it moves alike wherever it stands, which is checked then
-  float leaving_share = 0.0F;  ///< 0 … 1: share of steered steps that may leave the limits, as where hitches fold
-  // A Runge-Kutta step of step_rate / fastest_rate(dt) seconds, and at most dt, is to be accurate to step_error, in
-  // metres and radians: as the library makes them while the tree grows (lib/DESIGN.md, "Integration", which is
-  // installed below share/doc/krait).
+  bool translation_invariant = true;  ///< whether to check that the robot moves in the same way at every position
+  float leaving_share = 0.0F;  ///< 0 … 1: share of steered steps that may leave the limits, as when hitches fold
+  // A Runge-Kutta step of step_rate / fastest_rate(dt) seconds, but of at most dt, must be accurate to step_error, in
+  // metres and radians. The defaults are what the library requires of a step while the tree grows (lib/DESIGN.md,
+  // "Integration", which is installed below share/doc/krait).
   float step_rate = 0.32F;   ///< finite, 0 or more, without a unit; 0: not checked
   float step_error = 5e-4F;  ///< metres and radians, finite, 0 or more
-  /// Makes a state of the numbers that were drawn, where components depend on each other; none: they are the state.
+  /// Turns the numbers that were drawn into a state, for a robot whose components depend on each other. Without it the
+  /// numbers are the state.
   std::function<void(std::vector<float>& state)> complete_state = {};
 };
 

@@ -104,33 +104,33 @@ struct [[nodiscard]] Failure {
 enum class ContactKind : std::uint8_t {
   none,      ///< nothing
   obstacle,  ///< a piece of the scene
-  bounds,    ///< of the workspace
-  body,      ///< another one of the robot's own
+  bounds,    ///< the bounds of the workspace
+  body,      ///< another body of the robot
   ground     ///< the position lies in no triangle of the scene
 };
 
 /// What a body is too near to, and where. Metres, local coordinates.
 struct Contact {
-  ContactKind kind = ContactKind::none;  ///< what it is; what follows is zero where it is nothing
-  Index body = 0;                        ///< of the robot, 0 … body_count - 1
+  ContactKind kind = ContactKind::none;  ///< what it is too near to; where that is nothing, the rest means nothing
+  Index body = 0;                        ///< the robot's body, 0 … body_count - 1
   Index other = kNone;                   ///< the piece, or the other body; else kNone
   float distance = 0.0F;                 ///< metres between the two; 0 where they overlap
   float needed = 0.0F;                   ///< metres that they must keep: the clearance, and what rounding needs
   Vec2 at{};                             ///< the middle between their nearest points, or a point of both
 };
 
-/// The widest of all ways from the start to the goal, at its narrowest place. Metres, local coordinates.
+/// The narrowest place of the widest way from the start to the goal. Metres, local coordinates.
 struct Bottleneck {
   float width = 0.0F;    ///< metres, of a disc that passes there; 0 where no way leads to the goal at all
   float needed = 0.0F;   ///< metres, of the disc that lies in body 0, with the clearance on both sides
   Vec2 at{};             ///< the place, where there is a way
-  bool at_goal = false;  ///< whether the place is the roomiest of the goal itself: the robot cannot stand in it
+  bool at_goal = false;  ///< true: the robot cannot stand in the goal, and the place is the goal's point of most room
 };
 
-/// The place where a search has tried most, as a rule without success.
+/// The region from which a search has made most expansions, as a rule without success.
 struct Effort {
-  Vec2 at{};                ///< metres, local coordinates: the middle of a region
-  std::uint32_t tries = 0;  ///< expansions from there since the last restart; 0: none
+  Vec2 at{};                ///< metres, local coordinates: the middle of that region
+  std::uint32_t tries = 0;  ///< expansions from there since the last restart; 0: there was none
 };
 
 }  // namespace krait

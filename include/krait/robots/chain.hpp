@@ -55,7 +55,7 @@ struct ChainParameters {
 };
 
 /// A car with steered front wheels and its trailers: what Snake, Truck and Car are. It owns its parameters and polygons
-/// and allocates nothing: 2 KB. Its members are those that RobotModel says; every function of a state is
+/// and allocates nothing: 2 KB. Its members are those that RobotModel describes; every function of a state is
 /// O(trailers), except those of the car alone: steer, track, speed, stopping_way and integrate_lead, which are O(1).
 class Chain {
  public:
@@ -69,9 +69,9 @@ class Chain {
   static constexpr float kTurnReserve = 1.1F;  ///< of a truck: the least radius of its turns over d sqrt(trailers), the
                                                ///< least that they follow by lemma 14 of lib/robot/CHAIN.md
 
-  /// How the trailers follow: `slip` with s = v (the paper's snake), else with the rear axle's speed s = v cos psi. A
-  /// number of trailers that is out of range becomes -1, which no size overflows by and sound() refuses. Every body is
-  /// a box of body_length by body_width until set_body. O(kMaxTrailers).
+  /// Copies the parameters. `slip`: whether the trailers are pulled with s = v (the paper's snake), or else with the
+  /// rear axle's speed s = v cos psi. A number of trailers that is out of range becomes -1, which sound() refuses.
+  /// Every body is a box of body_length by body_width until set_body. O(kMaxTrailers).
   Chain(const ChainParameters& parameters, bool slip);
 
   const ChainParameters& parameters() const { return parameters_; }          ///< its own copy
@@ -84,7 +84,8 @@ class Chain {
   bool sound() const;  ///< whether every parameter is in its range; O(1)
 
   /// Replaces the polygon of body k, 0 … kMaxTrailers: metres, 3 to 8 vertices, convex, counter-clockwise, in its
-  /// frame; copied. Of more it keeps none, which init refuses as bad_robot.
+  /// frame; copied. Of a polygon with more vertices it keeps none of them, and init then refuses the robot as
+  /// bad_robot.
   void set_body(int k, Polygon polygon);
   /// Body k's polygon, 0 … kMaxTrailers, in its frame; metres. The vertices are this robot's.
   Polygon body(int k) const {
@@ -108,9 +109,10 @@ class Chain {
   float carry_errors(StateView s, const Pose* poses, ControlView u, float dt, float* errors) const;
   /// m/s, of the front wheels.
   float speed(StateView s) const { return math::absolute(s[3]); }
-  /// Metres, negative backwards: of the rear axle, with the steering angle held.
+  /// Metres, negative backwards: how far the rear axle rolls until it stops, with the steering angle held.
   float stopping_way(StateView s) const;
-  /// Metres, of body 0: as far as the wheels steer, but no tighter than a snake's hitch or a truck's trailers follow.
+  /// Metres: the radius of the sharpest turn that body 0 can drive for long. The lock of the wheels limits it, and the
+  /// hitch of a snake or the trailers of a truck, which must be able to follow.
   float turning_radius() const;
   float top_speed() const { return parameters_.max_speed; }  ///< m/s
   /// Whether speed, steering and hitch angles keep their limits and the position is finite.
@@ -124,9 +126,10 @@ class Chain {
   /// The bounds of travel for all bodies alike, by lemmas 10 to 13 of lib/robot/CHAIN.md.
   QuickBound quick_bound(StateView s, ControlView u, float dt, StateView next) const;
 
-  /// 1/s: the largest of speed over the shorter of wheelbase and hitch (without trailers the wheelbase), the root of
-  /// acceleration over that, and three quarters of the steering rate; of both as much as a time step of dt has room
-  /// for.
+  /// 1/s: the largest of v / a, the square root of (acceleration / a), and three quarters of the steering rate, where v
+  /// is the largest speed, and a the shorter of wheelbase and hitch length, or the wheelbase if there are no trailers.
+  /// Acceleration and steering rate count only as far as the range of the speed and that of the steering angle let them
+  /// last for a time step of dt.
   float fastest_rate(float dt) const;
   /// The extremes of its motion: at full speed and lock.
   Extremes extremes() const {
@@ -149,14 +152,14 @@ class Chain {
   /// they slip, else with v cos psi.
   void derivative(StateView s, ControlView u, StateRef ds) const;
 
-  /// A rough step; of the trailers' headings in s it moves the first only.
+  /// A rough step. It moves all frames, but of the trailers' headings in s only the first.
   bool sketch(StateRef s, Pose* poses, ControlView u, float dt) const;
 
   /// What integrate_lead hands to integrate_rest: the motion of the body ahead, by stage of the Runge-Kutta step.
   struct Lead {
     static constexpr int kStages = 4;  ///< derivatives of a step
     float turn[kStages];               ///< radians, since the step began
-    float pull[kStages];               ///< radians a second: its speed along itself, by the hitch's length
+    float pull[kStages];               ///< radians a second: its speed along its axis over the hitch length
     bool little;                       ///< whether no angle changes by more than kSmallAngle
   };
   /// What a Runge-Kutta step adds to the car's part of the state, and in `lead` what integrate_rest needs of it.

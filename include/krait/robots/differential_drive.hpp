@@ -30,8 +30,8 @@ struct DifferentialDriveParameters {
   }
 };
 
-/// Two driven wheels on an axle, each with an acceleration of its own. It owns its parameters; its members are those
-/// that RobotModel says, and take O(1).
+/// Two driven wheels on an axle, each with an acceleration of its own. It owns its parameters. Its members are those
+/// that RobotModel describes; each is O(1).
 class DifferentialDrive : public PlanarBody {
  public:
   using Parameters = DifferentialDriveParameters;                                     ///< what its constructor copies
@@ -64,18 +64,19 @@ class DifferentialDrive : public PlanarBody {
     ds[3] = u[0];
     ds[4] = u[1];
   }
-  /// Wanted speed and turn rate become wheel speeds; where a wheel would be too fast, speed yields to turning. It turns
-  /// no faster than it can stop turning when it faces the target.
+  /// Computes a speed and a turn rate toward the target, and from them the wheels' speeds. Where a wheel would be too
+  /// fast, the speed is reduced and the turn rate is kept. The robot turns no faster than it can stop turning when it
+  /// faces the target.
   void steer(StateView s, const Target& target, Steering& steering, ControlRef u) const;
   /// Brings it back to its reference's line within some body lengths.
   void track(StateView s, StateView reference, float dt, ControlRef u) const;
-  /// m/s, of the faster wheel's rim.
+  /// m/s: the speed of the faster wheel's rim.
   float speed(StateView s) const {
     const float left = math::absolute(s[3]);
     const float right = math::absolute(s[4]);
     return parameters_.wheel_radius * (left > right ? left : right);
   }
-  /// Metres, negative backwards: the mean of what the two wheels roll, each of which stops by itself.
+  /// Metres, negative backwards: the mean of how far the two wheels roll until they stop, each as soon as it can.
   float stopping_way(StateView s) const;
   float turning_radius() const { return 0.0F; }  ///< metres: it turns on the spot
   /// m/s, with both wheels at their top speed.
@@ -83,10 +84,10 @@ class DifferentialDrive : public PlanarBody {
   /// Whether the wheels keep their top speed, and position and heading are finite and the heading is at most kMaxAngle
   /// either way.
   bool within_limits(StateView s) const;
-  /// Bounds the body's motion by the faster of each wheel's two speeds; always true.
+  /// Bounds the body's motion by the larger of each wheel's speeds in s and in next; always true.
   bool travel(StateView s, ControlView u, float dt, StateView next, Travel* travel) const;
-  /// 1/s: half the largest turn rate, or the root of half the largest angular acceleration, as much of it as a time
-  /// step of dt has room for.
+  /// 1/s: the larger of half the largest turn rate and the square root of half the largest angular acceleration, which
+  /// counts only as far as the range of the wheels' speeds lets it last for a time step of dt.
   float fastest_rate(float dt) const;
   /// The extremes of its motion.
   Extremes extremes() const {

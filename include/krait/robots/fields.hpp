@@ -13,8 +13,8 @@ namespace krait {
 /// A number among a robot's parameters P.
 template <class P, class Number>
 struct ParameterField {
-  const char* name;       ///< that of the member, which is that in a ROBOT.json, too
-  Number P::*member;      ///< where it stands
+  const char* name;       ///< the name of the member, and of the field in a ROBOT.json
+  Number P::*member;      ///< the member
   const char* unit = "";  ///< in words, plural; empty for fields that ROBOT.json does not contain because the model
                           ///< determines them
   float least = 0.0F;     ///< in the unit
@@ -25,19 +25,19 @@ inline constexpr float kLeastLimit = 0.001F;   ///< the least of a length or a l
 inline constexpr float kMostLength = 1000.0F;  ///< metres: the most of a length
 inline constexpr float kMostLimit = 1e4F;      ///< the most of a limit, in its unit
 
-/// A dimension of a robot.
+/// The field of a dimension of a robot.
 template <class P>
 constexpr ParameterField<P, float> length_field(const char* name, float P::*member) {
   return {name, member, "metres", kLeastLimit, kMostLength};
 }
 
-/// A limit of a robot: of a speed, a rate or an acceleration.
+/// The field of a limit of a robot: of a speed, a rate or an acceleration.
 template <class P>
 constexpr ParameterField<P, float> limit_field(const char* name, float P::*member, const char* unit) {
   return {name, member, unit, kLeastLimit, kMostLimit};
 }
 
-/// The least speed of a robot, at most 0: below 0 it drives backwards.
+/// The field of the least speed of a robot, at most 0: below 0 it drives backwards.
 template <class P>
 constexpr ParameterField<P, float> reverse_field(const char* name, float P::*member) {
   return {name, member, "metres a second", -kMostLimit, 0.0F};

@@ -61,7 +61,7 @@ class KinematicTruck {
   static constexpr const char* kStateNames[] = {"x", "y", "theta0"};     ///< of the car's components
   static constexpr const char* kControlNames[] = {"speed", "steering"};  ///< of a control's components
   static constexpr int kMaxBodies = Chain::kMaxBodies;                   ///< the car and its trailers, at most
-  using Lead = Chain::Lead;                                              ///< what the trailers must know of the car
+  using Lead = Chain::Lead;                                              ///< as of a Chain
 
   /// Copies the parameters; sound() says whether they can be used. A number of trailers that is out of range becomes
   /// -1, as in a Chain.
@@ -77,7 +77,8 @@ class KinematicTruck {
   bool sound() const;  ///< whether every parameter is in its range; O(1)
 
   /// Replaces the polygon of body k, 0 … kMaxTrailers: metres, 3 to 8 vertices, convex, counter-clockwise, in its
-  /// frame; copied. Of more it keeps none, which init refuses as bad_robot.
+  /// frame; copied. Of a polygon with more vertices it keeps none of them, and init then refuses the robot as
+  /// bad_robot.
   void set_body(int k, Polygon polygon) { truck_.set_body(k, polygon); }
   /// Body k's polygon, 0 … kMaxTrailers, in its frame; metres. The vertices are this robot's.
   Polygon body(int k) const { return truck_.body(k); }
@@ -98,11 +99,12 @@ class KinematicTruck {
   /// Updates the errors of the trailers' headings over dt seconds; returns in metres how far they can displace a body
   /// (Chain::carry_errors).
   float carry_errors(StateView s, const Pose* poses, ControlView u, float dt, float* errors) const;
-  /// Metres, of body 0: as far as the wheels steer, but no tighter than the trailers follow.
+  /// Metres: the radius of the sharpest turn that body 0 can drive for long. The lock of the wheels limits it, and the
+  /// trailers, which must be able to follow.
   float turning_radius() const { return truck_.turning_radius(); }
   float top_speed() const { return parameters_.max_speed; }  ///< m/s
-  /// Whether the hitch angles keep their limit and the position is finite. It is at rest where its controls end: its
-  /// state has no speed.
+  /// Whether the hitch angles keep their limit and the position is finite. The state has no speed: the robot stands
+  /// still as soon as no control is held.
   bool within_limits(StateView s) const;
   /// Whether within_limits holds with 2 mrad to spare in every hitch angle.
   bool keeps_reserve(StateView s) const;
@@ -113,7 +115,7 @@ class KinematicTruck {
   /// The bounds of travel for all bodies alike, by lemmas 10 to 13 of lib/robot/CHAIN.md.
   QuickBound quick_bound(StateView s, ControlView u, float dt, StateView next) const;
 
-  /// 1/s: the larger of speed over the hitch's length, and half of the turn rate at full speed and lock.
+  /// 1/s: the larger of the largest speed over the hitch length and half the turn rate at full speed and full lock.
   float fastest_rate(float dt) const;
   /// The extremes of its motion: at full speed and lock.
   Extremes extremes() const {
@@ -121,16 +123,16 @@ class KinematicTruck {
     const float pull = fastest() / parameters_.hitch_length;
     return {fastest(), turn > pull ? turn : pull, 0.0F};
   }
-  /// Writes the control of top speed and full lock to the left; the state has none of it.
+  /// Writes the control of top speed and full lock to the left. The state has neither, and is not written.
   void turn_fastest(float*, float* control) const {
     control[0] = parameters_.max_speed;
     control[1] = parameters_.max_steering;
   }
 
-  /// Rolls as its wheels point; the trailers as a truck's.
+  /// The car rolls where its wheels point; the trailers follow as those of a truck.
   void derivative(StateView s, ControlView u, StateRef ds) const;
 
-  /// A rough step; of the trailers' headings in s it moves the first only.
+  /// A rough step. It moves all frames, but of the trailers' headings in s only the first.
   bool sketch(StateRef s, Pose* poses, ControlView u, float dt) const;
 
   /// What a Runge-Kutta step adds to the car's part of the state, and in `lead` what integrate_rest needs of it.

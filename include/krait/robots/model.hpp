@@ -35,7 +35,7 @@ struct Target {
   Vec2 point = {};     ///< local metres
   float speed = 1.0F;  ///< share of the robot's top speed in (0, 1]; in [-1, 0): of its top speed backwards; 0: to rest
   float dt = Parameters().dt;  ///< seconds that the control will be held
-  float turn = 1.0F;           ///< share of the robot's sharpest turn in (0, 1], for one whose turns cost it room
+  float turn = 1.0F;           ///< share of its sharpest turn in (0, 1]: it turns no sharper; a model may ignore it
 };
 
 /// Bounds on how a body moves during a step. A point of it that is r metres from its frame's origin travels at most
@@ -72,7 +72,7 @@ struct PidGains {
   float derivative;    ///< output for an error that grows by 1 a second
 };
 
-/// A PID controller in discrete time; its memory is its own.
+/// A PID controller in discrete time. It remembers the sum of the errors and the last error.
 class Pid {
  public:
   /// The output for an error held over dt seconds, dt > 0. O(1).
@@ -114,7 +114,7 @@ concept StatesRates = requires(const R& robot, StateView s, ControlView u, float
 /// - `kMaxState`, `kMaxControl`, `kMaxBodies`: compile-time limits of the sizes below, at most krait::kMaxState and so
 ///   on
 /// - `state_size()`, `control_size()`, `body_count()`: at least 2, 1 and 1; the same at every call
-/// - `derivative(s, u, ds)`: the dynamics ds = f(s, u) (Eqn 2), in units of the state a second. Called most of all
+/// - `derivative(s, u, ds)`: the dynamics ds = f(s, u) (Eqn 2), in units of the state a second. Called most often
 /// - `steer(s, target, steering, u)`: the control that steers s toward the target, inside its limits and such that a
 ///   step of target.dt keeps the state inside its own. Called once a time step
 /// - `within_limits(s)`: speeds, steering and hitch angles are valid
@@ -127,8 +127,8 @@ concept StatesRates = requires(const R& robot, StateView s, ControlView u, float
 /// - `rates(s, u, dt, next, rates)`: replaces travel where the robot has none: writes the BodyRates of every body while
 ///   u is held for dt seconds from s to next, and returns what travel returns
 ///
-/// The following members are optional. A function that has the name of one, and is not const or has other arguments or
-/// another result, would not be called, and does not compile; one that is deleted counts as none:
+/// The following members are optional. A function that has one of these names, but is not const or has other arguments
+/// or another result, does not compile, since it would never be called. A deleted function counts as absent:
 /// - `sound()`: whether its dimensions and limits can be used; init refuses the robot as bad_robot where they cannot.
 ///   Without it, they count as usable
 /// - `reversible()`: whether it can drive backwards, at a target's speed below 0. Without it, it cannot
@@ -142,11 +142,11 @@ concept StatesRates = requires(const R& robot, StateView s, ControlView u, float
 ///   Without it a plan ends at any speed
 /// - `stopping_way(s)`: metres along body 0's x axis, negative backwards: how far from the position it comes to rest,
 ///   roughly, when it brakes in s. Used to know where it pays to brake for the goal; without it, 0
-/// - `turning_radius()`: metres, at least 0: of the sharpest turn that it drives for long, forwards; 0: it turns on the
-///   spot, at any target speed above 0 toward a point that it does not face. Used to find the way to a pose; without
-///   it, the length of body 0
-/// - `top_speed()`: m/s, above 0: of the position, straight ahead at a target's speed of 1. Used to come to rest at a
-///   pose; without it, a length of body 0 a second
+/// - `turning_radius()`: metres, at least 0: the radius of the sharpest turn that it can drive forwards for long; 0: it
+///   turns on the spot, at any target speed above 0 toward a point that it does not face. Used to find the way to a
+///   pose; without it, the length of body 0
+/// - `top_speed()`: m/s, above 0: the speed of the position, straight ahead at a target's speed of 1. Used to come to
+///   rest at a pose; without it, one length of body 0 a second
 /// - `fastest_rate(dt)`: 1/s, at least 0: Runge-Kutta steps of at most 0.32 / fastest_rate(dt) seconds end within 0.5
 ///   mm and 0.5 mrad of where derivative leads, whatever state and control the limits allow in a time step of dt.
 ///   Without it, every time step counts as short enough

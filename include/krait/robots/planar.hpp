@@ -23,8 +23,8 @@ class PlanarBody {
   /// In the axle's frame, metres; the vertices are this robot's.
   Polygon body(int) const { return {vertices_, count_}; }
 
-  /// Replaces the polygon: metres, 3 to 8 vertices, convex, counter-clockwise, in the axle's frame; copied. Of more it
-  /// keeps none, which init refuses as bad_robot.
+  /// Replaces the polygon: metres, 3 to 8 vertices, convex, counter-clockwise, in the axle's frame; copied. Of a
+  /// polygon with more vertices it keeps none of them, and init then refuses the robot as bad_robot.
   void set_body(int, Polygon polygon) {
     count_ = polygon.count <= kMaxVertices ? polygon.count : 0;
     for (int i = 0; i < count_; ++i) vertices_[i] = polygon[i];

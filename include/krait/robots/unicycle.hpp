@@ -28,8 +28,8 @@ struct UnicycleParameters {
   }
 };
 
-/// A unicycle, whose speed and turn rate change at once. It owns its parameters; its members are those that RobotModel
-/// says, and take O(1).
+/// A unicycle, whose speed and turn rate change at once. It owns its parameters. Its members are those that RobotModel
+/// describes; each is O(1).
 class Unicycle : public PlanarBody {
  public:
   using Parameters = UnicycleParameters;                                  ///< what its constructor copies
@@ -58,18 +58,19 @@ class Unicycle : public PlanarBody {
     ds[1] = u[0] * heading.sin;
     ds[2] = u[1];
   }
-  /// Turns on the spot, or as it can at its least speed, until the target lies ahead, then drives, slower the further
-  /// it lies to the side.
+  /// Turns on the spot, or, where it must always move, at its least speed, until the target lies ahead; then drives,
+  /// the more slowly the further the target lies to the side.
   void steer(StateView s, const Target& target, Steering& steering, ControlRef u) const;
   /// Brings it back to its reference's line within some body lengths.
   void track(StateView s, StateView reference, float dt, ControlRef u) const;
-  /// Metres: 0, it turns on the spot; or where it must move, of the circle at its least speed and largest turn rate.
+  /// Metres: 0, since it turns on the spot; where it must always move, the radius at its least speed and largest turn
+  /// rate.
   float turning_radius() const {
     return parameters_.min_speed > 0.0F ? parameters_.min_speed / parameters_.max_turn_rate : 0.0F;
   }
   float top_speed() const { return parameters_.max_speed; }  ///< m/s
-  /// Whether position and heading are finite and the heading is at most kMaxAngle either way. It is at rest where its
-  /// controls end: its state has no speed.
+  /// Whether position and heading are finite and the heading is at most kMaxAngle either way. The state has no speed:
+  /// the robot stands still as soon as no control is held.
   bool within_limits(StateView s) const;
   /// Bounds the body's motion by the control alone; always true.
   bool travel(StateView s, ControlView u, float dt, StateView next, Travel* travel) const;
@@ -81,7 +82,7 @@ class Unicycle : public PlanarBody {
     const UnicycleParameters& p = parameters_;
     return {detail::fastest(p), p.max_turn_rate, 0.0F};
   }
-  /// Writes the control of top speed and the sharpest turn to the left; the state has none of it.
+  /// Writes the control of top speed and the sharpest turn to the left. The state has neither, and is not written.
   void turn_fastest(float*, float* control) const {
     control[0] = parameters_.max_speed;
     control[1] = parameters_.max_turn_rate;

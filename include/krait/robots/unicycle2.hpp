@@ -32,8 +32,8 @@ struct Unicycle2Parameters {
   }
 };
 
-/// A unicycle whose speed and turn rate change at bounded rates. It owns its parameters; its members are those that
-/// RobotModel says, and take O(1).
+/// A unicycle whose speed and turn rate change at bounded rates. It owns its parameters. Its members are those that
+/// RobotModel describes; each is O(1).
 class Unicycle2 : public PlanarBody {
  public:
   using Parameters = Unicycle2Parameters;                                          ///< what its constructor copies
@@ -64,19 +64,19 @@ class Unicycle2 : public PlanarBody {
     ds[3] = u[0];
     ds[4] = u[1];
   }
-  /// Turns no faster than it can stop turning when it faces the target, and drives the slower the further the target
-  /// lies to the side, on the spot where it lies behind. Where its turn need not be the sharpest it drives on, the
-  /// faster the less sharp it is.
+  /// Turns no faster than it can stop turning when it faces the target. It drives the more slowly the further the
+  /// target lies to the side, and turns on the spot where the target lies behind. Where Target::turn asks for less than
+  /// the sharpest turn it drives on, the faster the less sharp the turn is.
   void steer(StateView s, const Target& target, Steering& steering, ControlRef u) const;
   /// Brings it back to its reference's line within some body lengths.
   void track(StateView s, StateView reference, float dt, ControlRef u) const;
-  /// m/s, of its position or, if that is faster, of the ends of a body of its length that turns on the spot.
+  /// m/s: the speed of its position or, if larger, that of the ends of a body of its length that turns on the spot.
   float speed(StateView s) const {
     const float forward = math::absolute(s[3]);
     const float turning = 0.5F * parameters_.body_length * math::absolute(s[4]);
     return forward > turning ? forward : turning;
   }
-  /// Metres, negative backwards: what it rolls until its speed is 0, as if straight ahead.
+  /// Metres, negative backwards: how far it rolls until its speed is 0, as if it did not turn.
   float stopping_way(StateView s) const;
   float turning_radius() const { return 0.0F; }              ///< metres: it turns on the spot
   float top_speed() const { return parameters_.max_speed; }  ///< m/s
@@ -85,15 +85,16 @@ class Unicycle2 : public PlanarBody {
   bool within_limits(StateView s) const;
   /// Bounds the body's motion by speeds and turn rates at the step's ends; always true.
   bool travel(StateView s, ControlView u, float dt, StateView next, Travel* travel) const;
-  /// 1/s: half the largest turn rate, or the root of half the largest turn acceleration, as much of it as a time step
-  /// of dt has room for; more where the speed changes faster than that.
+  /// 1/s: the larger of half the largest turn rate and the square root of half the largest turn acceleration; more
+  /// where the speed changes faster than that. Accelerations count only as far as the ranges of turn rate and speed let
+  /// them last for a time step of dt.
   float fastest_rate(float dt) const;
   /// The extremes of its motion.
   Extremes extremes() const {
     const Unicycle2Parameters& p = parameters_;
     return {detail::fastest(p), p.max_turn_rate, p.max_acceleration};
   }
-  /// Writes top speed and the sharpest turn to the left, which the control keeps.
+  /// Writes the state of top speed and the sharpest turn to the left, and the control that keeps both.
   void turn_fastest(float* state, float* control) const {
     state[3] = parameters_.max_speed;
     state[4] = parameters_.max_turn_rate;
