@@ -17,7 +17,8 @@ namespace krait::host {
 
 using Watch = std::function<void(const std::vector<float>& from, const std::vector<float>& to)>;
 
-// As the core's planners; what it returns is the planner's own and lives as long.
+// As the core's planners; what it returns is the planner's own and lives as long. It erases the type of the planner,
+// which is the core's or a rival; the robot's is erased in each of them (Robot).
 class Session {
  public:
   virtual ~Session() = default;
