@@ -14,6 +14,7 @@
 #include "host/compiler/simplify.hpp"
 #include "host/compiler/snap.hpp"
 #include "host/compiler/write.hpp"
+#include "host/workspace/printed.hpp"
 #include "krait/format.hpp"
 #include "krait/scene.hpp"
 
@@ -102,6 +103,14 @@ void warn_of_blocked_goals(const Workspace& w, const Mesh& mesh, std::vector<std
   }
 }
 
+// No tolerance is to blame: simplification closes nothing.
+std::string about_full(const Workspace& w) {
+  const std::string covered =
+      printed("obstacles cover all of the bounds, %.6g,%.6g to %.6g,%.6g m", w.min.x, w.min.y, w.max.x, w.max.y);
+  if (!w.cells) return covered + ": is one of the shapes meant as the bounds, or are these too small?";
+  return covered + ": are unknown cells free (see --unknown), or free and occupied values exchanged?";
+}
+
 // The core's own reader must take what leaves this program.
 void check_bytes(const std::vector<std::uint8_t>& bytes) {
   Scene scene;
@@ -141,11 +150,7 @@ CompiledScene compile(const Workspace& workspace, const CompileOptions& options)
 
   tell("triangulating the free space");
   parts.mesh = free_mesh(with_goals(space.boundary, parts.goals), bounds, options.coarse);
-  if (parts.mesh.triangles.empty()) {
-    throw InputError(
-        "no free space is left: obstacles cover all of the workspace (are its unknown cells free? see --unknown; a "
-        "map's free and occupied values exchanged? a --tolerance too large?)");
-  }
+  if (parts.mesh.triangles.empty()) throw InputError("no free space is left: " + about_full(workspace));
   warn_of_blocked_goals(workspace, parts.mesh, result.warnings);
 
   tell("measuring clearances");

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // krait-compile: turns a map or drawing into a scene file. `krait compile` runs it.
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -84,6 +83,15 @@ void leave_obstacles_where_they_hinder(const Arguments& arguments, const Workspa
   scene = std::move(exact);
 }
 
+// Prints the warnings, and leaves none.
+void warn_of(std::vector<std::string>& warnings, const Arguments& arguments, Progress& progress) {
+  progress.end();
+  for (const std::string& warning : warnings) {
+    if (!arguments.quiet) std::fprintf(stderr, "krait-compile: warning: %s\n", warning.c_str());
+  }
+  warnings.clear();
+}
+
 void run(const Arguments& arguments, Progress& progress) {
   std::optional<LastWord> word(kStopped);
   const Output output{"-o", arguments.output};
@@ -92,11 +100,13 @@ void run(const Arguments& arguments, Progress& progress) {
   ImportOptions map = arguments.map;
   if (!arguments.datum.empty()) map.datum = parse_datum(arguments.datum);
   Workspace workspace = import_workspace(arguments.input, map);
+  warn_of(workspace.warnings, arguments, progress);  // one of them may be why the map is refused below
   check_outputs({output}, workspace.files);
   if (!arguments.start.empty()) set_start(workspace, arguments.start);
   if (!arguments.goal.empty()) add_goal(workspace, arguments.goal);
   const std::optional<RobotSpec> robot = arguments.reduction.spec();
   workspace = arguments.reduction.apply(std::move(workspace), robot);
+  warn_of(workspace.warnings, arguments, progress);
   const CompileOptions options{arguments.tolerance, [&](const std::string& step) { progress.show(step); },
                                arguments.reduction.coarse};
   std::vector<std::string> report;
@@ -111,16 +121,10 @@ void run(const Arguments& arguments, Progress& progress) {
   word.reset();
   const Interrupt too_late;  // the file becomes whole, and what is said of it is said
   write_file(arguments.output, std::string(scene.bytes.begin(), scene.bytes.end()));
-  progress.end();
-  const auto warn = [&](const std::string& text) {
-    if (!arguments.quiet) std::fprintf(stderr, "krait-compile: warning: %s\n", text.c_str());
-  };
-  std::for_each(workspace.warnings.begin(), workspace.warnings.end(), warn);
   const std::string lost = arguments.any_heading ? "" : lost_headings(workspace.goals);
-  if (!lost.empty()) warn(lost);
-  std::for_each(scene.warnings.begin(), scene.warnings.end(), warn);
-  std::for_each(blocked.begin(), blocked.end(), warn);
-  std::for_each(narrowed.begin(), narrowed.end(), warn);
+  if (!lost.empty()) scene.warnings.insert(scene.warnings.begin(), lost);
+  for (std::vector<std::string>* warnings : {&scene.warnings, &blocked, &narrowed})
+    warn_of(*warnings, arguments, progress);
   for (const std::string& line : report) std::fprintf(stderr, "krait-compile: %s\n", line.c_str());
 }
 

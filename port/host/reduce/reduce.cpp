@@ -47,6 +47,10 @@ std::optional<CellMap> drawn_finer(const Workspace& drawing, double size) {
   return finer <= size / 2 ? std::optional(drawn_in_cells(drawing, finer)) : std::nullopt;
 }
 
+bool has_free_cell(const CellMap& map) {
+  return std::find(map.occupied.begin(), map.occupied.end(), 0) != map.occupied.end();
+}
+
 // Warns of the passages that larger cells close, and refuses those that leave no way.
 void judge_closed(Workspace& w, const CellMap& before, const CellMap& after, double size) {
   const std::string option = printed("--cell %.10g", size);
@@ -67,6 +71,8 @@ void resample(Workspace& w, double size) {
   } else {
     w.warnings.push_back(printed("--cell %.10g: the drawing is too large to look for passages that this closes", size));
   }
+  if (!has_free_cell(larger) && (!before || has_free_cell(*before)))
+    throw InputError(printed("--cell %.10g: leaves no cell free: take smaller cells", size));
   w.cells = std::move(larger);
   w.obstacles.clear();
 }
@@ -103,8 +109,7 @@ void close_for(Workspace& w, const Girth& girth) {
   for (const Start& start : w.starts) starts.push_back(start.position);
   const std::vector<bool> open = open_goals(w);
   w.cells = filled(*w.cells, girth, starts);
-  const std::vector<std::uint8_t>& occupied = w.cells->occupied;
-  if (std::find(occupied.begin(), occupied.end(), 0) == occupied.end()) {
+  if (!has_free_cell(*w.cells)) {
     throw InputError(printed("a disc of radius %.4g m, the robot's or that of --fill, has room nowhere", girth.inner) +
                      (starts.empty() ? "" : " that a start leads to"));
   }

@@ -111,6 +111,25 @@ TEST_F(KraitCompile, QuietIsWithoutWarnings) {
   compiled(path("far.json") + " --quiet");
 }
 
+TEST_F(KraitCompile, AMapThatIsRefusedHasItsWarningsBefore) {
+  std::ofstream(path("one.geojson")) << R"({"type": "Polygon", "unit": 1,
+      "coordinates": [[[0, 0], [10, 0], [10, 5], [0, 5], [0, 0]]]})";
+  const std::string refused = path("one.geojson") + " -o " + path("out.krait");
+  const std::string full =
+      "krait-compile: no free space is left: obstacles cover all of the bounds, 0,0 to 10,5 m: is one of the shapes "
+      "meant as the bounds, or are these too small?\n";
+  const std::string warning =
+      "krait-compile: warning: " + path("one.geojson") + ": has no bounds; they are the box around all its shapes\n";
+  EXPECT_EQ(run(refused).errors, warning + full);
+  EXPECT_THAT(run(refused + " --cell 30").errors,
+              testing::StartsWith(warning + "krait-compile: --cell 30: the map is"));
+  EXPECT_EQ(run(refused + " --quiet").errors, full);
+  std::ofstream(path("full.map")) << "type octile\nheight 2\nwidth 2\nmap\n@@\n@@\n";
+  expect_refused(path("full.map"),
+                 "no free space is left: obstacles cover all of the bounds, 0,0 to 2,2 m: are unknown cells free (see "
+                 "--unknown), or free and occupied values exchanged?");
+}
+
 // Behind a door of 30 cm.
 TEST_F(KraitCompile, ARoomThatTheRobotCannotEnterIsClosedWhereThereAreCells) {
   std::ofstream(path("door.json")) << R"({"bounds": {"min": [0, 0], "max": [20, 20]},

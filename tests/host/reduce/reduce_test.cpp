@@ -391,6 +391,16 @@ TEST(Resample, RefusesFinerCellsAndOnesLargerThanTheMap) {
   EXPECT_THAT(complaint(w, {{}, 1.5, {}, {}, {}}), testing::HasSubstr("the map is only 2 m by 1 m"));
 }
 
+TEST(Resample, RefusesCellsThatLeaveNoneFree) {
+  const std::string complaint_of_cells = "--cell 0.2: leaves no cell free: take smaller cells";
+  EXPECT_EQ(complaint(room(cells({"#.", ".#"}, 0.1)), {{}, 0.2, {}, {}, {}}), complaint_of_cells);
+  EXPECT_EQ(complaint(room(cells({"##", "##"}, 0.1)), {{}, 0.2, {}, {}, {}}), "") << "the compiler says what covers it";
+  Workspace drawing;
+  drawing.max = {0.2, 0.2};
+  drawing.obstacles = {{"post", {{0.1, 0.1}, {0.12, 0.1}, {0.12, 0.12}}, {}}};
+  EXPECT_EQ(complaint(drawing, {{}, 0.2, {}, {}, {}}), complaint_of_cells);
+}
+
 Ring random_ring(Random& random, Point middle, double reach) {
   Ring ring;
   for (int i = std::uniform_int_distribution(1, 7)(random); i > 0; --i)
