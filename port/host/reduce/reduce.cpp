@@ -103,16 +103,28 @@ void judge_goals(Workspace& w, const std::vector<bool>& were_open, const Girth& 
   }
 }
 
-void close_for(Workspace& w, const Girth& girth) {
+// Why no cell is left free for a disc, by the map before; `larger`: its cells are those of --cell.
+std::string why_no_room(const Workspace& w, const Girth& girth, bool larger) {
+  const CellFrame frame(*w.cells);
+  for (const Start& start : w.starts) {
+    const auto cell = cell_at(*w.cells, frame, start.position);
+    if (cell && w.cells->occupied[*cell] == 0) continue;
+    return "start '" + start.name + printed("' at %.6g,%.6g lies ", start.position.x, start.position.y) +
+           (cell ? "in an obstacle" : "outside of the map") + ": give another --start X,Y,HEADING" +
+           (cell && larger ? ", or smaller cells to --cell" : "");
+  }
+  return printed("a disc of radius %.4g m, the robot's or that of --fill, has room nowhere", girth.inner) +
+         (w.starts.empty() ? ": give a narrower one" : " that a start leads to: give a narrower one, or another start");
+}
+
+void close_for(Workspace& w, const Girth& girth, bool larger) {
   require_cells(w, "--fill");
   std::vector<Point> starts;
   for (const Start& start : w.starts) starts.push_back(start.position);
   const std::vector<bool> open = open_goals(w);
-  w.cells = filled(*w.cells, girth, starts);
-  if (!has_free_cell(*w.cells)) {
-    throw InputError(printed("a disc of radius %.4g m, the robot's or that of --fill, has room nowhere", girth.inner) +
-                     (starts.empty() ? "" : " that a start leads to"));
-  }
+  CellMap closed = filled(*w.cells, girth, starts);
+  if (!has_free_cell(closed)) throw InputError(why_no_room(w, girth, larger));
+  w.cells = std::move(closed);
   judge_goals(w, open, girth);
 }
 
@@ -122,7 +134,7 @@ Workspace reduced(Workspace workspace, const Reduction& reduction) {
   Workspace w =
       reduction.crop ? cropped(std::move(workspace), reduction.crop->min, reduction.crop->max) : std::move(workspace);
   if (reduction.cell) resample(w, *reduction.cell);
-  if (reduction.fill) close_for(w, *reduction.fill);
+  if (reduction.fill) close_for(w, *reduction.fill, reduction.cell.has_value());
   if (reduction.corridor) {
     require_cells(w, "--corridor");
     w.cells = within_corridor(*w.cells, *reduction.corridor, reduction.disc, w.starts, w.goals, w.warnings);

@@ -296,6 +296,23 @@ TEST(Fill, NamesTheGoalsThatItCloses) {
   EXPECT_THAT(complaint(w, wide), testing::StartsWith("goal 'far' is closed: no way from the starts to it is wide"));
 }
 
+TEST(Fill, NamesTheStartThatLiesInAnObstacle) {
+  Workspace w = room(cells(std::vector<std::string>(20, "....................##########"), 0.1));
+  const auto said = [&](Point start, std::optional<double> cell = {}, double radius = 0.3) {
+    w.starts = {{"home", start, 0, {}}};
+    return complaint(w, {{}, cell, Girth{radius, radius, 0}, {}, {}});
+  };
+  const std::string another = ": give another --start X,Y,HEADING";
+  EXPECT_EQ(said({1, 1}), "");
+  EXPECT_EQ(said({2.5, 1}), "start 'home' at 2.5,1 lies in an obstacle" + another);
+  EXPECT_EQ(said({2.5, 1}, 0.3),
+            "start 'home' at 2.5,1 lies in an obstacle" + another + ", or smaller cells to --cell");
+  EXPECT_EQ(said({-1, 1}), "start 'home' at -1,1 lies outside of the map" + another);
+  EXPECT_EQ(said({1, 1}, {}, 2),
+            "a disc of radius 2 m, the robot's or that of --fill, has room nowhere that a start leads to: give a "
+            "narrower one, or another start");
+}
+
 TEST(Fill, NamesTheGoalsThatHaveNoRoomWhereThereAreNoStarts) {
   Workspace w = room(cells(std::vector<std::string>(30, "..........#..#................"), 0.1));
   w.starts.clear();
