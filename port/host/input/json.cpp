@@ -121,15 +121,17 @@ void Field::fail(const std::string& what) const {
   throw InputError(*file_ + ": " + (place_.empty() ? "" : place_ + ": ") + what);
 }
 
-void Field::fail_expecting(const std::string& expected) const {
+std::string Field::shown_value() const {
   constexpr std::size_t kMostShown = 40;
-  std::string found = value_->is_structured() ? std::string(value_->is_array() ? "a list of " : "an object of ") +
-                                                    std::to_string(value_->size())
-                                              : value_->dump(-1, ' ', true, Json::error_handler_t::replace);
-  if (value_->is_number_float() && !std::isfinite(value_->get<double>())) found = shown(value_->get<double>());
-  if (found.size() > kMostShown) found.replace(kMostShown, std::string::npos, "...");
-  fail("must be " + expected + ", is " + found);
+  if (value_->is_structured())
+    return (value_->is_array() ? "a list of " : "an object of ") + std::to_string(value_->size());
+  if (value_->is_number_float() && !std::isfinite(value_->get<double>())) return shown(value_->get<double>());
+  std::string text = value_->dump(-1, ' ', true, Json::error_handler_t::replace);
+  if (text.size() > kMostShown) text.replace(kMostShown, std::string::npos, "...");
+  return text;
 }
+
+void Field::fail_expecting(const std::string& expected) const { fail("must be " + expected + ", is " + shown_value()); }
 
 bool Field::has(const char* key) const { return value_->is_object() && value_->contains(key); }
 

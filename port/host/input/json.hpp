@@ -58,6 +58,7 @@ class Field {
   Point point(double most = kMaxCoordinate) const;  // [x, y] in metres, both from -most to most
   Ring ring(std::size_t most = SIZE_MAX, double most_coordinate = kMaxCoordinate) const;  // at least 3 points
 
+  std::string shown_value() const;  // for messages: short, on one line; of a list or an object how many it holds
   [[noreturn]] void fail(const std::string& what) const;
 
  private:

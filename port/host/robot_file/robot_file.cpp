@@ -149,13 +149,12 @@ double read_parameter(const Field& field, const Parameter& parameter) {
   if (usable && (!parameter.whole || value == std::floor(value))) return value;
   const bool degrees = number && std::string(parameter.unit) == "radians" && is_over_a_turn(value);
   field.fail("must be " + std::string(parameter.whole ? "a whole number of " : "") + parameter.unit + " from " +
-             shown(parameter.least) + " to " + shown(parameter.most) + ", is " +
-             (number ? shown(value) : std::string(field.value().type_name())) +
+             shown(parameter.least) + " to " + shown(parameter.most) + ", is " + field.shown_value() +
              (degrees ? "; " + degrees_meant(value) : ""));
 }
 
 void read_parameters(const Field& field, const Model& model, std::map<std::string, double>& values) {
-  if (!field.value().is_object()) field.fail("must be an object of numbers by name");
+  if (!field.value().is_object()) field.fail("must be an object of numbers by name, is " + field.shown_value());
   for (const auto& item : field.value().items()) {
     const Parameter* known = find_parameter(model, item.key());
     if (known == nullptr) {
@@ -233,7 +232,8 @@ void read_remarks(const Field& field, const Model& model, RobotSpec& robot) {
   if (field.has("about")) robot.about = field.at("about").printed();
   if (!field.has("sources")) return;
   const Field sources = field.at("sources");
-  if (!sources.value().is_object()) sources.fail("must be an object of texts by the names of parameters, or bodies");
+  if (!sources.value().is_object())
+    sources.fail("must be an object of texts by the names of parameters, or bodies, is " + sources.shown_value());
   for (const auto& item : sources.value().items()) {
     const bool known = item.key() == "bodies" || find_parameter(model, item.key()) != nullptr;
     if (!known) sources.fail("\"" + cleaned_name(item.key()) + "\" is no parameter of a " + model.name);

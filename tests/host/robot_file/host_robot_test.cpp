@@ -171,6 +171,11 @@ TEST(Robot, ParametersOutOfRangeAreNamed) {
   EXPECT_THAT(error(R"("min_speed": 0.1)"), HasSubstr("parameters.min_speed"));
   EXPECT_THAT(error(R"("self_collision_gap": 2.5)"), HasSubstr("whole number"));
   EXPECT_THAT(error(R"("max_speed": null)"), HasSubstr("is null"));
+  EXPECT_THAT(error(R"("wheelbase": "0.5")"),
+              HasSubstr("parameters.wheelbase: must be metres from 0.001 to 1000, is \"0.5\""));
+  EXPECT_THAT(error(R"("wheelbase": [1, 2])"), HasSubstr("is a list of 2"));
+  EXPECT_THAT(read_error(R"({"model": "car", "parameters": 3})"),
+              HasSubstr("parameters: must be an object of numbers by name, is 3"));
   EXPECT_THAT(error(R"("max_sped": 1)"), HasSubstr("unknown parameter \"max_sped\"; a car has body_length, "));
   EXPECT_EQ(error(R"("min_speed": -1)"), "");
 }

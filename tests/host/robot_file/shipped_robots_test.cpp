@@ -84,7 +84,7 @@ TEST(RobotRemarks, AreReadAndNotWritten) {
 TEST(RobotRemarks, ErrorsNameTheField) {
   EXPECT_THAT(read_error(R"({"model": "car", "about": 3})"), HasSubstr("r.json: about: must be"));
   EXPECT_THAT(read_error(R"({"model": "car", "about": "a\u001b[2J"})"), HasSubstr("about"));
-  EXPECT_THAT(read_error(R"({"model": "car", "sources": ["x"]})"), HasSubstr("sources: must be an object of texts"));
+  EXPECT_THAT(read_error(R"({"model": "car", "sources": ["x"]})"), HasSubstr("or bodies, is a list of 1"));
   EXPECT_THAT(read_error(R"({"model": "car", "sources": {"track_width": "x"}})"),
               HasSubstr("sources: \"track_width\" is no parameter of a car"));
   EXPECT_THAT(read_error(R"({"model": "car", "sources": {"wheelbase": 1}})"), HasSubstr("sources.wheelbase"));
