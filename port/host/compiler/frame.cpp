@@ -35,6 +35,8 @@ std::string largest_reach() { return std::to_string(static_cast<int>(format::kMa
 
 Point Frame::local(Point world) const { return {(world.x - origin.x) * kSteps, (world.y - origin.y) * kSteps}; }
 
+Point Frame::world(GridPoint p) const { return {origin.x + p.x / kSteps, origin.y + p.y / kSteps}; }
+
 GridPoint Frame::nearest(Point world) const {
   const Point p = local(world);
   const auto rounded = [](double value, std::int32_t low, std::int32_t high) {

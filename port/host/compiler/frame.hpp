@@ -13,6 +13,7 @@ struct Frame {
 
   // World to local coordinates in grid steps, unrounded.
   Point local(Point world) const;
+  Point world(GridPoint p) const;
   // The nearest grid point; within the bounds if the point is. The point must be finite and near them.
   GridPoint nearest(Point world) const;
 };

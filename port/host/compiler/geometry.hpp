@@ -51,6 +51,12 @@ struct Edge {
 
 using Edges = std::vector<Edge>;
 
+// Whether the edge lies along one of the box's sides.
+inline bool on_border(const Edge& e, const GridBox& b) {
+  return (e.from.x == e.to.x && (e.from.x == b.min.x || e.from.x == b.max.x)) ||
+         (e.from.y == e.to.y && (e.from.y == b.min.y || e.from.y == b.max.y));
+}
+
 // Twice the signed area of the triangle: positive if it turns left.
 inline std::int64_t cross(GridPoint a, GridPoint b, GridPoint c) {
   return (std::int64_t{b.x} - a.x) * (std::int64_t{c.y} - a.y) - (std::int64_t{b.y} - a.y) * (std::int64_t{c.x} - a.x);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
 #include "host/compiler/cells.hpp"
@@ -11,6 +12,7 @@
 #include "host/compiler/snap.hpp"
 #include "host/compiler/unite.hpp"
 #include "host/workspace/cell_frame.hpp"
+#include "host/workspace/printed.hpp"
 #include "krait/format.hpp"
 
 namespace krait::host::compiler {
@@ -35,6 +37,18 @@ bool has_area(const Ring& ring) {
   return std::any_of(ring.begin(), ring.end(), [&](Point p) {
     return std::abs((far.x - a.x) * (p.y - a.y) - (far.y - a.y) * (p.x - a.x)) > 1e-9 * length * length;
   });
+}
+
+// The longest of the edges that an outline and a hole in it have in common, but for those along the bounds, which are
+// a wall in any case. Edges as snap() returns them.
+std::optional<Edge> open_edge(const Edges& edges, const GridBox& bounds) {
+  const auto length = [](const Edge& e) { return dot(e.from, e.to, e.to); };
+  std::optional<Edge> longest;
+  for (const Edge& e : edges) {
+    const bool common = e.winding[0] != 0 && e.winding[1] != 0 && !on_border(e, bounds);
+    if (common && (!longest || length(e) > length(*longest))) longest = e;
+  }
+  return longest;
 }
 
 class Collector {
@@ -69,6 +83,8 @@ class Collector {
     } else {
       if (!add_tangle({std::move(edges)}))
         warnings_.push_back(obstacle.label + " is no obstacle: its holes leave nothing of it");
+      else if (const auto open = open_edge(snapped.edges, frame_.bounds))
+        warn_of_open(*open, obstacle.label);
     }
   }
 
@@ -107,6 +123,13 @@ class Collector {
  private:
   static bool within(GridPoint p, const GridBox& b) {
     return p.x >= b.min.x && p.x <= b.max.x && p.y >= b.min.y && p.y <= b.max.y;
+  }
+
+  void warn_of_open(const Edge& edge, const std::string& label) {
+    const Point from = frame_.world(edge.from), to = frame_.world(edge.to);
+    warnings_.push_back(label + printed(" has a hole along its outline, from %.6g,%.6g to %.6g,%.6g: no wall is left "
+                                        "there; move the hole inwards where there is one",
+                                        from.x, from.y, to.x, to.y));
   }
 
   // Whether anything of it is solid.

@@ -15,7 +15,7 @@ struct Solid {
 };
 
 // Throws InputError naming an obstacle whose coordinates are not finite; adds a warning for one that crosses itself,
-// has no area, or is all hole.
+// has no area, is all hole, or is open where a hole lies along its outline.
 Solid solid_of(const Workspace& workspace, const Frame& frame, std::vector<std::string>& warnings);
 
 }  // namespace krait::host::compiler

@@ -16,11 +16,6 @@ constexpr std::size_t kGroup = 16;
 
 bool solid(const Face& face) { return face.winding[0] != 0 && face.winding[1] == 0; }
 
-bool on_border(const Edge& e, const GridBox& b) {
-  return (e.from.x == e.to.x && (e.from.x == b.min.x || e.from.x == b.max.x)) ||
-         (e.from.y == e.to.y && (e.from.y == b.min.y || e.from.y == b.max.y));
-}
-
 std::int32_t quotient_up(std::int32_t up, std::int32_t down) {
   return (std::abs(up) + std::abs(down) - 1) / std::abs(down);
 }

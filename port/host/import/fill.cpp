@@ -126,11 +126,33 @@ bool any_meet(const std::vector<Ring>& rings) {
   return false;
 }
 
+// Of outlines that meet: whether a corner of one lies within another, where the rule fills nothing.
+bool any_hole(const std::vector<Ring>& rings, FillRule rule) {
+  const auto within = [](const Ring& ring, const Point& p) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      if (meet(ring[i], next(ring, i), p, p)) return false;
+    }
+    return inside(ring, p);
+  };
+  for (const Ring& outer : rings) {
+    for (const Ring& inner : rings) {
+      const bool alike = (twice_area(outer) > 0) == (twice_area(inner) > 0);
+      if (&inner == &outer || (rule == FillRule::nonzero && alike)) continue;
+      if (std::any_of(inner.begin(), inner.end(), [&](const Point& p) { return within(outer, p); })) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
-std::vector<Obstacle> filled(const std::string& label, std::vector<Ring> rings, FillRule rule, std::size_t& work) {
+Filling filled(const std::string& label, std::vector<Ring> rings, FillRule rule, std::size_t& work) {
   std::erase_if(rings, [](const Ring& ring) { return ring.size() < 3; });
-  if (rings.size() < 2 || !spend(rings, work) || any_meet(rings)) return each_alone(label, std::move(rings));
+  if (rings.size() < 2 || !spend(rings, work)) return {each_alone(label, std::move(rings))};
+  if (any_meet(rings)) {
+    const bool loses_hole = any_hole(rings, rule);
+    return {each_alone(label, std::move(rings)), loses_hole};
+  }
   const Nesting nesting(rings, rule);
   std::vector<std::size_t> place(rings.size(), kNone);  // of outlines, in the obstacles
   std::vector<Obstacle> obstacles;
@@ -144,7 +166,7 @@ std::vector<Obstacle> filled(const std::string& label, std::vector<Ring> rings, 
     const std::size_t outline = nesting.around(i, [&](std::size_t k) { return place[k] != kNone; });
     if (outline != kNone) obstacles[place[outline]].holes.push_back(rings[i]);
   }
-  return obstacles;
+  return {std::move(obstacles)};
 }
 
 }  // namespace krait::host

@@ -11,10 +11,15 @@ namespace krait::host {
 
 enum class FillRule { nonzero, even_odd };
 
+struct Filling {
+  std::vector<Obstacle> obstacles;
+  bool loses_hole = false;  // since its outline touches another
+};
+
 // Outlines and holes by the fill rule, each hole with the outline around it. Where outlines touch themselves or one
 // another, or `work` (comparisons, from which those made are subtracted) does not suffice to find out, each is an
 // obstacle of its own: more than what is filled, never less. Rings of fewer than three points have no area and are
 // dropped.
-std::vector<Obstacle> filled(const std::string& label, std::vector<Ring> rings, FillRule rule, std::size_t& work);
+Filling filled(const std::string& label, std::vector<Ring> rings, FillRule rule, std::size_t& work);
 
 }  // namespace krait::host

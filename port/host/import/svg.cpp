@@ -202,9 +202,10 @@ class Reader {
     std::vector<Ring> rings = rings_of(element, name, style);
     if (style.role == Role::obstacle) {
       const bool drawn = std::any_of(rings.begin(), rings.end(), [](const Ring& ring) { return !ring.empty(); });
-      std::vector<Obstacle> obstacles = filled(label(element, name), std::move(rings), style.rule, fill_work_);
-      if (drawn && obstacles.empty()) hollow_ += 1;
-      for (Obstacle& obstacle : obstacles) drawing_.add_obstacle(std::move(obstacle));
+      Filling filling = filled(label(element, name), std::move(rings), style.rule, fill_work_);
+      if (drawn && filling.obstacles.empty()) hollow_ += 1;
+      if (filling.loses_hole) touching_ += 1;
+      for (Obstacle& obstacle : filling.obstacles) drawing_.add_obstacle(std::move(obstacle));
       return;
     }
     if (style.role == Role::goal && rings.size() == 1 && rings[0].size() == 2) {
@@ -348,6 +349,7 @@ class Reader {
     count(hollow_,
           " shapes without a fill or an area are no obstacles, also where they have a stroke: draw walls as filled "
           "shapes");
+    count(touching_, " shapes have holes that touch or cross another outline, and are filled: keep the holes apart");
     count(others_, " texts and images are not read");
     if (has_sheet_)
       warnings.push_back(file_ + ": style sheets are not read: shapes count as filled unless they say not");
@@ -372,8 +374,9 @@ class Reader {
   std::size_t elements_ = 0;
   std::size_t read_ = 0;  // bytes of attributes
   std::size_t fill_work_ = kFillWork;
-  std::size_t hollow_ = 0;  // shapes
-  std::size_t others_ = 0;  // elements that a map has no use for
+  std::size_t hollow_ = 0;    // shapes
+  std::size_t touching_ = 0;  // shapes
+  std::size_t others_ = 0;    // elements that a map has no use for
   bool has_sheet_ = false;
 };
 

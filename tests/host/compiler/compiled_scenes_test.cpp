@@ -133,6 +133,24 @@ TEST(Scenes, AHoleThatCrossesItsOutlineStaysOpenAsTheWarningSays) {
                   "a crosses itself: what its outline goes around counts as solid, but for what a hole goes around"));
 }
 
+TEST(Scenes, AHoleAlongItsOutlineIsNamedWithThePlace) {
+  Workspace w = empty_room(20, 20);
+  const auto warned = [&](const Ring& outline, const Ring& hole) {
+    w.obstacles = {{"a", outline, {hole}}};
+    return compile(w, {}).warnings;
+  };
+  const Ring outline = box(2, 2, 8, 8);
+  const std::string open =
+      "a has a hole along its outline, from 2,3 to 2,7: no wall is left there; move the hole "
+      "inwards where there is one";
+  const Ring doorway = box(2, 3, 6, 7);
+  EXPECT_THAT(warned(outline, doorway), testing::ElementsAre(open));
+  EXPECT_THAT(warned(outline, {doorway.rbegin(), doorway.rend()}), testing::ElementsAre(open));
+  EXPECT_THAT(warned(outline, {{2, 5}, {5, 4}, {5, 6}}), testing::IsEmpty()) << "touches it in one point";
+  EXPECT_THAT(warned(outline, box(3, 3, 6, 7)), testing::IsEmpty());
+  EXPECT_THAT(warned(box(-5, 2, 8, 8), box(-5, 3, 6, 7)), testing::IsEmpty()) << "the bounds are a wall";
+}
+
 TEST(Scenes, AnObstacleThatIsAllHoleIsNamed) {
   Workspace w = empty_room(20, 20);
   w.obstacles.push_back({"a", box(2, 2, 8, 8), {box(2, 2, 8, 8)}});

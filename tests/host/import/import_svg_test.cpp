@@ -286,6 +286,19 @@ TEST_F(SvgTest, WallsThatAreLinesAreCounted) {
   EXPECT_THAT(w.warnings, ElementsAre(HasSubstr("3 shapes without a fill or an area are no obstacles")));
 }
 
+TEST_F(SvgTest, HolesThatAreFilledSinceTheyTouchAreCounted) {
+  const auto warned = [&](const std::string& hole, const std::string& rule = "evenodd") {
+    return shapes("<path fill-rule=\"" + rule + "\" d=\"M1 1H9V9H1Z " + hole + "\"/>").warnings;
+  };
+  const std::string filled =
+      ": 1 shapes have holes that touch or cross another outline, and are filled: keep the holes";
+  EXPECT_THAT(warned("M1 3V7H6V3Z"), ElementsAre(HasSubstr(filled))) << "along the outline";
+  EXPECT_THAT(warned("M1 3V7H6V3Z", "nonzero"), ElementsAre(HasSubstr(filled)));
+  EXPECT_THAT(warned("M1 3H6V7H1Z", "nonzero"), IsEmpty()) << "filled by its rule";
+  EXPECT_THAT(warned("M9 3V7H14V3Z"), IsEmpty()) << "beside the outline";
+  EXPECT_THAT(warned("M2 3V7H6V3Z"), IsEmpty()) << "apart from it";
+}
+
 TEST_F(SvgTest, WhatSaysThatItIsVisibleIsSeenInAHiddenGroup) {
   const std::string square = "<path d=\"M1 1H3V3H1Z\"";
   const std::string hidden = "<g visibility=\"hidden\">" + square + "/>";
