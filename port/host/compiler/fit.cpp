@@ -46,8 +46,8 @@ class Fitter {
  public:
   Fitter(const Workspace& workspace, const RobotSpec& robot, const Budget& budget)
       : workspace_(workspace), robot_(robot), core_(robot), girth_(girth_of(robot)), budget_(budget) {
-    error_ = budget.tolerance >= 0 ? budget.tolerance / 2
-                                   : std::max(0.0, tracked_clearance(robot, &workspace) / 2 - kRounding);
+    usual_error_ = std::max(0.0, tracked_clearance(robot, &workspace) / 2 - kRounding);
+    error_ = budget.tolerance >= 0 ? budget.tolerance / 2 : usual_error_;
   }
 
   // The coarsest first.
@@ -56,13 +56,23 @@ class Fitter {
     const bool has_query = !workspace_.starts.empty() && !workspace_.goals.empty();
     for (double widths = 2; widths <= 32 && has_cells() && has_query; widths *= std::numbers::sqrt2)
       steps.push_back({true, error_, {}, widths * girth_.outer});
-    const double cell = error_ / 2 / std::numbers::sqrt2;
+    const double cell = cell_of(error_);
     if (has_cells() && cell >= 2 * workspace_.cells->resolution) steps.push_back({true, error_ / 2, cell, {}});
     for (const bool coarse : {true, false}) {
       if (budget_.coarse && !coarse) break;
       for (const double share : {1.0, 0.5, 0.0}) steps.push_back({coarse, share * error_, {}, {}});
     }
     return steps;
+  }
+
+  // A tolerance that allows twice the error, or the usual one where none is allowed; in metres.
+  double larger_tolerance() const { return std::stod(printed("%.2g", 2 * (error_ > 0 ? 2 * error_ : usual_error_))); }
+
+  // The same step where that tolerance is given.
+  static Step with_tolerance(const Step& step, double tolerance) {
+    const double error = tolerance / 2;
+    if (step.cell) return {step.coarse, error / 2, cell_of(error), step.corridor};
+    return {step.coarse, error, {}, step.corridor};
   }
 
   Outcome make(const Step& step, const std::function<void(const std::string&)>& progress) const {
@@ -111,6 +121,8 @@ class Fitter {
   }
 
  private:
+  static double cell_of(double error) { return error / 2 / std::numbers::sqrt2; }
+
   bool has_cells() const { return workspace_.cells.has_value(); }
 
   // Of the robot's inner disc from the first start to the first goal; true where there is no such question.
@@ -130,6 +142,7 @@ class Fitter {
   Girth girth_;
   Budget budget_;
   double error_ = 0;
+  double usual_error_ = 0;
 };
 
 // What the workspace lacks for a corridor; empty where it lacks nothing.
@@ -138,18 +151,47 @@ std::string corridor_advice(const Workspace& workspace) {
   if (workspace.starts.empty()) missing = "a start";
   if (workspace.goals.empty()) missing += (missing.empty() ? "a goal" : " and a goal");
   if (!workspace.cells) missing += (missing.empty() ? "" : " and ") + std::string("--cell METRES");
-  return missing.empty() ? "" : ", give it " + missing + " so that a corridor may be kept";
+  return missing.empty() ? "" : "give it " + missing + " so that a corridor may be kept";
+}
+
+// What came nearest to the budget.
+struct Refused {
+  Step step;
+  double excess = std::numeric_limits<double>::infinity();
+  std::string bytes;
+};
+
+using Tell = std::function<void(const std::string&)>;
+
+// Empty where a larger tolerance would hardly help, which one more compilation tells, or what is refused is hopeless.
+std::string tolerance_advice(const Fitter& fitter, const Refused& refused, const Tell& progress) {
+  constexpr double kHelps = 0.9;
+  const double tolerance = fitter.larger_tolerance();
+  if (refused.excess > kHopeless || !(tolerance > 0)) return "";
+  try {
+    const Outcome outcome = fitter.make(Fitter::with_tolerance(refused.step, tolerance), progress);
+    if (!outcome.has_way || fitter.excess(outcome) > kHelps * refused.excess) return "";
+    return printed("allow more error: with --tolerance %.2g it takes ", tolerance) + fitter.bytes(outcome);
+  } catch (const InputError&) {
+    return "";
+  }
+}
+
+std::string joined(std::vector<std::string> advice) {
+  std::erase(advice, "");
+  std::string text = advice.front();
+  for (std::size_t i = 1; i < advice.size(); ++i) text += (i + 1 == advice.size() ? ", or " : ", ") + advice[i];
+  return text;
 }
 
 }  // namespace
 
-Fitted fit(const Workspace& workspace, const RobotSpec& robot, const Budget& budget,
-           const std::function<void(const std::string&)>& progress) {
+Fitted fit(const Workspace& workspace, const RobotSpec& robot, const Budget& budget, const Tell& progress) {
   const Fitter fitter(workspace, robot, budget);
   std::optional<Fitted> best;
   std::vector<Step> hopeless;
-  std::string refusal, closed;
-  double least = std::numeric_limits<double>::infinity();
+  Refused refused;
+  std::string closed;
   for (const Step& step : fitter.steps()) {
     const auto is_finer = [&](const Step& other) { return at_least_as_fine(step, other); };
     if (std::any_of(hopeless.begin(), hopeless.end(), is_finer)) continue;
@@ -158,8 +200,7 @@ Fitted fit(const Workspace& workspace, const RobotSpec& robot, const Budget& bud
       const std::string bytes = fitter.bytes(outcome);
       if (!fitter.fits(outcome)) {
         const double excess = fitter.excess(outcome);
-        if (excess < least) refusal = bytes + " (" + fitter.done(step) + ")";
-        least = std::min(least, excess);
+        if (excess < refused.excess) refused = {step, excess, bytes};
         if (excess > kHopeless) hopeless.push_back(step);
         continue;
       }
@@ -173,10 +214,11 @@ Fitted fit(const Workspace& workspace, const RobotSpec& robot, const Budget& bud
     }
   }
   if (best) return std::move(*best);
-  if (refusal.empty())
+  if (refused.bytes.empty())
     throw InputError("no way from the start to the goal is wide enough for the robot, even with " + closed);
-  throw InputError("does not fit: " + refusal + (closed.empty() ? "" : "; coarser: " + closed) + ": crop the map" +
-                   corridor_advice(workspace) + ", or allow more error with --tolerance");
+  throw InputError("does not fit: " + refused.bytes + " (" + fitter.done(refused.step) + ")" +
+                   (closed.empty() ? "" : "; coarser: " + closed) + ": " +
+                   joined({"crop the map", corridor_advice(workspace), tolerance_advice(fitter, refused, progress)}));
 }
 
 }  // namespace krait::host

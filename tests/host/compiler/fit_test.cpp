@@ -147,6 +147,15 @@ TEST(Fit, TriesNothingThatIsFinerThanWhatIsFarTooLarge) {
   EXPECT_EQ(compiled, 1);
 }
 
+TEST(Fit, AdvisesALargerToleranceOnlyWhereItHelps) {
+  const Workspace w = teeth();
+  const std::size_t grown = compile(w, {0.4, {}, true}).bytes.size();
+  const std::string advice = "or allow more error: with --tolerance 0.4 it takes ";
+  ASSERT_LT(grown, compile(w, {0.2, {}, true}).bytes.size() * 3 / 4);
+  EXPECT_THAT(refusal(w, budget(grown, 0, 0.2), "car"), testing::HasSubstr(advice + std::to_string(grown) + " of "));
+  EXPECT_THAT(refusal(w, budget(grown - 1, 0, 0.4), "car"), testing::Not(testing::HasSubstr("allow more error")));
+}
+
 TEST(Fit, KeepsToCoarseRegionsWhereTheseAreAskedFor) {
   const Workspace w = teeth();
   EXPECT_EQ(fit(w, parse_robot("car"), {0, 0, 1, true}, {}).scene.bytes, compile(w, {0, {}, true}).bytes);
