@@ -28,21 +28,21 @@ std::vector<std::string> lines_of_starts(const CompiledScene& compiled, const Wh
   return lines;
 }
 
-std::optional<std::string> why_in_obstacle(const krait::Scene& scene, Index start) {
+std::optional<std::string> why_in_obstacle(const krait::Scene& scene, Index start, bool asked) {
   const Vec2 at = scene.start(start).position;
   if (!scene.inside_bounds(at) || detail::locate(scene, at) != kNone) return std::nullopt;
   const std::string line =
       "start '" + std::string(scene.start_name(start)) + "' lies in an obstacle: no plan can begin there";
-  const float grown = scene.header().tolerance;
-  if (!(grown > 0)) return line;
-  return line +
-         printed(" (obstacles are grown by up to %.4g m: --tolerance 0 leaves them as they are)", decimal(grown));
+  if (!asked) return line;
+  return line + printed(" (obstacles are grown by up to %.4g m: --tolerance 0 leaves them as they are)",
+                        decimal(scene.header().tolerance));
 }
 
 }  // namespace
 
-std::vector<std::string> starts_in_obstacles(const CompiledScene& compiled) {
-  return lines_of_starts(compiled, why_in_obstacle);
+std::vector<std::string> starts_in_obstacles(const CompiledScene& compiled, bool asked) {
+  return lines_of_starts(compiled,
+                         [asked](const krait::Scene& scene, Index i) { return why_in_obstacle(scene, i, asked); });
 }
 
 std::vector<std::string> blocked_starts(const CompiledScene& compiled, const RobotSpec& robot) {

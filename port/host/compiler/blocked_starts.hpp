@@ -13,7 +13,8 @@ namespace krait::host {
 // A line for each start where the robot does not stand free, with the clearance of the library, or cannot stand.
 std::vector<std::string> blocked_starts(const CompiledScene& scene, const RobotSpec& robot);
 
-// A line for each start within the bounds whose position lies in an obstacle.
-std::vector<std::string> starts_in_obstacles(const CompiledScene& scene);
+// A line for each start within the bounds whose position lies in an obstacle; `asked`: whether a tolerance was asked
+// for, which may be why.
+std::vector<std::string> starts_in_obstacles(const CompiledScene& scene, bool asked);
 
 }  // namespace krait::host

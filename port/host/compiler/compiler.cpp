@@ -28,10 +28,11 @@ constexpr double kRounding = 0.7072;             // grid steps: the furthest tha
 
 bool free(const Face& face) { return face.winding[0] != 0; }
 
-// How far an obstacle may grow, and how wide a passage stays where it grows; metres.
+// How far an obstacle may grow, how wide a passage stays where it grows, and how near to a start nothing grows; metres.
 struct Growth {
   double most = 0;
   double narrow = 0;
+  double start_reach = 0;
 };
 
 Growth growth_of(const Workspace& w, const CompileOptions& options) {
@@ -39,7 +40,7 @@ Growth growth_of(const Workspace& w, const CompileOptions& options) {
     throw InputError("the tolerance is not a length of at most " + std::to_string(int(kMostTolerance)) + " m");
   if (options.tolerance >= 0) return {options.tolerance / 2};
   if (!w.cells) return {};
-  return {std::min(w.cells->resolution, kMostTolerance) / 2, 2 * w.cells->resolution};
+  return {std::min(w.cells->resolution, kMostTolerance) / 2, 2 * w.cells->resolution, kStartReach};
 }
 
 void check_starts(const Workspace& w, std::vector<std::string>& warnings) {
@@ -77,9 +78,22 @@ FreeSpace free_space(const Edges& solid, const GridBox& bounds) {
   return {boundary(triangulate(snapped.edges), free), snapped.passes};
 }
 
-FreeSpace simplified(const FreeSpace& space, const GridBox& bounds, const Growth& growth) {
-  Edges edges = edges_of(simplify(rings_of(space.boundary), growth.most / kStep, growth.narrow / kStep));
-  append_hull(edges, bounds);
+// The starts within the bounds.
+Kept kept_around(const std::vector<Start>& starts, const Frame& frame, double reach) {
+  Kept kept{{}, reach / kStep};
+  for (const Start& start : starts) {
+    const Point p = frame.local(start.position);
+    const bool inside = p.x >= frame.bounds.min.x && p.x <= frame.bounds.max.x && p.y >= frame.bounds.min.y &&
+                        p.y <= frame.bounds.max.y;
+    if (inside && reach > 0) kept.places.push_back(frame.nearest(start.position));
+  }
+  return kept;
+}
+
+FreeSpace simplified(const FreeSpace& space, const Workspace& w, const Frame& frame, const Growth& growth) {
+  Edges edges = edges_of(simplify(rings_of(space.boundary), growth.most / kStep, growth.narrow / kStep,
+                                  kept_around(w.starts, frame, growth.start_reach)));
+  append_hull(edges, frame.bounds);
   const Snapped snapped = snap(edges);
   return {snapped.edges, space.roundings + snapped.passes};
 }
@@ -139,7 +153,7 @@ CompiledScene compile(const Workspace& workspace, const CompileOptions& options)
   const Solid solid = solid_of(workspace, parts.frame, result.warnings);
   FreeSpace space = free_space(solid.boundary, bounds);
   tell("simplifying");
-  space = simplified(space, bounds, growth);
+  space = simplified(space, workspace, parts.frame, growth);
   const double shrink = growth.most > 0 ? kShrink : 0;
   parts.obstacle_error = (kRounding * (solid.roundings + space.roundings) + shrink) * kStep;
 

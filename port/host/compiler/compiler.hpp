@@ -12,9 +12,13 @@
 
 namespace krait::host {
 
+// Metres around each start where no obstacle grows by the default tolerance, so that a robot that stands free there
+// does in the scene.
+inline constexpr double kStartReach = 5;
+
 struct CompileOptions {
   // Metres that simplification may narrow a passage by. Negative: 0 for drawings; for maps one cell, of passages that
-  // stay two cells wide.
+  // stay two cells wide, and nothing within kStartReach of a start.
   double tolerance = -1;
   std::function<void(const std::string&)> progress;  // told the name of each step as it begins; may be empty
   // Triangles may be slender: some half as many, so that flash and memory are smaller, and the search is guided by

@@ -32,25 +32,6 @@ Point middle_of(const Ring& ring) {
   return middle;
 }
 
-// Names and middles of the workspace's starts and goals.
-struct Places {
-  std::vector<std::string> names;
-  std::vector<Point> middles;
-};
-
-Places places_of(const Workspace& workspace) {
-  Places places;
-  for (const Start& start : workspace.starts) {
-    places.names.push_back("start '" + start.name + "'");
-    places.middles.push_back(start.position);
-  }
-  for (const Goal& goal : workspace.goals) {
-    places.names.push_back("goal '" + goal.name + "'");
-    places.middles.push_back(middle_of(goal.polygon));
-  }
-  return places;
-}
-
 }  // namespace
 
 double tolerance_of(const CompiledScene& scene) {
@@ -75,23 +56,24 @@ std::size_t hindered(const CompiledScene& compiled, const RobotSpec& robot) {
   return count;
 }
 
-std::vector<std::string> narrowed_places(const Workspace& workspace, const CompiledScene& compiled) {
+std::vector<std::string> narrowed_goals(const Workspace& workspace, const CompiledScene& compiled) {
   constexpr double kShare = 0.1;
-  const Places places = places_of(workspace);
-  if (places.names.empty()) return {};
+  if (workspace.goals.empty()) return {};
+  std::vector<Point> middles;
+  for (const Goal& goal : workspace.goals) middles.push_back(middle_of(goal.polygon));
   const double grown = tolerance_of(compiled);
   const Workspace scene =
       read_workspace({"the compiled scene", std::string(compiled.bytes.begin(), compiled.bytes.end())}, {});
-  const std::vector<double> before = rooms_around(workspace, places.middles, grown / kShare);
-  const std::vector<double> after = rooms_around(scene, places.middles, grown / kShare);
+  const std::vector<double> before = rooms_around(workspace, middles, grown / kShare);
+  const std::vector<double> after = rooms_around(scene, middles, grown / kShare);
   std::vector<std::string> lines;
   for (std::size_t i = 0; i < before.size(); ++i) {
     if (!(after[i] < (1 - kShare) * before[i])) continue;
-    lines.push_back(
-        printed("%s is %.3g m from the nearest obstacle, and %.3g m in the scene, whose obstacles are grown "
-                "by up to %.4g m: a robot that stands free there may not in the scene; --for ROBOT looks "
-                "whether it does, --tolerance 0 leaves obstacles as they are",
-                places.names[i].c_str(), before[i], after[i], grown));
+    lines.push_back("goal '" + workspace.goals[i].name +
+                    printed("' is %.3g m from the nearest obstacle, and %.3g m in the scene, whose obstacles are grown "
+                            "by up to %.4g m: a robot that stands free there may not in the scene; --for ROBOT looks "
+                            "whether it does, --tolerance 0 leaves obstacles as they are",
+                            before[i], after[i], grown));
   }
   return lines;
 }

@@ -17,8 +17,8 @@ double tolerance_of(const CompiledScene& scene);
 // with the clearance of the library.
 std::size_t hindered(const CompiledScene& scene, const RobotSpec& robot);
 
-// A line for each start and goal of the workspace whose room, from its middle to the nearest obstacle, the scene's
-// grown obstacles have taken a tenth of, or more, where robots are not known.
-std::vector<std::string> narrowed_places(const Workspace& workspace, const CompiledScene& scene);
+// A line for each goal of the workspace whose room, from its middle to the nearest obstacle, the scene's grown
+// obstacles have taken a tenth of, or more, where robots are not known. By the default tolerance starts lose none.
+std::vector<std::string> narrowed_goals(const Workspace& workspace, const CompiledScene& scene);
 
 }  // namespace krait::host

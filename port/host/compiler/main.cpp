@@ -113,10 +113,11 @@ void run(const Arguments& arguments, Progress& progress) {
   CompiledScene scene = arguments.reduction.compiled(workspace, robot, options, report);
   if (robot) leave_obstacles_where_they_hinder(arguments, workspace, *robot, options, scene, report);
   std::vector<std::string> blocked;
-  if (!arguments.any_start) blocked = robot ? blocked_starts(scene, *robot) : starts_in_obstacles(scene);
+  if (!arguments.any_start)
+    blocked = robot ? blocked_starts(scene, *robot) : starts_in_obstacles(scene, arguments.tolerance > 0);
   std::vector<std::string> narrowed;
   if (!arguments.any_start && !robot && blocked.empty() && is_default_growth(arguments, scene))
-    narrowed = narrowed_places(workspace, scene);
+    narrowed = narrowed_goals(workspace, scene);
   if (robot && !blocked.empty() && !arguments.start.empty()) throw InputError("--start: " + blocked.front());
   word.reset();
   const Interrupt too_late;  // the file becomes whole, and what is said of it is said
@@ -161,7 +162,9 @@ int main(int argc, char** argv) {
   app.add_option("--datum", arguments.datum, kAboutDatum)->check(not_empty())->option_text("LONGITUDE,LATITUDE");
   app.add_option("--tolerance", arguments.tolerance,
                  "how much a passage may get narrower so that outlines need fewer corners; 0: not at all\n"
-                 "(default: 0 for drawings; for maps one cell, but no passage gets narrower than two cells by it)")
+                 "(default: 0 for drawings; for maps one cell, but no passage gets narrower than two cells by it,\n"
+                 "and no obstacle grows within " +
+                     shown(kStartReach) + " m of a start)")
       ->check(number_in(0, kMostTolerance, "metres"))
       ->option_text("METRES, 0 to 4000");
   arguments.reduction.add(app);

@@ -2,6 +2,7 @@
 #include "host/compiler/simplify.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <queue>
@@ -21,10 +22,46 @@ double distance(double x, double y, GridPoint a, GridPoint b) {
   return std::hypot(x - a.x - t * dx, y - a.y - t * dy);
 }
 
+// The places of Kept, by cell.
+class KeptPlaces {
+ public:
+  KeptPlaces(const std::vector<GridPoint>& places, double reach)
+      : places_(places),
+        reach_(reach),
+        index_(places.empty() ? GridBox{} : box_of(places), places.size()),
+        lists_(index_.cells(), [&](auto emit) {
+          for (std::uint32_t i = 0; i < places.size(); ++i) emit(index_.cell_of(places[i]), i);
+        }) {}
+
+  // Whether the segment comes within reach of one.
+  bool near(GridPoint a, GridPoint b) const {
+    const auto reach = static_cast<std::int32_t>(std::ceil(reach_));
+    const GridPoint low{std::min(a.x, b.x) - reach, std::min(a.y, b.y) - reach};
+    const GridPoint high{std::max(a.x, b.x) + reach, std::max(a.y, b.y) + reach};
+    bool found = false;
+    index_.near(std::array{low, GridPoint{high.x, low.y}, high, GridPoint{low.x, high.y}}, [&](std::size_t cell) {
+      const auto here = lists_.at(cell);
+      found = found || std::any_of(here.begin(), here.end(), [&](std::uint32_t i) {
+                return distance(places_[i].x, places_[i].y, a, b) < reach_;
+              });
+    });
+    return found;
+  }
+
+ private:
+  const std::vector<GridPoint>& places_;
+  double reach_;
+  CellIndex index_;
+  CellLists lists_;
+};
+
 class Simplifier {
  public:
-  Simplifier(const std::vector<GridRing>& rings, double growth, double narrow)
-      : growth_(growth), passages_(narrow > 0 ? rings : std::vector<GridRing>{}, narrow + growth) {
+  // What becomes solid, or free, lies within twice the growth, and a step, of a segment of the new outline.
+  Simplifier(const std::vector<GridRing>& rings, double growth, double narrow, const Kept& kept)
+      : growth_(growth),
+        kept_(kept.places, kept.reach + 2 * growth + 1),
+        passages_(narrow > 0 ? rings : std::vector<GridRing>{}, narrow + growth) {
     for (const GridRing& ring : rings) {
       const auto first = static_cast<std::uint32_t>(points_.size());
       const auto size = static_cast<std::uint32_t>(ring.size());
@@ -76,7 +113,12 @@ class Simplifier {
   bool removable(std::uint32_t i, const CellIndex& index, const CellLists& lists) const {
     const Node& n = nodes_[i];
     if (left_[n.ring_first] <= 3 || points_[n.previous] == points_[n.next]) return false;
-    return within_growth(n) && triangle_is_empty(i, index, lists) && !narrows(i);
+    return (is_straight(i) || !kept_.near(points_[n.previous], points_[n.next])) && within_growth(n) &&
+           triangle_is_empty(i, index, lists) && !narrows(i);
+  }
+
+  bool is_straight(std::uint32_t i) const {
+    return cross(points_[nodes_[i].previous], points_[i], points_[nodes_[i].next]) == 0;
   }
 
   // The original vertices from node a to node b, by index.
@@ -196,6 +238,7 @@ class Simplifier {
   }
 
   double growth_;
+  KeptPlaces kept_;
   Passages passages_;
   std::vector<GridPoint> points_;
   std::vector<Node> nodes_;
@@ -205,8 +248,8 @@ class Simplifier {
 
 }  // namespace
 
-std::vector<GridRing> simplify(const std::vector<GridRing>& rings, double growth, double narrow) {
-  return Simplifier(rings, growth, narrow).run();
+std::vector<GridRing> simplify(const std::vector<GridRing>& rings, double growth, double narrow, const Kept& kept) {
+  return Simplifier(rings, growth, narrow, kept).run();
 }
 
 }  // namespace krait::host::compiler

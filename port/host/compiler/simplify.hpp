@@ -15,7 +15,14 @@ namespace krait::host::compiler {
 // `narrow` between it and what faces it: a passage that is narrower stays as it is, a wider one stays that wide.
 inline constexpr double kShrink = 1;  // grid steps; lets vertices go that rounding has pushed out of a line
 
+// Places around which outlines stay as they are; grid steps.
+struct Kept {
+  std::vector<GridPoint> places;
+  double reach = 0;
+};
+
 // Rings as rings_of() returns them, free space on the left; growth and narrow in grid steps.
-std::vector<GridRing> simplify(const std::vector<GridRing>& rings, double growth, double narrow = 0);
+std::vector<GridRing> simplify(const std::vector<GridRing>& rings, double growth, double narrow = 0,
+                               const Kept& kept = {});
 
 }  // namespace krait::host::compiler

@@ -211,16 +211,24 @@ TEST_F(CliMap, ACompiledSceneLeavesItsRobotTheRoomThatTheMapHas) {
     return outcome.errors;
   };
   const std::string exact = "krait-compile: obstacles as they are (--tolerance 0): grown by up to 0.25 m a side";
-  EXPECT_THAT(said({"--for", "turtlebot4", "--start", kNotch, "--goal", "9.75,9.75,0.1"}), HasSubstr(exact));
+  const Arguments far = {"--for", "turtlebot4", "--start", "9.75,9.75,0", "--goal"};
+  const auto to_goal = [&](const char* goal) {
+    Arguments arguments = far;
+    arguments.emplace_back(goal);
+    return said(arguments);
+  };
+  EXPECT_THAT(to_goal("1.25,10.75,0.05"), HasSubstr(exact));
   EXPECT_EQ(krait({"plan", "slope.krait", "--robot", "turtlebot4"}).code, 0);
-  EXPECT_THAT(said({"--for", "turtlebot4", "--start", "9.75,9.75,0", "--goal", "5.25,6.75,0.05"}), HasSubstr(exact));
-  EXPECT_THAT(said({"--for", "turtlebot4", "--start", "9.75,9.75,0", "--goal", "9.75,8.75,0.1"}),
-              Not(HasSubstr(exact)));
-  const std::string narrowed = "krait-compile: warning: start 'start' is 0.";
-  EXPECT_THAT(said({"--start", kNotch}), HasSubstr(narrowed));
-  EXPECT_THAT(said({"--goal", "5.25,6.75,0.05"}), HasSubstr("warning: goal 'goal' is 0."));
-  EXPECT_THAT(said({"--start", kNotch, "--tolerance", "0"}), Not(HasSubstr(narrowed)));
-  EXPECT_THAT(said({"--start", "9.75,9.75,0"}), Not(HasSubstr(narrowed)));
+  EXPECT_THAT(to_goal("9.75,8.75,0.1"), Not(HasSubstr(exact)));
+  for (const Arguments& robot : {Arguments{}, Arguments{"--for", "turtlebot4"}}) {
+    Arguments arguments = robot;
+    arguments.insert(arguments.end(), {"--start", kNotch, "--goal", "9.75,9.75,0.1"});
+    EXPECT_EQ(said(arguments), "") << "no obstacle grows around a start";
+    EXPECT_EQ(krait({"plan", "slope.krait", "--robot", "turtlebot4"}).code, 0);
+  }
+  EXPECT_THAT(said({"--goal", "5.25,6.75,0.05"}), HasSubstr("krait-compile: warning: goal 'goal' is 0."));
+  EXPECT_EQ(said({"--goal", "5.25,6.75,0.05", "--tolerance", "0"}), "");
+  EXPECT_EQ(said({"--goal", "9.75,9.75,0.05"}), "");
 }
 
 TEST_F(CliMap, OptionsForMapsAreRefusedWithACompiledScene) {

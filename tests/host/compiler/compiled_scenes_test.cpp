@@ -370,6 +370,27 @@ TEST(Maps, StaircasesBecomeDiagonals) {
   EXPECT_LT(smooth.triangles.size(), plain.triangles.size());
 }
 
+// A slope of steps of half a metre, where growth fills the notches.
+TEST(Maps, NothingGrowsAroundAStartByDefault) {
+  std::vector<std::string> rows;
+  for (std::size_t i = 0; i < 40; ++i) rows.push_back(std::string(i, '#') + std::string(60 - i, '.'));
+  Workspace w = map_room(cells(rows, 0.5));
+  const auto in_notch = [](int i) { return Point{0.5 * (i + 0.2), 0.5 * (40 - i - 0.8)}; };
+  const auto is_filled = [&](const SceneView& v, int i) {
+    const auto holds = [&](const Ring& piece) { return convex_contains(piece, in_notch(i)); };
+    return std::any_of(v.pieces.begin(), v.pieces.end(), holds);
+  };
+  EXPECT_TRUE(is_filled(checked(w), 20));
+  w.starts = {{"start", in_notch(20), 0, {}}};
+  const SceneView v = checked(w);
+  for (int i = 2; i < 38; ++i) {
+    const double away = std::sqrt(0.5) * std::abs(i - 20);
+    if (away > kStartReach && away < kStartReach + 2) continue;
+    EXPECT_EQ(is_filled(v, i), away > kStartReach) << i;
+  }
+  EXPECT_TRUE(is_filled(checked(w, 0.5), 20)) << "a tolerance that is asked for";
+}
+
 TEST(Maps, AOneCellPassageStaysOpen) {
   const SceneView v = checked(map_room(cells({"..#..", "..#..", ".....", "..#..", "..#.."}, 0.1)), 0.1);
   std::vector<bool> seen(v.triangles.size(), false);

@@ -156,6 +156,20 @@ TEST(Simplify, WhatIsBehindAWallLeavesNoPassageNarrow) {
   EXPECT_THAT(simplify({room, wall}, 100, 150)[1], testing::Not(testing::Contains(GridPoint{500, 420})));
 }
 
+TEST(Simplify, KeepsOutlinesAroundAPlace) {
+  // Two notches in the floor, and a vertex in the line between them.
+  const GridRing room{{0, 0},    {400, 0},    {500, -40}, {600, 0},     {1300, 0},
+                      {1900, 0}, {2000, -40}, {2100, 0},  {3000, 1000}, {0, 1000}};
+  const GridRing simple = simplify({room}, 100, 0, {{{500, 100}, {2900, 900}}, 300})[0];
+  EXPECT_THAT(simple, testing::IsSupersetOf({GridPoint{400, 0}, GridPoint{500, -40}, GridPoint{600, 0}}));
+  EXPECT_THAT(simple, testing::Not(testing::Contains(GridPoint{2000, -40})));
+  EXPECT_THAT(simple, testing::Not(testing::Contains(GridPoint{1300, 0})));
+  // A hollow all along the floor, whose deepest point is far from the place.
+  const GridRing hollow{{0, 0}, {1500, -60}, {3000, 0}, {3000, 1000}, {0, 1000}};
+  EXPECT_EQ(simplify({hollow}, 100, 0, {{{200, 50}}, 100})[0].size(), 5U);
+  EXPECT_EQ(simplify({hollow}, 100, 0, {{{200, 900}}, 100})[0].size(), 4U);
+}
+
 // The sine of a triangle's smallest angle: over the shortest edge, between the two longer ones.
 double sine_of_smallest_angle(const Triangulation& t, const Face& face) {
   double edges[3];

@@ -85,6 +85,8 @@ TEST_F(KraitCompile, AStartInAnObstacleIsNamed) {
   EXPECT_EQ(run(blocked + to_file).errors, warning + "\n");
   EXPECT_EQ(run(blocked + " --tolerance 0.1" + to_file).errors,
             warning + " (obstacles are grown by up to 0.05 m: --tolerance 0 leaves them as they are)\n");
+  std::ofstream(path("post.map")) << "type octile\nheight 3\nwidth 3\nmap\n...\n.@.\n...\n";
+  EXPECT_EQ(run(path("post.map") + " --start 1.5,1.5,0" + to_file).errors, warning + "\n");
   compiled(blocked + " --any-start");
   compiled(path("room.json") + " --start 5,5,0");
 }
