@@ -47,8 +47,10 @@ std::string text(const Clearance& clearance, const std::optional<Workspace>& map
       has_cells(map) ? "2 % of the robot's width and half a cell of the map" : "2 % of the robot's width";
   const double kept = decimal(clearance.kept);
   if (clearance.in_vain > 0) {
-    return printed("clearance %.4g m: a search with %.4g m used up its iterations (the usual is %.4g m, %s)", kept,
-                   decimal(clearance.in_vain), decimal(clearance.usual), usual);
+    const char* form = clearance.no_room
+                           ? "clearance %.4g m: with %.4g m the robot has no room in the goal (the usual is %.4g m, %s)"
+                           : "clearance %.4g m: a search with %.4g m used up its iterations (the usual is %.4g m, %s)";
+    return printed(form, kept, decimal(clearance.in_vain), decimal(clearance.usual), usual);
   }
   if (clearance.narrow.empty()) return printed("clearance %.4g m: %s (--clearance asks for another)", kept, usual);
   return printed("clearance %.4g m: %s too little room for twice the usual %.4g m, %s", kept, clearance.narrow.c_str(),

@@ -14,10 +14,11 @@ constexpr float kLeastClearance = Parameters{}.clearance;  // a millimetre
 
 // Metres.
 struct Clearance {
-  float kept = 0;      // from kLeastClearance to `usual`
-  float usual = 0;     // 2 % of the robot's width and, on a map of cells, half a cell
-  std::string narrow;  // what has too little room for twice the usual, "the start has"; empty where there is room
-  float in_vain = 0;   // what was kept by a search that used up its iterations, before this one; 0: by none
+  float kept = 0;        // from kLeastClearance to `usual`
+  float usual = 0;       // 2 % of the robot's width and, on a map of cells, half a cell
+  std::string narrow;    // what has too little room for twice the usual, "the start has"; empty where there is room
+  float in_vain = 0;     // what was kept by a search before this one; 0: by none
+  bool no_room = false;  // that one left the robot no room in the goal; else it used up its iterations
 };
 
 // The usual clearance, halved until start and widest way to the goal have room for twice as much, so that a search has

@@ -48,15 +48,16 @@ bool may_end(const krait::Scene& scene, SearchRequest request) {
   return !why_it_hardly_ends(scene, request);
 }
 
-// Searches with the clearance that was asked for, or else the usual one and, where that search uses up its iterations,
-// the least; which one becomes the request's.
+// Searches with the clearance that was asked for, or else the usual one and, where that search uses up its iterations
+// or the robot has no room in the goal with it, the least; which one becomes the request's.
 Answer search_clear(const krait::Scene& scene, const Ground& ground, const PlanOptions& options, SearchRequest& request,
                     Block& block, Progress& progress) {
   if (options.clearance || options.paper) return {search(options, request, ground.scene, block, progress), {}};
   Clearance clearance = usual_clearance(scene, request, ground.map, block);
   request.parameters.clearance = clearance.kept;
   SearchResult first = search(options, request, ground.scene, block, progress);
-  const bool in_vain = first.plan.status == to_string(Status::budget_used);
+  clearance.no_room = first.plan.status == to_string(Status::no_route);
+  const bool in_vain = clearance.no_room || first.plan.status == to_string(Status::budget_used);
   if (!in_vain || !(clearance.kept > kLeastClearance) || !may_end(scene, request)) return {std::move(first), clearance};
   clearance.in_vain = clearance.kept;
   request.parameters.clearance = clearance.kept = kLeastClearance;

@@ -10,7 +10,14 @@
 namespace krait::host {
 namespace {
 
-// The part of the ring that lies so deep in the convex body, whose corners are counter-clockwise.
+Ring ring_of(Polygon piece) {
+  Ring ring;
+  for (int i = 0; i < piece.count; ++i) ring.push_back(local_point(piece[i]));
+  return ring;
+}
+
+}  // namespace
+
 Ring deep_part(Ring ring, const Ring& body, double depth) {
   for (std::size_t i = 0; i < body.size() && !ring.empty(); ++i) {
     const Point a = body[i], b = body[(i + 1) % body.size()];
@@ -19,14 +26,6 @@ Ring deep_part(Ring ring, const Ring& body, double depth) {
   }
   return ring;
 }
-
-Ring ring_of(Polygon piece) {
-  Ring ring;
-  for (int i = 0; i < piece.count; ++i) ring.push_back(local_point(piece[i]));
-  return ring;
-}
-
-}  // namespace
 
 bool reaches_deeper(const RobotSpec& robot, const std::vector<float>& state, const krait::Scene& scene, double depth) {
   const std::vector<Pose> poses = body_poses(robot, state);

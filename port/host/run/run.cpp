@@ -11,6 +11,7 @@
 #include "host/input/file.hpp"
 #include "host/run/session.hpp"
 #include "host/run/shortest_way.hpp"
+#include "host/run/standing.hpp"
 #include "host/run/why.hpp"
 #include "host/workspace/printed.hpp"
 #include "robot/shape.hpp"
@@ -196,7 +197,9 @@ SearchResult run_search(const std::string& scene_path, const SceneBytes& bytes, 
   const krait::Scene scene = open_scene(scene_path, bytes);
   const std::unique_ptr<Session> session = start_session(scene, request, block);
   Company company(*session, request, watch, begin);
-  search_to_end(*session, company);
+  const bool closed = session->status() == Status::no_route;  // which has its own reason
+  const std::optional<std::string> no_room = closed ? std::nullopt : why_it_never_ends(scene, request);
+  if (!no_room) search_to_end(*session, company);
   const Statistics found = session->statistics();
   const double searched = since(begin);
   const PlanMeasure first{static_cast<double>(found.plan_length), static_cast<double>(found.plan_duration)};
@@ -208,13 +211,13 @@ SearchResult run_search(const std::string& scene_path, const SceneBytes& bytes, 
   result.stopped = company.stopped();
   result.late = company.late();
   result.near_shortest = near_shortest;
-  result.plan.status = to_string(session->status());
+  result.plan.status = to_string(no_room ? Status::no_route : session->status());
   session->copy_plan(result.plan);
   const Statistics best = session->statistics();
   nlohmann::ordered_json statistics = statistics_json(firmware::with_plan_of(found, best), searched);
   SearchRequest limited = request;
   if (result.stopped) limited.time_limit.reset();  // it was not what ended the search
-  result.why = why_no_plan(*session, scene, limited);
+  result.why = no_room ? std::vector{*no_room} : why_no_plan(*session, scene, limited);
   if (request.improve > 0) {
     statistics["improve"] = multiples;
     statistics["improvements"] = best.improvements;

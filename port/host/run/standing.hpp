@@ -13,9 +13,10 @@ namespace krait::host {
 // line; nothing where it stands free.
 std::optional<std::string> why_it_cannot_start(const krait::Scene& scene, const SearchRequest& request);
 
-// Where the request asks for a heading at the goal, and body 0 stands free in none of some thousand poses that it
-// allows, one line on that; nothing where it stands free in one, or the goal may be reached in any heading. It is no
-// proof.
+// Where it is proven that body 0 has no room in the goal, turned as the request asks for, one line on that.
+std::optional<std::string> why_it_never_ends(const krait::Scene& scene, const SearchRequest& request);
+
+// The same where it stands free in none of the poses that were tried, which is no proof.
 std::optional<std::string> why_it_hardly_ends(const krait::Scene& scene, const SearchRequest& request);
 
 }  // namespace krait::host

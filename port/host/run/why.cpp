@@ -62,6 +62,12 @@ std::string grown_around(const Start& start, const krait::Scene& scene, const Ro
   return reaches_deeper(robot, state_at(core.view(), scene, start), scene, tolerance) ? "" : grown(scene, 0);
 }
 
+// Whether the robot may have room in the goal where obstacles are as they were before they were grown.
+bool growth_takes_the_goal(const krait::Scene& scene, const SearchRequest& request) {
+  const auto tolerance = static_cast<double>(scene.header().tolerance);
+  return tolerance > 0 && !room_in_goal(scene, request, tolerance).none;
+}
+
 std::string why_no_route(const Bottleneck& bottleneck, const krait::Scene& scene, const SearchRequest& request) {
   if (bottleneck.needed == 0.0F || bottleneck.width == 0.0F) {
     const krait::Goal goal = resolve_goal(scene, request);
@@ -200,14 +206,19 @@ std::string why_not_there(const Contact& contact, const krait::Scene& scene, con
              : line;
 }
 
-std::string why_not_at_goal(const Contact& first, int poses, const krait::Scene& scene, const SearchRequest& request) {
-  const double distance = static_cast<double>(first.distance);
-  const std::string other = other_name(first, scene, request) + " at " + place(scene, first.at);
-  const std::string touch = distance > 0 ? "is only " + metres(distance) + " from " : "meets ";
-  return body_name(request.robot, 0) +
-         " has no room in the goal as it is asked to be turned: it stands free in none of " + std::to_string(poses) +
-         " poses that were tried; in the goal's middle it " + touch + other +
-         ": try another --heading, a larger --heading-tolerance, or another goal";
+std::string why_not_at_goal(const GoalRoom& room, const krait::Scene& scene, const SearchRequest& request) {
+  const Contact& there = room.at_middle;
+  const double distance = static_cast<double>(there.distance);
+  std::string why = body_name(request.robot, 0) + " has no room in the goal " +
+                    (request.facing ? "as it is asked to be turned" : "in any heading");
+  if (!room.none) why += ": it stands free in none of " + std::to_string(room.poses) + " poses that were tried";
+  why += request.facing ? "; in the goal's middle it " : "; in the goal's middle, with heading 0, it ";
+  why += distance > 0 ? "is only " + metres(distance) + " from " : "meets ";
+  why += other_name(there, scene, request) + " at " + place(scene, there.at);
+  if (growth_takes_the_goal(scene, request)) why += grown(scene, 0);
+  why += request.facing ? ": try another --heading, a larger --heading-tolerance, or another goal"
+                        : ": try another goal, or a larger one";
+  return why;
 }
 
 std::string why_no_goal(const krait::Scene& scene, const SearchRequest& request) {
@@ -251,6 +262,10 @@ std::vector<std::string> why_no_plan(Session& session, const krait::Scene& scene
 }
 
 std::vector<Mark> where_no_plan(Session& session, const krait::Scene& scene, const SearchRequest& request) {
+  if (session.status() != Status::no_route) {
+    const GoalRoom room = room_in_goal(scene, request);
+    if (!room.found) return {{local_point(room.at_middle.at), "no room"}};
+  }
   std::vector<Mark> marks;
   const Bottleneck bottleneck = session.bottleneck();
   if (bottleneck.width > 0.0F && is_tight(bottleneck)) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "host/run/goal_room.hpp"
 #include "host/run/run.hpp"
 #include "host/run/session.hpp"
 
@@ -13,8 +14,8 @@ namespace krait::host {
 // What a start in collision lies against.
 std::string why_not_there(const Contact& contact, const krait::Scene& scene, const SearchRequest& request);
 
-// That body 0 stands free in none of so many poses of the goal, what it lies against in the first, and what to do.
-std::string why_not_at_goal(const Contact& first, int poses, const krait::Scene& scene, const SearchRequest& request);
+// That body 0 has no room in the goal, what it lies against there, and what to do.
+std::string why_not_at_goal(const GoalRoom& room, const krait::Scene& scene, const SearchRequest& request);
 
 // Why no free part of the goal is left, and what to do; and a mark at the goal's middle.
 std::string why_no_goal(const krait::Scene& scene, const SearchRequest& request);

@@ -104,6 +104,19 @@ TEST_F(CliClearance, IsAMillimetreWhereASearchWithTheUsualOneIsInVain) {
                 "of the robot's width)\n"));
 }
 
+// A slot has room for the body, which is broader than long, with a millimetre on both sides.
+TEST_F(CliClearance, IsAMillimetreWhereTheGoalHasNoRoomWithTheUsualOne) {
+  write("slot.json", R"({"bounds": {"min": [0, 0], "max": [12, 10]}, "obstacles": [
+      {"box": {"center": [3, 8], "size": [6, 4], "angle": 0}},
+      {"box": {"center": [9.5, 8], "size": [5, 4], "angle": 0}}],
+      "starts": [{"name": "home", "position": [6.5, 2], "heading": 1.5708}]})");
+  write("broad.json", R"({"model": "unicycle", "parameters": {"body_length": 0.5, "body_width": 0.98}})");
+  EXPECT_THAT(
+      planned({"slot.json", "--goal", "6.5,9,0.2", "--heading", "1.5708", "--improve", "0"}, 0.001, "broad.json"),
+      HasSubstr("\n  clearance 0.001 m: with 0.0196 m the robot has no room in the goal (the usual is 0.0196 m, "
+                "2 % of the robot's width)\n"));
+}
+
 TEST_F(CliClearance, ThatIsAskedForIsSearchedOnce) {
   write("door.json", door("0.623"));
   write("broad.json", kBroad);

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// Room in a goal against random poses of it: between four walls, with gaps where they would meet.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "../../core/scene_builder.hpp"
+#include "host/run/goal_room.hpp"
+#include "host/run/own_check.hpp"
+#include "host/run/query.hpp"
+
+namespace krait::test {
+namespace {
+
+constexpr Point kMiddle{5, 5};
+
+// Walls of 1 m around a square of that side, whose corners are open.
+Room pit(double side) {
+  const double half = side / 2, open = 0.1 * side;
+  Room room;
+  room.bounds = {0, 0, 10, 10};
+  room.boxes = {{5 - half + open, 5 + half, 5 + half - open, 6 + half},
+                {5 - half + open, 4 - half, 5 + half - open, 5 - half},
+                {4 - half, 5 - half + open, 5 - half, 5 + half - open},
+                {5 + half, 5 - half + open, 6 + half, 5 + half - open}};
+  room.goals = {{4.9, 4.9, 5.1, 5.1}};
+  return room;
+}
+
+host::SearchRequest request_for(const char* model, double length, double radius) {
+  host::SearchRequest request;
+  request.robot = host::parse_robot(model);
+  request.robot.parameters.at("body_length") = length;
+  request.robot.parameters.at("body_width") = 0.3;
+  request.robot.bodies = host::default_bodies(request.robot);
+  request.goal = host::GoalDisc{{kMiddle.x, kMiddle.y}, radius};
+  return request;
+}
+
+// How many of so many random poses that the request allows are free.
+int free_poses(const Scene& scene, const host::SearchRequest& request, int count, std::minstd_rand& draw) {
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const host::CoreRobot core(request.robot);
+  host::OwnCheck check(core.view(), scene, request.parameters);
+  int free = 0;
+  for (int i = 0; i < count; ++i) {
+    const double out = request.goal->radius * std::sqrt(std::abs(unit(draw))), way = std::numbers::pi * unit(draw);
+    double heading = request.facing ? request.facing->heading + request.facing->tolerance * unit(draw)
+                                    : std::numbers::pi * unit(draw);
+    if (request.facing && request.facing->either_way && unit(draw) > 0) heading += std::numbers::pi;
+    const host::Point at{kMiddle.x + out * std::cos(way), kMiddle.y + out * std::sin(way)};
+    free += static_cast<int>(check.free(host::state_at(core.view(), scene, {"", at, heading, {}}).data()));
+  }
+  return free;
+}
+
+TEST(RoomInGoal, IsProvenToBeNoneOnlyWhereNoPoseIsFree) {
+  std::minstd_rand draw(1);
+  std::uniform_real_distribution<double> unit(0, 1);
+  int none = 0, found = 0;
+  for (int i = 0; i < 100; ++i) {
+    const OpenScene open(pit(1 + unit(draw)));
+    host::SearchRequest request = request_for(i % 2 == 0 ? "unicycle" : "car", 0.8 + 2 * unit(draw), 0.3 * unit(draw));
+    if (i % 3 > 0) request.facing = host::GoalFacing{3 * unit(draw), 0.5 * unit(draw), i % 3 > 1, {}};
+    const host::GoalRoom room = host::room_in_goal(open.scene, request);
+    EXPECT_FALSE(room.none && room.found);
+    none += static_cast<int>(room.none);
+    found += static_cast<int>(room.found);
+    if (!room.found) {
+      EXPECT_LE(free_poses(open.scene, request, 500, draw), room.none ? 0 : 10) << i;
+    }
+  }
+  EXPECT_GT(none, 30);
+  EXPECT_GT(found, 20);
+  EXPECT_GT(none + found, 92) << "hardly one ends undecided";
+}
+
+// A square of 1.5 m has room for a body of 1.7 m by 0.3 m along its diagonal.
+TEST(RoomInGoal, IsLookedForInTheWholeTurn) {
+  const OpenScene open(pit(1.5));
+  host::SearchRequest request = request_for("unicycle", 1.7, 0.1);
+  EXPECT_TRUE(host::room_in_goal(open.scene, request).found);
+  request.facing = host::GoalFacing{0, 0.2, false, {}};
+  EXPECT_TRUE(host::room_in_goal(open.scene, request).none);
+  request.facing->tolerance = 0.79;
+  EXPECT_TRUE(host::room_in_goal(open.scene, request).found);
+  request = request_for("unicycle", 3, 0.1);
+  EXPECT_TRUE(host::room_in_goal(open.scene, request).none);
+}
+
+TEST(RoomInGoal, IsLookedForInTheGoalsOfTheMapAndTakesTheClearance) {
+  const OpenScene open(pit(1.5));
+  host::SearchRequest request = request_for("unicycle", 1.7, 0.1);
+  request.goal.reset();
+  EXPECT_TRUE(host::room_in_goal(open.scene, request).found);
+  request.parameters.clearance = 0.1F;
+  EXPECT_TRUE(host::room_in_goal(open.scene, request).none);
+  EXPECT_TRUE(host::room_in_goal(open.scene, request, 0.14).found) << "a smaller body";
+}
+
+}  // namespace
+}  // namespace krait::test
