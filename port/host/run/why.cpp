@@ -131,16 +131,20 @@ Vec2 middle_of(const krait::Scene& scene, const krait::Goal& goal) {
   return detail::middle(scene.goal_polygon(goal.index()));
 }
 
-// Whether the way of a disc of that width is straight, the robot looks along it, and may end in any heading: then no
-// bend is at fault, nor that it cannot reverse.
+// Whether the way of a disc of that width is straight, and so is that of one with room beside it for the turn by which
+// the robot comes to look along it, and it may end in any heading: then no bend is at fault, nor that it cannot
+// reverse.
 bool is_straight_on(const krait::Scene& scene, const SearchRequest& request, float width) {
   constexpr double kLonger = 1.01, kOff = 0.5;  // times the straight line; radians
   if (request.facing) return false;
   const Start start = resolve_start(scene, request);
   const Vec2 from = local_of(scene, start.position), to = middle_of(scene, resolve_goal(scene, request));
   const auto along = static_cast<double>(std::atan2(to.y - from.y, to.x - from.x));
-  const bool ahead = std::abs(std::remainder(along - start.heading, 2 * std::numbers::pi)) <= kOff;
-  return ahead && shortest_way(scene, width, from, to) <= kLonger * static_cast<double>(length(to - from));
+  const double off = std::abs(std::remainder(along - start.heading, 2 * std::numbers::pi));
+  const double radius = lock_radius(request.robot), straight = static_cast<double>(length(to - from));
+  if (off > kOff || 2 * radius * std::sin(off) > straight) return false;
+  const auto aside = static_cast<float>(radius * (1 - std::cos(off)));
+  return shortest_way(scene, width + 2 * aside, from, to) <= kLonger * straight;
 }
 
 // What may be asked for less of how the robot stands at the end. "any heading" names no option: a map's heading takes

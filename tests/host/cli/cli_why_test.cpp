@@ -229,6 +229,23 @@ TEST_F(CliWhy, BendsAreBlamedOnlyWhereTheWayHasSome) {
   EXPECT_THAT(advice({"--goal", straight, "--heading", "1"}), HasSubstr(bend));
   EXPECT_THAT(advice({"--goal", straight, "--start", "3,5,2"}), HasSubstr(bend));
   EXPECT_THAT(advice({"--goal", aside, "--start", "3,9,0"}), HasSubstr(bend));
+  EXPECT_THAT(advice({"--goal", straight, "--start", "3,5,0.3"}), testing::Not(HasSubstr(bend)));
+}
+
+// A car that turns with a radius of 16 m has to turn by so much until it looks at the goal.
+TEST_F(CliWhy, BendsAreBlamedWhereTheTurnTowardTheGoalIsOne) {
+  write("stiff.json", R"({"model": "car", "parameters": {"max_steering": 0.05}})");
+  const auto advice = [&](const std::string& goal, const std::string& start) {
+    return krait(
+               {"plan", "room.krait", "--robot", "stiff.json", "--iterations", "200", "--goal", goal, "--start", start})
+        .output;
+  };
+  const std::string bend = "it turns with a radius of 15.99 m: has every bend so much room?";
+  const std::string near = "6,5,0.001", beyond_the_door = "17,5,0.001";
+  EXPECT_THAT(advice(near, "3,5,0.05"), testing::Not(HasSubstr(bend)));
+  EXPECT_THAT(advice(near, "3,5,0.2"), HasSubstr(bend)) << "it passes the goal";
+  EXPECT_THAT(advice(beyond_the_door, "3,5,0.05"), testing::Not(HasSubstr(bend)));
+  EXPECT_THAT(advice(beyond_the_door, "3,5,0.35"), HasSubstr(bend)) << "it meets the door's side";
 }
 
 TEST_F(CliWhy, NoHeadingIsAdvisedThatWouldBeRefusedOrIsAskedForAlready) {

@@ -90,6 +90,17 @@ TEST(RoomInGoal, IsLookedForInTheWholeTurn) {
   EXPECT_TRUE(host::room_in_goal(open.scene, request).none);
 }
 
+// A car's body is ahead of where its pose places it.
+TEST(RoomInGoal, IsLookedForInTheOppositeHeading) {
+  const OpenScene open(pit(1.5));
+  host::SearchRequest request = request_for("car", 1, 0.02);
+  request.goal->center.x += 0.2;
+  request.facing = host::GoalFacing{0, 0.1, false, {}};
+  EXPECT_TRUE(host::room_in_goal(open.scene, request).none);
+  request.facing->either_way = true;
+  EXPECT_TRUE(host::room_in_goal(open.scene, request).found);
+}
+
 TEST(RoomInGoal, IsLookedForInTheGoalsOfTheMapAndTakesTheClearance) {
   const OpenScene open(pit(1.5));
   host::SearchRequest request = request_for("unicycle", 1.7, 0.1);
