@@ -4,14 +4,16 @@
 namespace krait::host {
 namespace {
 
+// `form` is that of the option, whose name `what` is.
 template <class Named>
-const Named& by_name(const std::vector<Named>& all, const std::string& name, const char* what) {
+const Named& by_name(const std::vector<Named>& all, const std::string& name, const std::string& what,
+                     const char* form) {
   if (name.empty() && !all.empty()) return all.front();
   for (const Named& one : all) {
     if (one.name == name) return one;
   }
-  throw InputError(name.empty() ? std::string("the input has no ") + what + ": give --" + what
-                                : std::string("the input has no ") + what + " '" + name + "'");
+  throw InputError(name.empty() ? "the input has no " + what + ": give --" + what + " " + form
+                                : "the input has no " + what + " '" + name + "'");
 }
 
 }  // namespace
@@ -23,12 +25,12 @@ Asked asked_of(const Workspace& workspace, const SearchRequest& request) {
   asked.end_speed = request.end_speed();
   asked.facing = request.facing;
   asked.start = request.start ? Start{"start", request.start->position, request.start->heading, {}}
-                              : by_name(workspace.starts, request.start_name, "start");
+                              : by_name(workspace.starts, request.start_name, "start", "X,Y,HEADING");
   if (request.goal) {
     asked.disc_center = request.goal->center;
     asked.disc_radius = request.goal->radius;
   } else {
-    asked.goal = by_name(workspace.goals, request.goal_name, "goal").polygon;
+    asked.goal = by_name(workspace.goals, request.goal_name, "goal", "X,Y,RADIUS").polygon;
   }
   return asked;
 }

@@ -66,7 +66,7 @@ void parse_goal(const std::string& text, SearchRequest& request) {
   } else if (text.find(',') != std::string::npos) {
     throw InputError(
         "--goal " + text +
-        ": give X,Y,RADIUS (metres to 1e7, the radius 0.001 or more) or a goal's name; --heading takes a heading" +
+        ": give X,Y,RADIUS (metres to 1e7, the radius 0.001 m or more) or a goal's name; --heading takes a heading" +
         hint_of_far_place(text));
   } else {
     request.goal_name = text;

@@ -84,6 +84,15 @@ void draw(const SearchRequest& request, const SceneBytes& bytes, const SearchRes
   progress.end();
 }
 
+// " (shown in a.png, b.html)"; nothing where nothing is drawn.
+std::string pictures_of(const PlanOptions& options) {
+  std::string files;
+  for (const std::string* file : {&options.svg, &options.png, &options.html}) {
+    if (!file->empty()) files += (files.empty() ? "" : ", ") + *file;
+  }
+  return files.empty() ? "" : " (shown in " + files + ")";
+}
+
 // A start or goal in an obstacle is drawn, and refused.
 Answer answer_for(Ground& ground, const PlanOptions& options, SearchRequest& request, Progress& progress) {
   try {
@@ -91,7 +100,7 @@ Answer answer_for(Ground& ground, const PlanOptions& options, SearchRequest& req
   } catch (const InObstacle& refusal) {
     progress.end();
     if (options.draws()) write_pictures(options, picture_of_refusal(options.scene, ground.scene, request, refusal));
-    throw;
+    throw InObstacle(refusal.what() + pictures_of(options), refusal.status(), refusal.where());
   }
 }
 

@@ -10,6 +10,7 @@
 #include "host/run/planner_session.hpp"
 #include "host/run/robot_facts.hpp"
 #include "host/run/why.hpp"
+#include "host/workspace/heading.hpp"
 #include "host/workspace/printed.hpp"
 
 namespace krait::host {
@@ -30,6 +31,26 @@ std::string outside(const char* what, const krait::Scene& scene) {
   return printed("%s lies outside the bounds, %.8g,%.8g to %.8g,%.8g m", what, low.x, low.y, high.x, high.y);
 }
 
+// Which hitch is bent beyond its limit at the start; empty where none is. Angles are the trailers' own headings.
+std::string bent_too_far(const krait::Scene& scene, const SearchRequest& request) {
+  const Start start = resolve_start(scene, request);
+  const auto limit = request.robot.parameters.find("max_hitch_angle");
+  double before = start.heading;
+  for (std::size_t k = 0; k < start.angles.size() && limit != request.robot.parameters.end(); ++k) {
+    const double angle = start.angles[k];
+    if (std::abs(angle - before) > limit->second) {
+      return "start '" + start.name +
+             printed(
+                 "': the heading of trailer %zu, %.6g rad, bends its hitch by %.6g rad, and %.6g rad are allowed "
+                 "(max_hitch_angle)",
+                 k + 1, angle, std::abs(angle - before), limit->second) +
+             (is_over_a_turn(angle) ? ": " + degrees_meant(angle) : "");
+    }
+    before = angle;
+  }
+  return "";
+}
+
 std::string explanation(const Failure& failure, const krait::Scene& scene, const SearchRequest& request) {
   const std::string argument = to_string(static_cast<Argument>(failure.element));
   switch (failure.status) {
@@ -47,6 +68,9 @@ std::string explanation(const Failure& failure, const krait::Scene& scene, const
       if (argument == to_string(Argument::goal)) return outside("the goal's centre", scene);
       if (failure.most > 0) return longest_dt(static_cast<double>(failure.most));
       if (argument == to_string(Argument::dt)) return argument + ": " + kNoTimeStep;
+      if (argument == to_string(Argument::start)) {
+        if (const std::string bent = bent_too_far(scene, request); !bent.empty()) return bent;
+      }
       return argument +
              " is not finite or out of its range (numbers in metres, seconds and radians; krait plan --help)";
     case Status::bad_arithmetic:

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "decomposition/locate.hpp"
 #include "host/run/depth.hpp"
@@ -13,6 +14,7 @@
 #include "host/run/shortest_way.hpp"
 #include "host/run/standing.hpp"
 #include "host/workspace/printed.hpp"
+#include "motion/rk4.hpp"
 #include "robot/shape.hpp"
 
 namespace krait::host {
@@ -99,7 +101,7 @@ std::vector<std::string> where_it_is_tight(const Bottleneck& bottleneck, const k
   if (!is_tight(bottleneck)) return {};
   return {"the widest way to the goal is " + metres(static_cast<double>(bottleneck.width)) + " wide at " +
           place(scene, bottleneck.at) + ", where the robot needs at least " +
-          metres(static_cast<double>(bottleneck.needed))};
+          metres(static_cast<double>(bottleneck.needed)) + grown(scene, 0)};
 }
 
 // A disc so small that a plan hits it by chance.
@@ -108,13 +110,14 @@ bool is_tiny(const std::optional<GoalDisc>& goal) {
   return goal && goal->radius < kTiny;
 }
 
+// Empty where nothing is known to.
 std::string what_stops_it(const Hindrances& found, const krait::Scene& scene, const SearchRequest& request) {
   const auto share = [&](int ways) { return printed("%d of %d ways from there end ", ways, found.ways); };
   if (found.beyond > found.stopped) {
     return share(found.beyond) + (request.robot.links > 0 ? "where its trailers fold" : "at a limit of the robot");
   }
   if (found.ways == 0 && is_tiny(request.goal)) return "ways from there hardly ever hit so small a goal";
-  if (found.stopped == 0) return "what is in the way there?";
+  if (found.stopped == 0) return "";
   return share(found.stopped) + "with " + body_name(request.robot, found.contact.body) + " at " +
          other_name(found.contact, scene, request) + ", as at " + place(scene, found.contact.at);
 }
@@ -156,11 +159,23 @@ std::string less_of(const GoalFacing& facing) {
   return text.empty() ? "any heading" : text + "or any heading";
 }
 
+// That time steps, shorter than the usual ones, are too short for the robot to get anywhere in an expansion.
+std::string why_longer_steps(const SearchRequest& request) {
+  const Parameters& parameters = request.parameters;
+  const CoreRobot core(request.robot);
+  const float way = static_cast<float>(parameters.tuning.max_steps) * parameters.dt * core.extremes().speed;
+  const bool longer = parameters.dt < Parameters{}.dt && detail::can_integrate(core.view(), 2 * parameters.dt);
+  if (!longer || way >= detail::robot_length(core.view())) return "";
+  return "try a longer --dt: an expansion of " + std::to_string(parameters.tuning.max_steps) +
+         " steps moves the robot by " + metres(static_cast<double>(way)) + " at most";
+}
+
 std::vector<std::string> what_to_try(Status status, const Statistics& statistics, const SearchRequest& request,
                                      bool straight_on) {
   std::vector<std::string> lines;
   if (is_tiny(request.goal))
     lines.push_back("the goal is tiny, with a radius of " + metres(request.goal->radius) + ": try 0.05 m or more");
+  if (std::string longer = why_longer_steps(request); !longer.empty()) lines.push_back(std::move(longer));
   if (status == Status::time_used && !request.time_limit) return lines;
   if (status == Status::time_used) {
     lines.push_back("try a longer --time-limit");
@@ -169,8 +184,8 @@ std::vector<std::string> what_to_try(Status status, const Statistics& statistics
   if (status == Status::budget_used) lines.push_back("try more --iterations");
   if (status == Status::tree_full || statistics.recycled > 0) lines.push_back("try more --memory");
   if (statistics.plans_refused > 0) {
-    lines.push_back(std::to_string(statistics.plans_refused) +
-                    " ways reached the goal but did not hold as driven: try a larger goal" +
+    lines.push_back(std::to_string(statistics.plans_refused) + (statistics.plans_refused == 1 ? " way" : " ways") +
+                    " reached the goal but did not hold as driven: try a larger goal" +
                     (pushes_trailers(request.robot) ? ", or room to pull forward between pushing trailers back" : ""));
   }
   if (request.facing) lines.push_back("try " + less_of(*request.facing));
@@ -254,9 +269,9 @@ std::vector<std::string> why_no_plan(Session& session, const krait::Scene& scene
   const Bottleneck bottleneck = session.bottleneck();
   std::vector<std::string> lines = where_it_is_tight(bottleneck, scene);
   if (const Effort effort = session.effort(); effort.tries > 0) {
+    const std::string stops = what_stops_it(hindrances_of(session, scene, request.parameters), scene, request);
     lines.push_back("most expansions, " + std::to_string(effort.tries) + ", grew from around " +
-                    place(scene, effort.at) + ": " +
-                    what_stops_it(hindrances_of(session, scene, request.parameters), scene, request));
+                    place(scene, effort.at) + (stops.empty() ? "" : ": " + stops));
   }
   const bool straight_on = is_straight_on(scene, request, bottleneck.needed);
   for (std::string& line : what_to_try(session.status(), session.statistics(), request, straight_on)) {
