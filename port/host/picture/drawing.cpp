@@ -58,12 +58,12 @@ class Painter : private Pen {
     cairo_close_path(cr_);
   }
   void map_rectangle() { cairo_rectangle(cr_, figure_.left, figure_.top, figure_.map_width, figure_.map_height); }
-  // A word beside a mark, kept inside the map, legible on any colour.
-  void label(const std::string& text, Point mark) {
+  // A word so far beside a mark, kept inside the map, legible on any colour.
+  void label(const std::string& text, Point mark, double aside = 10) {
     font(12.5, true);
     const double width = text_width(text);
     const double right = figure_.left + figure_.map_width;
-    const double x = mark.x + 10 + width > right - 4 ? mark.x - 10 - width : mark.x + 10;
+    const double x = mark.x + aside + width > right - 4 ? mark.x - aside - width : mark.x + aside;
     const double y = std::clamp(mark.y - 8, figure_.top + 14, std::max(figure_.top + 14, bottom() - 6));
     cairo_move_to(cr_, x, y);
     cairo_text_path(cr_, text.c_str());
@@ -184,7 +184,7 @@ class Painter : private Pen {
   // bit, so that its images do not overlap, and at most some 60 times.
   void bodies() {
     const std::vector<std::vector<float>>& states = picture_.plan.states;
-    if (states.empty() && !picture_.start.empty()) robot(picture_.start, kRobotStart, kInk, 1.1);
+    if (stands()) robot(picture_.start, kRobotStart, kInk, 1.1);
     if (states.empty()) return;
     std::vector<double> gone = {0};
     for (std::size_t i = 1; i < states.size(); ++i) {
@@ -220,6 +220,22 @@ class Painter : private Pen {
     fill_and_stroke(kRobotStart, kInk, 1.8);
   }
 
+  // Without a plan the robot stands there alone, and is seen: where it is small, a ring around it leads the eye to it.
+  bool stands() const { return picture_.plan.states.empty() && !picture_.start.empty(); }
+  void mark_standing() {
+    constexpr double kSmall = 12, kGap = 3, kFarthestLabel = 60;  // points
+    double reach = 0;
+    for (const Point& corner : picture_.plan.robot.bodies.front()) {
+      reach = std::max(reach, figure_.scale * std::hypot(corner.x, corner.y));
+    }
+    const Point at = figure_.at({picture_.start[0], picture_.start[1]});
+    if (reach < kSmall) {
+      disc(at, reach + kGap);
+      stroke(kInk, 1.4);
+    }
+    label("start", at, std::min(reach + 2 * kGap, kFarthestLabel));
+  }
+
   // Numbered as in the line of facts; one beyond the map is drawn at its border.
   void places() {
     font(10.5, true);
@@ -244,7 +260,9 @@ class Painter : private Pen {
   }
 
   void marks() {
-    if (has_start()) {
+    if (stands()) {
+      mark_standing();
+    } else if (has_start()) {
       start_mark(start());
       label("start", start());
     }
@@ -331,7 +349,7 @@ class Painter : private Pen {
       box(kObstacle, kObstacle, 0.6);
       entry("obstacle", 16);
     }
-    if (has_start()) {
+    if (has_start() && !stands()) {
       start_mark({x + 5.5, y});
       entry("start", 11);
     }
@@ -345,7 +363,7 @@ class Painter : private Pen {
       stroke(kInk, 0.55, 0.6);
       entry("motion tree", 18);
     }
-    if (picture_.plan.states.empty() && !picture_.start.empty()) {
+    if (stands()) {
       box(kRobotStart, kInk, 1.1);
       entry("robot at the start", 16);
     }

@@ -170,6 +170,22 @@ TEST(Png, TheFrontOfTheFirstBodyIsMarked) {
   EXPECT_THAT(color_at(standing(std::acos(-1.0)), tip), IsColor(kRobotStart));
 }
 
+// A robot of 4 m by 0.5 m is a line of 9 points.
+TEST(Png, WithoutAPlanASmallRobotAtItsStartIsSeenInARing) {
+  Picture picture = standing(0);
+  picture.max = {400, 400};
+  picture.plan.robot.bodies = {{{-2, -0.25}, {2, -0.25}, {2, 0.25}, {-2, 0.25}}};
+  picture.start = {200, 200, 0, 0, 0};
+  picture.tree = {{200, 200, 0, 0}};
+  EXPECT_THAT(color_at(picture, {200, 201.2}), IsColor(kFree)) << "no disc lies over it";
+  const Figure figure = layout(picture);
+  const Point at = figure.at({200, 200});
+  const double ring = figure.scale * std::hypot(2, 0.25) + 3;
+  EXPECT_THAT(decode(draw_png(picture)).at({at.x, at.y + ring}), IsColor(kInk));
+  picture.plan.robot.bodies = {{{-20, -2.5}, {20, -2.5}, {20, 2.5}, {-20, 2.5}}};
+  EXPECT_THAT(decode(draw_png(picture)).at({at.x, at.y + 10 * (ring - 3) + 3}), IsColor(kFree)) << "it needs no ring";
+}
+
 TEST(Png, AGoalUnderTheRobotKeepsItsOutline) {
   Picture picture = standing(0);
   picture.plan.goal_polygon = {{9, 9}, {10.5, 9}, {10.5, 11}, {9, 11}};
