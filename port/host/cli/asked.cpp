@@ -35,4 +35,11 @@ Asked asked_of(const Workspace& workspace, const SearchRequest& request) {
   return asked;
 }
 
+Verdict judged(const Workspace& workspace, const PlanFile& plan, const Asked& asked, Progress& progress) {
+  const std::string all = " of " + std::to_string(plan.controls.size()) + " steps";
+  progress.show("verifying", "0" + all);
+  return verify(workspace, plan, asked,
+                [&](std::size_t step) { progress.show("verifying", std::to_string(step) + all); });
+}
+
 }  // namespace krait::host

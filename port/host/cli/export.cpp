@@ -4,13 +4,16 @@
 
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "host/cli/commands.hpp"
 #include "host/cli/map_options.hpp"
 #include "host/import/shapes.hpp"
 #include "host/input/file.hpp"
+#include "host/input/interrupt.hpp"
 #include "host/input/output_option.hpp"
 #include "host/input/outputs.hpp"
+#include "host/input/progress.hpp"
 #include "host/workspace/printed.hpp"
 
 namespace krait::host {
@@ -39,22 +42,43 @@ void warn_of_lines(const Workspace& workspace) {
   }
 }
 
+Workspace read(const ExportOptions& o, const std::vector<Output>& outputs, Progress& progress) {
+  ImportOptions options = o.options.read();
+  options.undoes_shift = true;
+  progress.show("reading the map");
+  Workspace workspace = import_workspace(o.map, options);
+  progress.end();
+  check_outputs(outputs, workspace.files);
+  for (const std::string& warning : workspace.warnings) warn(warning);
+  return workspace;
+}
+
+std::vector<FileText> converted(const ExportOptions& o, const Workspace& workspace, Progress& progress) {
+  std::vector<FileText> files;
+  const auto add = [&](const std::string& path, const char* format, auto convert) {
+    if (path.empty()) return;
+    progress.show(std::string("making ") + format);
+    files.push_back({path, convert(workspace)});
+  };
+  add(o.json, "JSON", native_json);
+  add(o.geojson, "GeoJSON", geojson);
+  add(o.svg, "SVG", svg);
+  return files;
+}
+
 void write(const ExportOptions& o) {
   const std::vector<Output> outputs = {{"--json", o.json}, {"--geojson", o.geojson}, {"--svg", o.svg}};
   if (o.json.empty() && o.geojson.empty() && o.svg.empty()) {
     throw InputError("export: nothing to write: give --geojson, --svg or --json with a file");
   }
   check_outputs(outputs, {o.map});
-  ImportOptions options = o.options.read();
-  options.undoes_shift = true;
-  const Workspace workspace = import_workspace(o.map, options);
-  check_outputs(outputs, workspace.files);
-  for (const std::string& warning : workspace.warnings) warn(warning);
-  if (!o.json.empty()) write_file(o.json, native_json(workspace));
-  if (!o.geojson.empty()) write_file(o.geojson, geojson(workspace));
-  if (o.svg.empty()) return;
-  warn_of_lines(workspace);
-  write_file(o.svg, svg(workspace));
+  std::optional<LastWord> word("krait: stopped by you while the map was converted: nothing is written\n");
+  Progress progress("krait");
+  const Workspace workspace = read(o, outputs, progress);
+  if (!o.svg.empty()) warn_of_lines(workspace);
+  const std::vector<FileText> files = converted(o, workspace, progress);
+  word.reset();
+  write_files(files);
 }
 
 }  // namespace

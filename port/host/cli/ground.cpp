@@ -8,6 +8,7 @@
 #include "host/cli/commands.hpp"
 #include "host/cli/compiler_process.hpp"
 #include "host/input/file.hpp"
+#include "host/input/interrupt.hpp"
 #include "host/input/outputs.hpp"
 
 namespace krait::host {
@@ -27,8 +28,11 @@ SceneBytes compiled(const PlanOptions& options, const std::string& tolerance, bo
 }  // namespace
 
 Ground read_ground(const PlanOptions& options, SearchRequest& request, Progress& progress) {
+  std::optional<LastWord> word(kStoppedEarly);
+  progress.show("reading the file");
   const std::string content = read_file(options.scene, UINT32_MAX);
   if (is_scene_file(content)) {
+    progress.end();
     options.query.read_pose({}, request);
     warn(misnamed_scene(options.scene));
     const std::vector<std::string> unread = options.of_maps();
@@ -38,7 +42,8 @@ Ground read_ground(const PlanOptions& options, SearchRequest& request, Progress&
   }
   progress.show("reading the map");
   Workspace map = import_workspace(options.scene, options.map.read());
-  progress.end();                               // the compiler has its own
+  progress.end();  // the compiler has its own, and its own last word
+  word.reset();
   check_outputs(options.outputs(), map.files);  // also those that the map names
   options.query.read_pose(map, request);
   return {compiled(options, options.tolerance), std::move(map)};

@@ -12,6 +12,9 @@
 
 namespace krait::host {
 
+// The last word of krait plan before its search.
+inline constexpr const char* kStoppedEarly = "krait: stopped by you before the search: nothing is written\n";
+
 // The scene to plan in and, where the user names a map and no compiled scene, that map.
 struct Ground {
   SceneBytes scene;

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "host/cli/asked.hpp"
 #include "host/cli/commands.hpp"
@@ -36,9 +37,9 @@ void warn_of_axle(const PlanOptions& options, const RobotSpec& robot) {
 // Against the map itself; a compiled scene has its pieces only.
 Verdict verdict_on(const SearchResult& result, const Ground& ground, const SearchRequest& request,
                    const PlanOptions& options, Progress& progress) {
-  progress.show("verifying", std::to_string(result.plan.controls.size()) + " steps");
-  if (ground.map) return verify(*ground.map, result.plan, asked_of(*ground.map, request));
-  return verify(import_workspace(options.scene, {}), result.plan, result.asked);
+  progress.show("verifying");
+  if (ground.map) return judged(*ground.map, result.plan, asked_of(*ground.map, request), progress);
+  return judged(import_workspace(options.scene, {}), result.plan, result.asked, progress);
 }
 
 // A plan that does not hold is no plan: its arrays are emptied and the status says why. Returns the exit code, and
@@ -69,18 +70,23 @@ int finish(SearchResult& result, const Ground& ground, const SearchRequest& requ
   return code;
 }
 
-void write_pictures(const PlanOptions& options, const Picture& picture) {
-  if (!options.svg.empty()) write_file(options.svg, draw_svg(picture));
-  if (!options.png.empty()) write_file(options.png, draw_png(picture));
-  if (!options.html.empty()) write_file(options.html, draw_html(picture));
+std::vector<FileText> drawings(const PlanOptions& options, const Picture& picture) {
+  std::vector<FileText> files;
+  if (!options.svg.empty()) files.push_back({options.svg, draw_svg(picture)});
+  if (!options.png.empty()) files.push_back({options.png, draw_png(picture)});
+  if (!options.html.empty()) files.push_back({options.html, draw_html(picture)});
+  return files;
 }
 
 void draw(const SearchRequest& request, const SceneBytes& bytes, const SearchResult& result, const PlanOptions& options,
           Progress& progress) {
   if (!options.draws()) return;
   std::fflush(stdout);  // the answer: to draw, the whole search is repeated
+  std::optional<LastWord> word("krait: stopped by you while pictures were drawn: none is written\n");
   progress.show("drawing");
-  write_pictures(options, watch_search(options.scene, bytes, request, result.plan));
+  const std::vector<FileText> files = drawings(options, watch_search(options.scene, bytes, request, result.plan));
+  word.reset();
+  write_files(files);
   progress.end();
 }
 
@@ -99,7 +105,8 @@ Answer answer_for(Ground& ground, const PlanOptions& options, SearchRequest& req
     return search_for(ground, options, request, progress);
   } catch (const InObstacle& refusal) {
     progress.end();
-    if (options.draws()) write_pictures(options, picture_of_refusal(options.scene, ground.scene, request, refusal));
+    if (options.draws())
+      write_files(drawings(options, picture_of_refusal(options.scene, ground.scene, request, refusal)));
     throw InObstacle(refusal.what() + pictures_of(options), refusal.status(), refusal.where());
   }
 }

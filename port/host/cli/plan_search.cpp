@@ -32,6 +32,7 @@ std::string detail_of(const SearchNews& news) {
 SearchResult search(const PlanOptions& options, const SearchRequest& request, const SceneBytes& bytes, Block& block,
                     Progress& progress) {
   const Interrupt interrupt;
+  progress.show("planning");
   SearchWatch watch;
   watch.tell = [&](const SearchNews& news) {
     progress.show(news.best.length > 0 ? "improving" : "planning", detail_of(news));
@@ -48,12 +49,25 @@ bool may_end(const krait::Scene& scene, SearchRequest request) {
   return !why_it_hardly_ends(scene, request);
 }
 
+krait::Scene checked_scene(const PlanOptions& options, const Ground& ground, Progress& progress) {
+  const LastWord word(kStoppedEarly);
+  progress.show("checking the scene");
+  return open_scene(options.scene, ground.scene);
+}
+
+Clearance clearance_for(const krait::Scene& scene, const Ground& ground, const SearchRequest& request, Block& block,
+                        Progress& progress) {
+  const LastWord word(kStoppedEarly);
+  progress.show("finding the clearance");
+  return usual_clearance(scene, request, ground.map, block);
+}
+
 // Searches with the clearance that was asked for, or else the usual one and, where that search uses up its iterations
 // or the robot has no room in the goal with it, the least; which one becomes the request's.
 Answer search_clear(const krait::Scene& scene, const Ground& ground, const PlanOptions& options, SearchRequest& request,
                     Block& block, Progress& progress) {
   if (options.clearance || options.paper) return {search(options, request, ground.scene, block, progress), {}};
-  Clearance clearance = usual_clearance(scene, request, ground.map, block);
+  Clearance clearance = clearance_for(scene, ground, request, block, progress);
   request.parameters.clearance = clearance.kept;
   SearchResult first = search(options, request, ground.scene, block, progress);
   clearance.no_room = first.plan.status == to_string(Status::no_route);
@@ -69,7 +83,7 @@ Answer search_clear(const krait::Scene& scene, const Ground& ground, const PlanO
 // without it, and that scene, which replaces the first, is searched.
 Answer search_in(Ground& ground, const PlanOptions& options, SearchRequest& request, Progress& progress) {
   Block block = block_of(request);
-  const krait::Scene scene = open_scene(options.scene, ground.scene);
+  const krait::Scene scene = checked_scene(options, ground, progress);
   const double growth = static_cast<double>(scene.header().tolerance);
   if (!ground.map || !options.tolerance.empty() || !(growth > 0)) {
     return search_clear(scene, ground, options, request, block, progress);
@@ -80,8 +94,9 @@ Answer search_in(Ground& ground, const PlanOptions& options, SearchRequest& requ
   } catch (const InObstacle&) {
     progress.end();
   }
+  progress.end();
   compile_exactly(ground, options, growth);
-  return search_clear(open_scene(options.scene, ground.scene), ground, options, request, block, progress);
+  return search_clear(checked_scene(options, ground, progress), ground, options, request, block, progress);
 }
 
 // Maps are free for the most part: where walls are bright on black, the floor is read as walls.

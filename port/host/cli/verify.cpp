@@ -6,11 +6,13 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "host/cli/asked.hpp"
 #include "host/cli/commands.hpp"
 #include "host/cli/map_options.hpp"
 #include "host/cli/options.hpp"
+#include "host/input/interrupt.hpp"
 #include "host/input/progress.hpp"
 #include "host/run/robot_facts.hpp"
 #include "host/workspace/printed.hpp"
@@ -108,6 +110,7 @@ void judge(const VerifyOptions& options) {
   SearchRequest request;
   options.query.read(request);
   request.parameters.dt = static_cast<float>(options.dt);
+  std::optional<LastWord> word("krait: stopped by you: the plan is not judged\n");
   Progress progress("krait");
   progress.show("reading the map");
   const Workspace workspace = import_workspace(options.input, options.map.read());
@@ -115,8 +118,8 @@ void judge(const VerifyOptions& options) {
   for (const std::string& warning : workspace.warnings) warn(warning);
   const PlanFile plan = read_plan(options.plan);
   const Asked asked = asked_of(workspace, request, options.query, plan);
-  progress.show("verifying", std::to_string(plan.controls.size()) + " steps");
-  const Verdict verdict = verify(workspace, plan, asked);
+  const Verdict verdict = judged(workspace, plan, asked, progress);
+  word.reset();
   progress.end();
   print_verdict(verdict, request.robot, options.all);
   if (verdict.holds) print_own(options, workspace, asked);

@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "host/input/interrupt.hpp"
 #include "host/workspace/workspace.hpp"
 
 namespace krait::host {
@@ -173,6 +174,11 @@ void write_file(const std::string& path, const std::string& content) {
   const bool exists = ::stat(path.c_str(), &status) == 0;
   if (exists && !S_ISREG(status.st_mode)) return write_device(path, content);
   replace_file(path, led_to(path), exists ? &status : nullptr, content);
+}
+
+void write_files(const std::vector<FileText>& files) {
+  const Interrupt too_late;
+  for (const FileText& file : files) write_file(file.path, file.text);
 }
 
 }  // namespace krait::host

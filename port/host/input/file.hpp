@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace krait::host {
 
@@ -23,5 +24,13 @@ void check_writable(const std::string& path);
 // terminal) and a pipe that the shell has opened (/dev/stdout before a |, >(…)) are written to directly. Opening never
 // waits. Throws InputError.
 void write_file(const std::string& path, const std::string& content);
+
+struct FileText {
+  std::string path;
+  std::string text;
+};
+
+// Writes the files; Ctrl-C comes too late for all of them. Throws as write_file.
+void write_files(const std::vector<FileText>& files);
 
 }  // namespace krait::host

@@ -42,12 +42,15 @@ class Judge {
         stored_sweep_(asked.robot, dynamics, obstacles, of_states_),
         state_(stored(0)) {}
 
-  void judge(Verdict& verdict) {
+  void judge(Verdict& verdict, const std::function<void(std::size_t)>& tell) {
     limits_.check_state("start", state_);
     sweep_.check_pose("start", state_);
     check_stored(0);
     bool driven = true;
-    for (std::size_t i = 0; driven && i < plan_.controls.size(); ++i) driven = drive(i);
+    for (std::size_t i = 0; driven && i < plan_.controls.size(); ++i) {
+      if (tell) tell(i);
+      driven = drive(i);
+    }
     if (driven) check_end(verdict);
     complaints_.append(of_states_);
     verdict.step_error = comparison_.worst_change();
@@ -188,7 +191,8 @@ class Judge {
 
 }  // namespace
 
-Verdict verify(const Workspace& workspace, const PlanFile& plan, const Asked& asked) {
+Verdict verify(const Workspace& workspace, const PlanFile& plan, const Asked& asked,
+               const std::function<void(std::size_t)>& tell) {
   const Dynamics dynamics(asked.robot);
   const Obstacles obstacles(workspace);
   Verdict verdict;
@@ -198,7 +202,7 @@ Verdict verify(const Workspace& workspace, const PlanFile& plan, const Asked& as
     check_dt(plan, asked, complaints);
     check_start(plan, asked.start, dynamics, complaints);
     check_goal(plan, asked, complaints);
-    Judge(workspace, plan, asked, dynamics, obstacles, complaints).judge(verdict);
+    Judge(workspace, plan, asked, dynamics, obstacles, complaints).judge(verdict, tell);
     if (complaints.empty()) check_statistics(plan, dynamics, complaints);  // what else is wrong explains them
   }
   verdict.holds = complaints.empty();

@@ -4,6 +4,8 @@
 // readers of maps, robots and plans are those of the other programs of the workstation.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -67,7 +69,8 @@ inline constexpr double kLargestClearance = 1.0;  // m, obstacles further away a
 // A body or a quantity that fails is named once, with the first place where it does, and only the first stored state
 // that disagrees is named. Once a plan is refused, no more than half a million bodies times sub-steps are looked at.
 // Throws InputError if the workspace or the asked robot itself is unusable; a bad plan is a verdict, never an error.
-// O(steps).
-Verdict verify(const Workspace& workspace, const PlanFile& plan, const Asked& asked);
+// O(steps). `tell`, which may be empty, is called with the number of each step before it is driven.
+Verdict verify(const Workspace& workspace, const PlanFile& plan, const Asked& asked,
+               const std::function<void(std::size_t)>& tell = {});
 
 }  // namespace krait::host

@@ -42,6 +42,31 @@ class CliProgress : public CliTest {
   Outcome interrupted(const std::vector<std::string>& arguments) const {
     return run_and_interrupt(krait_path(), arguments, directory(), 1500ms);
   }
+  // The same after so many seconds, with standard error on a terminal; a shell's exit code.
+  Outcome interrupted_on_terminal(const std::vector<std::string>& arguments, const char* seconds) const {
+    std::vector<std::string> timed = {"--preserve-status", "-s", "INT", seconds, krait_path()};
+    timed.insert(timed.end(), arguments.begin(), arguments.end());
+    return run_on_terminal("/usr/bin/timeout", timed, directory());
+  }
+  // What a terminal shows of a program that was at this step, and was stopped with this line.
+  static testing::Matcher<std::string> stopped_at(const std::string& step, const std::string& line) {
+    return testing::AllOf(ContainsRegex("\r\033\\[K" + step), testing::EndsWith("\r\033[K" + line + "\r\n"));
+  }
+  // A plan of so many steps in which the robot stands still, in stands.json.
+  void write_standing(const char* robot, int steps) const {
+    expect_done({"plan", "room.krait", "--robot", robot, "--goal", "3,5,0.5", "--improve", "0", "-o", "plan.json"});
+    nlohmann::ordered_json plan = json("plan.json");
+    const std::string state = plan["states"][0].dump(), control = "[0,0]";
+    plan.erase("states");
+    plan.erase("controls");
+    std::string text = plan.dump();
+    text.pop_back();
+    text += R"(,"states":[)" + state;
+    for (int i = 0; i < steps; ++i) text += "," + state;
+    text += R"(],"controls":[)" + control;
+    for (int i = 1; i < steps; ++i) text += "," + control;
+    write("stands.json", text + "]}");
+  }
   // Until the file is there, or five seconds.
   void wait_for(const char* file) const {
     for (int i = 0; i < 100 && !std::filesystem::exists(path(file)); ++i) std::this_thread::sleep_for(50ms);
@@ -98,12 +123,47 @@ TEST_F(CliProgress, WhereCtrlCIsIgnoredItStaysSo) {
 TEST_F(CliProgress, CtrlCEndsTheCompilerWithALine) {
   write("large.map", scattered_cells(700));
   const auto before = files();
-  const Outcome outcome =
-      run_and_interrupt(krait_path(), {"compile", "large.map", "-o", "large.krait"}, directory(), 1000ms);
-  EXPECT_EQ(outcome.code, -SIGINT);
+  const Outcome outcome = interrupted_on_terminal({"compile", "large.map", "-o", "large.krait"}, "1.5");
+  EXPECT_EQ(outcome.code, 128 + SIGINT);
   EXPECT_EQ(outcome.output, "");
-  EXPECT_EQ(outcome.errors, "krait-compile: stopped by you while the map was compiled: nothing is written\n");
+  EXPECT_THAT(outcome.errors,
+              stopped_at("krait-compile: [a-z ]+: [0-9]+ s",
+                         "krait-compile: stopped by you while the map was compiled: nothing is written"));
   EXPECT_EQ(files(), before);
+}
+
+TEST_F(CliProgress, CtrlCEndsAnExportWithALine) {
+  write("large.map", scattered_cells(2000));
+  const auto before = files();
+  const Outcome outcome =
+      interrupted_on_terminal({"export", "large.map", "--json", "a.json", "--geojson", "a.geojson"}, "1.5");
+  EXPECT_EQ(outcome.code, 128 + SIGINT);
+  EXPECT_EQ(outcome.output, "");
+  EXPECT_THAT(outcome.errors, stopped_at("krait: (reading the map|making JSON|making GeoJSON): [0-9]+ s",
+                                         "krait: stopped by you while the map was converted: nothing is written"));
+  EXPECT_EQ(files(), before);
+}
+
+TEST_F(CliProgress, CtrlCEndsAVerificationWithALine) {
+  write_standing("snake:10", 60'000);
+  const Outcome outcome = interrupted_on_terminal(
+      {"verify", "room.json", "stands.json", "--robot", "snake:10", "--goal", "3,5,0.5"}, "1.5");
+  EXPECT_EQ(outcome.code, 128 + SIGINT);
+  EXPECT_EQ(outcome.output, "");
+  EXPECT_THAT(outcome.errors, stopped_at("krait: verifying: [0-9]+ s, [1-9][0-9]* of 60000 steps",
+                                         "krait: stopped by you: the plan is not judged"));
+}
+
+// To draw, the search is repeated, which takes longer with an eye on it.
+TEST_F(CliProgress, CtrlCWhilePicturesAreDrawnHasALine) {
+  const Outcome outcome =
+      interrupted_on_terminal(endless({"--time-limit", "1", "--png", "no.png", "-o", "plan.json"}), "1.5");
+  EXPECT_EQ(outcome.code, 128 + SIGINT);
+  EXPECT_THAT(outcome.output, testing::StartsWith("time_used: "));
+  EXPECT_THAT(outcome.errors, stopped_at("krait: drawing: [0-9]+ s",
+                                         "krait: stopped by you while pictures were drawn: none is written"));
+  EXPECT_EQ(json("plan.json").at("status"), "time_used");
+  EXPECT_FALSE(std::filesystem::exists(path("no.png")));
 }
 
 // The reader begins long after the program was interrupted, and a pipe has no room for all of the scene.
