@@ -10,6 +10,7 @@
 #include "host/run/why.hpp"
 
 namespace krait::host {
+
 std::optional<std::string> why_it_cannot_start(const krait::Scene& scene, const SearchRequest& request) {
   const CoreRobot core(request.robot);
   const Robot robot = core.view();
