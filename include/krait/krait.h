@@ -5,8 +5,8 @@
     needs special compiler flags (krait_exact). The two functions at the end are for workstations.
 
     Units are metres, radians and seconds. Positions are in the scene's local coordinates. A pointer argument must not
-   be NULL where nothing else is said, and what it points to is read during the call only. R is the number of the
-   scene's triangles. */
+    be NULL where nothing else is said, and what it points to is read during the call only. R is the number of the
+    scene's triangles. */
 #ifndef KRAIT_KRAIT_H
 #define KRAIT_KRAIT_H
 

@@ -99,7 +99,11 @@ Status Search::begin(const Query& query, const Keeper& keeper) {
   end_depth_ = {kDepthKept * goal_depth_, deepest};
   equip_expander(keeper);
   const bool fits = !parameters_.tuning.prune_portals || disc_route().fits();
-  find_paths() ? add_root(fits) : finish(Status::goal_in_obstacle);
+  if (find_paths()) {
+    add_root(fits);
+  } else {
+    finish(Status::goal_in_obstacle);
+  }
   return status();
 }
 
