@@ -43,7 +43,9 @@ double lever_of(const Ring& body) {
 class Body {
  public:
   Body(const RobotSpec& lead, const krait::Scene& scene, const Parameters& parameters)
-      : core_(lead), check_(core_.view(), scene, parameters), state_(core_.view().state_size()) {}
+      : core_(lead),
+        check_(core_.view(), scene, parameters),
+        state_(static_cast<std::size_t>(core_.view().state_size())) {}
   Body(const Body&) = delete;
   Body& operator=(const Body&) = delete;
 
