@@ -158,11 +158,11 @@ Written by `python3 bench/dynobench/dynobench.py SAMPLES` at commit {commit}, on
 The goals are full states: within 0.1 m of the position and 0.1 rad of the heading, at rest, and the trailer of `car1`
 within 0.1 rad of straight. Every plan was proven, and verified in double precision; it keeps the clearance that
 `krait plan` has when none is asked for, 2 % of the robot's width.
-There are {seeds} seeds from {FIRST_SEED:,}, {long_seeds} for the plans of {LONG:g} s. What steers these robots and
-improves their plans was chosen on these problems, with other seeds. Costs are durations in seconds, medians with the
-90th percentile in brackets; ratios are those of medians, with 95 % intervals over the seeds. Published are the time and cost of iDb-A*'s first plan, and the best final
-cost of iDb-A*, RRT* with trajectory optimisation, and SST*, in medians (Ortiz-Haro, Hönig, Hartmann and Toussaint,
-iDb-A*, IEEE T-RO 2024; one core of an EPYC 7502, 120 s).
+There are {seeds} seeds from {FIRST_SEED:,}, {long_seeds} for the plans of {LONG:g} s. What steers these robots and improves their
+plans was chosen on these problems, with other seeds. Costs are durations in seconds, medians with the 90th percentile
+in brackets; ratios are those of medians, with 95 % intervals over the seeds. Published are the time and cost of
+iDb-A*'s first plan, and the best final cost of iDb-A*, RRT* with trajectory optimisation, and SST*, in medians
+(Ortiz-Haro, Hönig, Hartmann and Toussaint, iDb-A*, IEEE T-RO 2024; one core of an EPYC 7502, 120 s).
 
 | robot | problem | solved | first plan: ms [published], times as fast | its cost [published] | best final cost \
 | after {1e3 * SHORT:g} ms: median [90th], of the best | after {LONG:g} s | cm apart by Euler |
