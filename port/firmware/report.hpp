@@ -38,7 +38,7 @@ struct Report {
   std::uint64_t setup = 0;        // nanoseconds of those before the first expansion
   std::uint64_t slowest = 0;      // nanoseconds of the longest expansion
   Improvement improvement;
-  Why why;  // there is no plan; of firmware that gives reasons
+  Why why;  // filled where there is no plan, unless the firmware is built with KRAIT_REASONS=OFF
 };
 
 // Says in one line why there is no plan, if there is none, then writes the line of JSON. Returns the exit code.

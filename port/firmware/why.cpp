@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "firmware/why.hpp"
 
+#include "firmware/report.hpp"
+
 namespace krait::firmware {
 namespace {
-
-bool ended_unsolved(Status status) {
-  return status == Status::no_route || status == Status::budget_used || status == Status::tree_full;
-}
 
 const char* name_of(ContactKind kind) {
   switch (kind) {
@@ -29,7 +27,7 @@ Line& put_place(Line& line, const Why& why, Vec2 at) {
   return line.put_metres(why.origin_y + static_cast<double>(at.y)).put(')');
 }
 
-Line& put_metres(Line& line, float metres) { return line.put_metres(static_cast<double>(metres)).put(" m"); }
+Line& put_length(Line& line, float metres) { return line.put_metres(static_cast<double>(metres)).put(" m"); }
 
 void put_other(Line& line, const Contact& contact) {
   switch (contact.kind) {
@@ -53,13 +51,13 @@ void put_contact(Line& line, const Why& why) {
   const bool apart = contact.distance > 0.0F;
   line.put(apart ? ": the start does not keep the clearance: body " : ": body ").put(std::uint64_t{contact.body});
   if (apart) {
-    put_metres(line.put(" is "), contact.distance).put(" from ");
+    put_length(line.put(" is "), contact.distance).put(" from ");
   } else {
     line.put(contact.kind == ContactKind::bounds ? " reaches to or beyond " : " overlaps ");
   }
   put_other(line, contact);
   put_place(line, why, contact.at);
-  if (apart) put_metres(line.put(", and must keep "), contact.needed);
+  if (apart) put_length(line.put(", and must keep "), contact.needed);
   line.put(apart ? ": ask with less --clearance, or another --start" : ": ask with another --start");
 }
 
@@ -71,8 +69,8 @@ void put_bottleneck(Line& line, const Why& why) {
   }
   line.put(bottleneck.at_goal ? ": the robot cannot stand in the goal: its roomiest place is "
                               : ": every way to the goal is narrower than the robot: ");
-  put_place(put_metres(line, bottleneck.width).put(' '), why, bottleneck.at);
-  put_metres(line.put(", it needs "), bottleneck.needed);
+  put_place(put_length(line, bottleneck.width).put(' '), why, bottleneck.at);
+  put_length(line.put(", it needs "), bottleneck.needed);
 }
 
 void put_effort(Line& line, const Why& why) {
@@ -80,8 +78,8 @@ void put_effort(Line& line, const Why& why) {
   put_place(line.put(": the search tried most "), why, why.effort.at);
   line.put(", ").put(std::uint64_t{why.effort.tries}).put(" expansions");
   if (!(why.bottleneck.width > 0.0F)) return;
-  put_metres(line.put("; the widest way to the goal is "), why.bottleneck.width).put(" wide ");
-  put_metres(put_place(line, why, why.bottleneck.at).put(", the robot needs at least "), why.bottleneck.needed);
+  put_length(line.put("; the widest way to the goal is "), why.bottleneck.width).put(" wide ");
+  put_length(put_place(line, why, why.bottleneck.at).put(", the robot needs at least "), why.bottleneck.needed);
 }
 
 void add_place(JsonLine& line, const char* x, const char* y, const Why& why, Vec2 at) {
@@ -96,13 +94,13 @@ Why ask_why(Planner& planner, const Scene& scene) {
   why.origin_y = scene.header().origin_y;
   const Status status = planner.failure().status;
   if (status == Status::start_in_collision) why.contact = planner.contact();
-  if (!ended_unsolved(status)) return why;
+  if (exit_code(status) != kHonestNo) return why;
   why.bottleneck = planner.bottleneck();
   why.effort = planner.effort();
   return why;
 }
 
-bool explains(Status status) { return status == Status::start_in_collision || ended_unsolved(status); }
+bool explains(Status status) { return status == Status::start_in_collision || exit_code(status) == kHonestNo; }
 
 void put_why(Line& line, Status status, const Why& why) {
   if (status == Status::start_in_collision) {
@@ -120,7 +118,7 @@ void add_why(JsonLine& line, Status status, const Why& why) {
     line.add_decimal("contact_distance_m", why.contact.distance).add_decimal("contact_needed_m", why.contact.needed);
     add_place(line, "contact_x", "contact_y", why, why.contact.at);
   }
-  if (!ended_unsolved(status)) return;
+  if (exit_code(status) != kHonestNo) return;
   line.add_decimal("bottleneck_m", why.bottleneck.width).add_decimal("bottleneck_needed_m", why.bottleneck.needed);
   add_place(line, "bottleneck_x", "bottleneck_y", why, why.bottleneck.at);
   line.add("bottleneck_in_goal", std::uint64_t{why.bottleneck.at_goal ? 1U : 0U});

@@ -30,9 +30,7 @@ std::string goal_text(const SearchRequest& request) {
 
 }  // namespace
 
-std::string times(std::uint64_t count) {
-  return printed("%llu time%s", static_cast<unsigned long long>(count), count == 1 ? "" : "s");
-}
+std::string times(std::uint64_t count) { return counted(count, "time"); }
 
 void print_summary(const SearchResult& result, const SearchRequest& request, const Ground& ground, bool asks_heading,
                    const std::optional<Clearance>& clearance) {

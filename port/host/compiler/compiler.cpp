@@ -82,9 +82,7 @@ FreeSpace free_space(const Edges& solid, const GridBox& bounds) {
 Kept kept_around(const std::vector<Start>& starts, const Frame& frame, double reach) {
   Kept kept{{}, reach / kStep};
   for (const Start& start : starts) {
-    const Point p = frame.local(start.position);
-    const bool inside = p.x >= frame.bounds.min.x && p.x <= frame.bounds.max.x && p.y >= frame.bounds.min.y &&
-                        p.y <= frame.bounds.max.y;
+    const bool inside = within(frame.local(start.position), frame.bounds);
     if (inside && reach > 0) kept.places.push_back(frame.nearest(start.position));
   }
   return kept;

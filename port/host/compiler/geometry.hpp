@@ -27,6 +27,12 @@ struct GridBox {
   GridPoint max;
 };
 
+// Whether a point, GridPoint or Point in grid steps, lies in the box or on its border.
+template <class P>
+bool within(const P& p, const GridBox& b) {
+  return p.x >= b.min.x && p.x <= b.max.x && p.y >= b.min.y && p.y <= b.max.y;
+}
+
 // The smallest box that contains both.
 inline GridBox extended(const GridBox& box, GridPoint p) {
   return {{std::min(box.min.x, p.x), std::min(box.min.y, p.y)}, {std::max(box.max.x, p.x), std::max(box.max.y, p.y)}};

@@ -121,10 +121,6 @@ class Collector {
   }
 
  private:
-  static bool within(GridPoint p, const GridBox& b) {
-    return p.x >= b.min.x && p.x <= b.max.x && p.y >= b.min.y && p.y <= b.max.y;
-  }
-
   void warn_of_open(const Edge& edge, const std::string& label) {
     const Point from = frame_.world(edge.from), to = frame_.world(edge.to);
     warnings_.push_back(label + printed(" has a hole along its outline, from %.6g,%.6g to %.6g,%.6g: no wall is left "

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "host/run/scene_names.hpp"
+#include "host/workspace/printed.hpp"
 
 namespace krait::host {
 namespace {
@@ -120,9 +121,6 @@ std::vector<float> state_at(const Robot& robot, const krait::Scene& scene, const
   const std::vector<float> angles(start.angles.begin(), start.angles.end());
   if (!robot.rest(local_of(scene, start.position), static_cast<float>(start.heading), angles.data(),
                   static_cast<std::uint32_t>(angles.size()), state.data())) {
-    const auto counted = [](std::size_t count, const char* what) {
-      return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-    };
     throw InputError("start '" + start.name + "' gives " + counted(angles.size(), "trailer angle") +
                      ", the robot has " + counted(static_cast<std::size_t>(robot.body_count() - 1), "trailer"));
   }

@@ -184,7 +184,7 @@ std::vector<std::string> what_to_try(Status status, const Statistics& statistics
   if (status == Status::budget_used) lines.push_back("try more --iterations");
   if (status == Status::tree_full || statistics.recycled > 0) lines.push_back("try more --memory");
   if (statistics.plans_refused > 0) {
-    lines.push_back(std::to_string(statistics.plans_refused) + (statistics.plans_refused == 1 ? " way" : " ways") +
+    lines.push_back(counted(statistics.plans_refused, "way") +
                     " reached the goal but did not hold as driven: try a larger goal" +
                     (pushes_trailers(request.robot) ? ", or room to pull forward between pushing trailers back" : ""));
   }

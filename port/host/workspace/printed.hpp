@@ -20,6 +20,11 @@ std::string printed(const char* form, Values... values) {
   return text;
 }
 
+// "1 way", "2 ways".
+inline std::string counted(std::size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
 // A float as people write it: 0.8, not the nearest float's 0.800000011920929.
 inline double decimal(float value) {
   char text[32];
