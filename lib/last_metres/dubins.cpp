@@ -30,7 +30,7 @@ Vec2 circle_center(const Pose& pose, float radius, int turn) {
 }
 
 // Two turns and the straight line that touches both circles.
-bool turn_straight_turn(int first, int second, const Pose& from, const Pose& to, float radius, CurvedLine& line) {
+bool turn_straight_turn(int first, int second, const Pose& from, const Pose& to, float radius, DubinsPieces& pieces) {
   const Vec2 apart = circle_center(to, radius, second) - circle_center(from, radius, first);
   const float squared = dot(apart, apart);
   const float sideways = first == second ? 0.0F : 2.0F * radius;
@@ -40,14 +40,14 @@ bool turn_straight_turn(int first, int second, const Pose& from, const Pose& to,
   const float side = static_cast<float>(first) * sideways;
   const Vec2 along =
       same_circle ? direction(from.heading) : (1.0F / squared) * moved_left(straight * apart, side, apart);
-  line.add(first, radius * turn_between(direction(from.heading), along, first));
-  line.add(0, straight);
-  line.add(second, radius * turn_between(along, direction(to.heading), second));
+  pieces = {{first, 0, second},
+            {radius * turn_between(direction(from.heading), along, first), straight,
+             radius * turn_between(along, direction(to.heading), second)}};
   return true;
 }
 
 // Three turns; of the two circles that touch both others, the one that makes the middle turn the longer one.
-bool three_turns(int first, const Pose& from, const Pose& to, float radius, CurvedLine& line) {
+bool three_turns(int first, const Pose& from, const Pose& to, float radius, DubinsPieces& pieces) {
   const Vec2 begin = circle_center(from, radius, first);
   const Vec2 end = circle_center(to, radius, first);
   const Vec2 half = 0.5F * (end - begin);
@@ -59,9 +59,10 @@ bool three_turns(int first, const Pose& from, const Pose& to, float radius, Curv
   const auto side = static_cast<float>(first);
   const Vec2 into = side * left_of(middle - begin);  // directions where the circles touch
   const Vec2 out = side * left_of(end - middle);
-  line.add(first, radius * turn_between(direction(from.heading), into, first));
-  line.add(-first, radius * turn_between(into, -1.0F * out, -first));
-  line.add(first, radius * turn_between(-1.0F * out, direction(to.heading), first));
+  pieces = {
+      {first, -first, first},
+      {radius * turn_between(direction(from.heading), into, first), radius * turn_between(into, -1.0F * out, -first),
+       radius * turn_between(-1.0F * out, direction(to.heading), first)}};
   return true;
 }
 
@@ -99,22 +100,10 @@ float CurvedLine::curve_from(float arc) const {
   return curved / radius_;
 }
 
-bool dubins(int word, const Pose& from, const Pose& to, float radius, CurvedLine& line) {
-  line = CurvedLine(from, radius);
-  switch (word) {
-    case 0:
-      return turn_straight_turn(1, 1, from, to, radius, line);
-    case 1:
-      return turn_straight_turn(-1, -1, from, to, radius, line);
-    case 2:
-      return turn_straight_turn(1, -1, from, to, radius, line);
-    case 3:
-      return turn_straight_turn(-1, 1, from, to, radius, line);
-    case 4:
-      return three_turns(1, from, to, radius, line);
-    default:
-      return three_turns(-1, from, to, radius, line);
-  }
+bool dubins(int word, const Pose& from, const Pose& to, float radius, DubinsPieces& pieces) {
+  const int first = word % 2 == 0 ? 1 : -1;
+  if (word >= 4) return three_turns(first, from, to, radius, pieces);
+  return turn_straight_turn(first, word < 2 ? first : -first, from, to, radius, pieces);
 }
 
 }  // namespace krait::detail

@@ -7,6 +7,20 @@
 
 namespace krait::detail {
 
+// The pieces of a word's line: to which side each turns, as CurvedLine::add has it, and its metres.
+struct DubinsPieces {
+  int turns[3];
+  float lengths[3];
+
+  float length() const { return lengths[0] + lengths[1] + lengths[2]; }
+};
+
+inline constexpr int kDubinsWords = 6;  // LSL, RSR, LSR, RSL, LRL, RLR
+
+// Finds the pieces of the word's line from one pose to another, all turns of `radius` metres, above 0. False where the
+// word has none: the poses are too near to each other, or for the last two words too far apart.
+bool dubins(int word, const Pose& from, const Pose& to, float radius, DubinsPieces& pieces);
+
 // A line of arcs and straight pieces, each of which begins where the one before it ends, in its direction but for turns
 // on the spot between them.
 class CurvedLine {
@@ -19,6 +33,9 @@ class CurvedLine {
 
   // Adds a piece of `length` metres, at least 0, that turns left (1), right (-1) or not (0). Not to kMostPieces.
   void add(int turn, float length);
+  void add(const DubinsPieces& pieces) {
+    for (int i = 0; i < 3; ++i) add(pieces.turns[i], pieces.lengths[i]);
+  }
 
   // Turns the line's end on the spot, the shorter way around.
   void face(SinCos heading);
@@ -45,11 +62,5 @@ class CurvedLine {
   float length_ = 0.0F;
   float turned_ = 0.0F;
 };
-
-inline constexpr int kDubinsWords = 6;  // LSL, RSR, LSR, RSL, LRL, RLR
-
-// Makes `line` the word's line from one pose to another, all turns of `radius` metres, above 0. False where the word
-// has none: the poses are too near to each other, or for the last two words too far apart.
-bool dubins(int word, const Pose& from, const Pose& to, float radius, CurvedLine& line);
 
 }  // namespace krait::detail

@@ -161,17 +161,17 @@ PullOuts::Body LastMetres::body_that_pulls_out(float short_cost) const {
 // Keeps the shot if it is among the shortest.
 void LastMetres::consider(const Pose* poses, Shot& shot) {
   const Pose& from = poses[leader(shot)];
+  const bool full = shot_count_ == kMostShots;
+  const float far = kDetour * length(goal_.center() - from.position) + kDetourLengths * robot_.length;
+  const float most = full ? std::min(far, shots_[kMostShots - 1].length) : far;
   CurvedLine line;
-  if (!draw(from, shot, line)) return;
+  if (!draw(from, shot, most, line)) return;
   shot.length = line.length() + kLeastRadius * robot_.length * line.turned();
   if (on_the_spot(shot) && spin_.slack(before_end(shot, shot.lead).position) < 0.0F) {
     shot.length += kTight * robot_.length;
   }
-  const float most = kDetour * length(goal_.center() - from.position) + kDetourLengths * robot_.length;
-  if (shot.length > most) return;
+  if (!(shot.length < most)) return;
   if (robot_.docking != nullptr && !robot_.docking->allows(*this, poses, shot, line)) return;
-  const bool full = shot_count_ == kMostShots;
-  if (full && shot.length >= shots_[kMostShots - 1].length) return;
   if (!looks_free(line)) return;
   std::uint32_t at = full ? kMostShots - 1 : shot_count_++;
   for (; at > 0 && shots_[at - 1].length > shot.length; --at) shots_[at] = shots_[at - 1];
@@ -183,32 +183,41 @@ Pose LastMetres::before_end(const Shot& shot, float lead) {
   return {shot.end.position - lead * direction(ahead), ahead};
 }
 
-bool LastMetres::draw(const Pose& from, const Shot& shot, CurvedLine& line) const {
+bool LastMetres::draw(const Pose& from, const Shot& shot, float most, CurvedLine& line) const {
   const int last_turn = swing(shot);
   const Pose to = before_end(shot, last_turn == 0 ? shot.lead : 0.0F);
   const Pose begin{from.position, shot.backward ? opposite(from.heading) : from.heading};
-  if (on_the_spot(shot)) {
+  const bool spins = on_the_spot(shot);
+  line = CurvedLine(begin, spins ? 1.0F : radii_[shot.radius]);
+  if (spins) {
     if (shot.word != 0) return false;
-    line = CurvedLine(begin, 1.0F);
     line.face(heading_of(to.position - begin.position, near_, to.heading));
     line.add(0, length(to.position - begin.position));
     line.face(to.heading);
-  } else if (!dubins(shot.word, begin, to, radii_[shot.radius], line)) {
-    return false;
+  } else {
+    DubinsPieces pieces;
+    if (!dubins(shot.word, begin, to, radii_[shot.radius], pieces) || pieces.length() + shot.lead > most) return false;
+    line.add(pieces);
   }
   line.add(last_turn, shot.lead);
   return true;
 }
 
+// Places within the slack of one that was looked at are not looked at.
 bool LastMetres::looks_free(const CurvedLine& line) const {
   const float whole = line.length();
   const float wanted = kSightStep * robot_.length;
   const float least = whole / static_cast<float>(kMostLooks);
+  float free_from = kInfinity;
   const float step = std::max(least, wanted);
   float arc = whole;
   for (int look = 0; look < kMostLooks; ++look) {
     if (arc <= 0.0F) return true;
-    if (sight_.slack(line.at(arc).position) < 0.0F) return false;
+    if (arc < free_from) {
+      const float room = sight_.slack(line.at(arc).position);
+      if (room < 0.0F) return false;
+      free_from = arc - room;
+    }
     arc = arc - step;
   }
   return true;
@@ -227,7 +236,7 @@ bool LastMetres::next(const Pose* poses) {
   turning_ = false;
   straight_ = on_the_spot(shot);
   lead_ = straight_ ? shot.lead : 0.0F;
-  return draw(poses[leader(shot)], shot, line_);
+  return draw(poses[leader(shot)], shot, kInfinity, line_);
 }
 
 bool LastMetres::aim(const Moment& now, Target& target) {

@@ -138,7 +138,8 @@ class LastMetres {
 
   PullOuts::Body body_that_pulls_out(float short_cost) const;
 
-  bool draw(const Pose& from, const Shot& shot, CurvedLine& line) const;
+  // Draws the shot's line. False where it has none, or one with arcs that is longer than `most` metres.
+  bool draw(const Pose& from, const Shot& shot, float most, CurvedLine& line) const;
   void consider_leads(const Pose* poses, int first, int last);
   void consider_words(const Pose* poses, Shot& shot);
 

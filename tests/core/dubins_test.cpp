@@ -74,6 +74,15 @@ Pose pose(const Place& place) {
 
 double apart(const Pose& a, const Pose& b) { return static_cast<double>(length(a.position - b.position)); }
 
+// Draws the word's line; false where it has none.
+bool dubins_line(int word, const Pose& from, const Pose& to, float radius, detail::CurvedLine& line) {
+  detail::DubinsPieces pieces;
+  if (!detail::dubins(word, from, to, radius, pieces)) return false;
+  line = detail::CurvedLine(from, radius);
+  line.add(pieces);
+  return true;
+}
+
 class Dubins : public ::testing::Test {
  protected:
   Place place() {
@@ -91,7 +100,7 @@ TEST_F(Dubins, LengthsAreThoseOfTheFormulas) {
     const float radius = uniform_float(random_, 0.3F, 3);
     for (int word = 0; word < detail::kDubinsWords; ++word) {
       detail::CurvedLine line;
-      const bool found = detail::dubins(word, pose(from), pose(to), radius, line);
+      const bool found = dubins_line(word, pose(from), pose(to), radius, line);
       const auto expected = reference_length(word, from, to, static_cast<double>(radius));
       if (!expected || !found) continue;
       // Where a turn is none but for rounding, one of them may make a whole circle of it.
@@ -110,7 +119,7 @@ TEST_F(Dubins, WhatALineCurvesFromAPlaceOnIsThatOfItsTurns) {
     const float radius = uniform_float(random_, 0.3F, 3);
     for (int word = 0; word < detail::kDubinsWords; ++word) {
       detail::CurvedLine line;
-      if (!detail::dubins(word, pose(from), pose(to), radius, line)) continue;
+      if (!dubins_line(word, pose(from), pose(to), radius, line)) continue;
       constexpr int kParts = 1000;
       const float step = line.length() / kParts;
       double curve = 0;
@@ -130,7 +139,7 @@ TEST_F(Dubins, OneFindsAWordWhereTheOtherDoes) {
     const Place from = place(), to = place();
     for (int word = 0; word < detail::kDubinsWords; ++word) {
       detail::CurvedLine line;
-      const bool found = detail::dubins(word, pose(from), pose(to), 1, line);
+      const bool found = dubins_line(word, pose(from), pose(to), 1, line);
       found_some += found ? 1 : 0;
       differ += found != reference_length(word, from, to, 1).has_value() ? 1 : 0;
     }
@@ -145,7 +154,7 @@ TEST_F(Dubins, LinesEndAtThePoseAndBendAsMuchAsTheRadiusAllows) {
     const float radius = uniform_float(random_, 0.3F, 3);
     for (int word = 0; word < detail::kDubinsWords; ++word) {
       detail::CurvedLine line;
-      if (!detail::dubins(word, from, to, radius, line)) continue;
+      if (!dubins_line(word, from, to, radius, line)) continue;
       ASSERT_LT(apart(line.at(0), from), 1e-4);
       ASSERT_LT(apart(line.at(line.length()), to), 5e-3) << "word " << word;
       ASSERT_LT(angle_between(line.at(line.length()).heading, to.heading), 5e-3F) << "word " << word;
@@ -167,7 +176,7 @@ TEST_F(Dubins, TheShortestWordIsNoShorterThanTheLineBetweenThePoses) {
     float least = kInfinity;
     for (int word = 0; word < detail::kDubinsWords; ++word) {
       detail::CurvedLine line;
-      if (detail::dubins(word, from, to, 1, line) && line.length() < least) least = line.length();
+      if (dubins_line(word, from, to, 1, line) && line.length() < least) least = line.length();
     }
     ASSERT_LT(least, kInfinity) << "two poses are always joined";
     ASSERT_GE(static_cast<double>(least), apart(from, to) - 1e-4);
