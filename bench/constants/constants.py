@@ -68,12 +68,12 @@ CONSTANTS = {
     "straight": {"lib/last_metres/last_metres.cpp": {"kHitchLeads": ()}},
     "improve": {
         "lib/improve/improver.hpp": {
-            "kHold": (), "kAgain": (), "kTries": (), "kMostTries": (), "kStraightOn": (0.95, 1.0095),
+            "kHold": (), "kAgain": (), "kTries": (), "kMostTries": (), "kReturns": (), "kStraightOn": (0.95, 1.0095),
             "kPast": (), "kAhead": (), "kAskew": (), "kPatience": (), "kNearer": (), "kAsNear": (), "kTakenAsNear": (),
             "kRounded": (0.5, 1.5), "kRunUp": (), "kTurning": (), "kMeasured": (),
             "kSearchAhead": (), "kSpacing": (), "kLeastDisc": (0.9, 1.3), "kMoreDisc": (), "kPullStep": (),
             "kBeforeFailure": (), "kAroundFailure": (), "kNearFailure": (), "kSpread": (), "kFar": ()},
-        "lib/improve/taut_line.hpp": {"kPasses": ()},
+        "lib/improve/taut_line.hpp": {"kPasses": (), "kNarrower": ()},
         "lib/improve/way_drive.hpp": {
             "kMostStuck": (), "kFurther": (), "kLeastShare": (0.94, 1.03)},
         "lib/improve/corners.hpp": {"kShare": (0.5, 0.75)},

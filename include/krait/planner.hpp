@@ -229,7 +229,7 @@ class Planner {
   friend const detail::AdaptiveSearch& detail::opened(const Planner& planner);
 
   // The size of a detail::AdaptiveSearch, whose arrays are all in the block.
-  static constexpr std::size_t kSearchBytes = sizeof(void*) == 8 ? 6200 : 5600;
+  static constexpr std::size_t kSearchBytes = sizeof(void*) == 8 ? 6216 : 5608;
 
   alignas(std::uint64_t) std::byte search_[kSearchBytes];
 };

@@ -18,6 +18,14 @@ class Sight {
     return sight;
   }
 
+  // The same for discs of `radius` metres, at least 0.
+  Sight of_radius(float radius) const {
+    Sight sight = *this;
+    sight.radius_ = radius;
+    return sight;
+  }
+  float radius() const { return radius_; }
+
   // Metres that the disc around a point may move in any direction and is free all the way: by the clearance grid, and 0
   // where that does not suffice and the pieces nearby leave the disc free. Negative where the disc meets a piece, is
   // not within the bounds, or the point is not finite. Worst case: every edge of the pieces in the buckets that the

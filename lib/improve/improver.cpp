@@ -51,6 +51,7 @@ void Improver::begin(const WayTools& tools, PlanProof& proof, const Regions& reg
   if (tools.last_metres != nullptr) tools.last_metres->brake(kBraking);
   half_width_ = inner_radius(tools.robot.body(0), middle(tools.robot.body(0)));
   stride_ = 0.0F;
+  stopping_ = 0.0F;
   share_ = 0;
   round_ = 0;
   shortest_ = kInfinity;
@@ -137,6 +138,7 @@ void Improver::measure_turn() {
     tools_.robot.place(tools_.drive->state(), pose);
     const float made = length(pose[0].position - before.position);
     if (made > stride_) stride_ = made;
+    stopping_ = std::max(stopping_, math::absolute(tools_.robot.stopping_way(tools_.drive->state())));
     if (step < kRunUp + kTurning - kMeasured) continue;
     path += made;
     turned += length(Vec2{pose[0].heading.cos - before.heading.cos, pose[0].heading.sin - before.heading.sin});
@@ -276,8 +278,9 @@ void Improver::trace() {
 }
 
 void Improver::begin_pull() {
-  const float radius = half_width_ * (kLeastDisc + kMoreDisc * random_.unit());
-  line_.pull(Sight::in(*tools_.scene, radius, kPullStep * half_width_));
+  const float least = kLeastDisc * half_width_;
+  const float widest = least + kMoreDisc * half_width_ * random_.unit();
+  line_.pull(Sight::in(*tools_.scene, widest, kPullStep * half_width_), least);
   stage_ = Stage::pulling;
 }
 
@@ -372,6 +375,7 @@ void Improver::begin_search() {
   stage_ = Stage::driving;
   repairing_ = false;
   corner_ = 0;
+  returns_ = kReturns;
   next_corner();
 }
 
@@ -396,7 +400,7 @@ void Improver::next_corner() {
   ++corner_;
   tries_ = 0;
   least_steps_ = kInfinity;
-  from_leg_ = current().count() > kept_ ? current().count() - 1 : kept_;
+  from_leg_ = leg_at_end_of_corner(corner_ - 1);
   changed().copy(route());
   drive_corner();
 }
@@ -408,13 +412,22 @@ bool Improver::turns() {
   return !(dot(in, out) > kStraightOn * (length(in) * length(out)));
 }
 
+float Improver::end_of_corner(const Route& route, std::uint32_t corner) const {
+  if (corner == 0) return 0.0F;
+  const float at = route[corner].arc;
+  return at + std::min(kPast * turns_.unit + trailing_, 0.5F * (route[corner + 1].arc - at));
+}
+
+std::uint32_t Improver::leg_at_end_of_corner(std::uint32_t corner) {
+  const float end = end_of_corner(route(), corner);
+  std::uint32_t leg = kept_;
+  while (leg + 1 < current().count() && current()[leg + 1].arc < end) ++leg;
+  return leg;
+}
+
 void Improver::drive_corner() {
-  float until = kInfinity;
-  if (corner_ + 1 < changed().count()) {
-    const float at = changed()[corner_].arc;
-    until = at + std::min(kPast * turns_.unit + trailing_, 0.5F * (changed()[corner_ + 1].arc - at));
-  }
-  begin_drive(from_leg_, until);
+  const bool last = corner_ + 1 == changed().count();
+  begin_drive(from_leg_, last ? kInfinity : end_of_corner(changed(), corner_) + stopping_);
 }
 
 void Improver::learn_corner(Outcome outcome) {
@@ -424,8 +437,18 @@ void Improver::learn_corner(Outcome outcome) {
   const std::uint32_t enough = best_route_.count() > 0 && turns() ? kTries : 1;
   if (tries_ < (passed ? enough : kMostTries)) return try_corner();
   if (passed) return next_corner();
-  if (outcome == Outcome::blocked) return begin_repair();
-  begin_round();
+  if (outcome != Outcome::blocked) return begin_round();
+  if (corner_ > 1 && returns_ > 0) return return_to_corner_before();
+  begin_repair();
+}
+
+void Improver::return_to_corner_before() {
+  --returns_;
+  --corner_;
+  tries_ = kTries - 1;
+  least_steps_ = kInfinity;
+  from_leg_ = leg_at_end_of_corner(corner_ - 1);
+  try_corner();
 }
 
 void Improver::begin_repair() {

@@ -2,13 +2,14 @@
 // Looks for ways of fewer steps than a plan has. In rounds: a line to the goal, along the shortest path of regions or
 // along the plan, is pulled taut, and its corners are rounded by what the robot can turn; or the route of the best way
 // so far is taken up. It is driven corner by corner: once there is a better way, each is passed some times, with random
-// changes, and the quickest time is kept. Where none gets past a corner, the route is changed around the place of the
-// failure. What is better than the plan is driven once more and proven as the plan was, and only then takes its place.
-// Where trailers must be straight at the goal and the plan does not back in, corners are moved outward for them, most
-// shots are tighter, and a line of the regions that is much shorter than the plan is taken in most rounds.
-// Where no line from the start leads to a better way but backwards, as where the robot must leave its start by a
-// manoeuvre, lines begin behind some first legs of the plan, which are kept, and before each line the planner restarts
-// its search. A long chain seldom gets along a line at all: in most of its rounds the search is restarted.
+// changes, and the quickest time is kept. Where none gets past a corner, the one before it is passed in another way,
+// and where that does not help the route is changed around the place of the failure. What is better than the plan is
+// driven once more and proven as the plan was, and only then takes its place. Where trailers must be straight at the
+// goal and the plan does not back in, corners are moved outward for them, most shots are tighter, and a line of the
+// regions that is much shorter than the plan is taken in most rounds. Where no line from the start leads to a better
+// way but backwards, as where the robot must leave its start by a manoeuvre, lines begin behind some first legs of the
+// plan, which are kept, and before each line the planner restarts its search. A long chain seldom gets along a line at
+// all: in most of its rounds the search is restarted.
 #pragma once
 
 #include "decomposition/locate.hpp"
@@ -73,6 +74,7 @@ class Improver {
   static constexpr float kKeep = 0.5F;             // share of the lines after those that begin behind kept legs
   static constexpr std::uint32_t kTries = 6;       // drives past a corner, once there is a best way
   static constexpr std::uint32_t kMostTries = 12;  // drives past a corner that none gets past, at most
+  static constexpr std::uint32_t kReturns = 4;     // to the corner before one that none gets past, in a round
   static constexpr float kStraightOn = 0.99F;      // cosine of a turn: above it a via is no corner and is passed once
   // Units, beside the trailers' length: how far past a corner its drives end, at most half way to the next via.
   static constexpr float kPast = 0.7F;
@@ -207,7 +209,14 @@ class Improver {
   // Whether the route turns at the corner, or is at one of its ends.
   bool turns();
 
-  // Drives the changed route past the corner, or to its end after the last one.
+  // Metres along a measured route: where the drives to the via after that corner begin, 0 for the first via.
+  float end_of_corner(const Route& route, std::uint32_t corner) const;
+
+  // The last leg of the current way that begins before there.
+  std::uint32_t leg_at_end_of_corner(std::uint32_t corner);
+
+  // Drives the changed route past the corner, and on by the way in which the robot can stop, or to its end after the
+  // last one.
   void drive_corner();
 
   // Learns from a drive that has not reached the goal.
@@ -218,6 +227,9 @@ class Improver {
 
   // Steps that the driven way would take to the goal at best.
   float least_steps();
+
+  // Goes back to the corner before one that none gets past, and drives past that with random changes until one does.
+  void return_to_corner_before();
 
   // Drives past the corner with a random change at it.
   void try_corner();
@@ -269,6 +281,7 @@ class Improver {
   float half_width_ = 0.0F;
   float trailing_ = 0.0F;  // metres: of one trailer that cuts corners as all do
   float stride_ = 0.0F;    // metres: the longest step that the robot made
+  float stopping_ = 0.0F;  // metres: the longest way in which it would have stopped
   float sharpest_ = 0.0F;  // radians of a step of the sharpest turn
   Turns turns_{};
   std::uint32_t share_ = 0;     // of the turns, that is measured next
@@ -289,6 +302,7 @@ class Improver {
   std::uint32_t kept_;       // legs of the plan that the round's ways begin with
   float gear_;               // 1, or -1 where the route after them is driven backwards
   std::uint32_t corner_;     // the via that is passed,
+  std::uint32_t returns_;    // that remain,
   std::uint32_t tries_;      // how often it was driven to,
   std::uint32_t from_leg_;   // from which leg on,
   float least_steps_;        // and the least steps that a way past it promises

@@ -29,8 +29,9 @@ void TautLine::end(Vec2 point) {
   lines_[here_][replaces ? count_ - 1 : count_++] = point;
 }
 
-void TautLine::pull(const Sight& sight) {
-  sight_ = sight;
+void TautLine::pull(const Sight& widest, float least) {
+  widest_ = widest;
+  least_ = least;
   pass_ = 0;
   begin_pass();
 }
@@ -44,7 +45,7 @@ void TautLine::begin_pass() {
 
 bool TautLine::step() {
   if (at_ > 0) {
-    at_ = farthest_in_sight();
+    at_ = farthest_in(widest_that_goes_on());
     lines_[1 - here_][pulled_++] = lines_[here_][at_];
     return true;
   }
@@ -56,10 +57,23 @@ bool TautLine::step() {
   return true;
 }
 
-// Doubles the distance until a vertex is hidden, then halves the interval between the two.
-std::uint32_t TautLine::farthest_in_sight() const {
+// Between the widest disc and the least there are others, whose radii are as far apart.
+Sight TautLine::widest_that_goes_on() const {
   const Vec2* const line = lines_[here_];
-  const auto sees = [&](std::uint32_t i) { return sight_.line_free(line[at_], line[i]); };
+  const float more = (widest_.radius() - least_) / static_cast<float>(kNarrower);
+  const Vec2 next = line[at_ - 1];
+  Sight sight = widest_;
+  for (int k = kNarrower - 1; k >= 0; --k) {
+    if (!(sight.slack(next) < 0.0F) && sight.line_free(line[at_], next)) break;
+    sight = widest_.of_radius(least_ + static_cast<float>(k) * more);
+  }
+  return sight;
+}
+
+// Doubles the distance until a vertex is hidden, then halves the interval between the two.
+std::uint32_t TautLine::farthest_in(const Sight& sight) const {
+  const Vec2* const line = lines_[here_];
+  const auto sees = [&](std::uint32_t i) { return sight.line_free(line[at_], line[i]); };
   std::uint32_t seen = at_ - 1;
   std::uint32_t hidden = 0;
   bool all = true;

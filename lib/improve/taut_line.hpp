@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pulls a line taut: from one of its points it goes straight to the farthest that a disc can go to, again and again,
-// and to and fro. Its corners remain. This is string pulling by lines of sight, not the funnel algorithm: the way need
-// not lead through a row of triangles.
+// and to and fro. Its corners remain. Where the disc is too wide for the line as it is, a narrower one goes on. This is
+// string pulling by lines of sight, not the funnel algorithm: the way need not lead through a row of triangles.
 #pragma once
 
 #include "base/arena.hpp"
@@ -21,8 +21,9 @@ class TautLine {
   // Ends the line with this point exactly.
   void end(Vec2 point);
 
-  // Begins to pull the line, of one point at least, for a disc that `sight` looks for.
-  void pull(const Sight& sight);
+  // Begins to pull the line, of one point at least, for the disc that `widest` looks for, and where that cannot go to
+  // the line's next point for narrower ones of `least` metres or more.
+  void pull(const Sight& widest, float least);
   // Continues by one stretch, which is O(log points) lines of sight, or by a new pass, O(points). False when the line
   // is taut.
   bool step();
@@ -33,10 +34,12 @@ class TautLine {
  private:
   // An even number: the line ends in its own direction. Measured: bench/ABLATIONS.md, "Constants".
   static constexpr int kPasses = 4;
+  static constexpr int kNarrower = 2;  // discs that are narrower than the widest; measured, too
 
   void begin_pass();
   void refine();
-  std::uint32_t farthest_in_sight() const;
+  Sight widest_that_goes_on() const;
+  std::uint32_t farthest_in(const Sight& sight) const;
 
   Vec2* lines_[2] = {};
   std::uint32_t capacity_ = 0;
@@ -46,7 +49,8 @@ class TautLine {
   std::uint32_t at_ = 0;      // the line's point that the pass has come to; 0 when it is over
   int pass_ = 0;
   float spacing_ = 1.0F;
-  Sight sight_;
+  Sight widest_;
+  float least_ = 0.0F;  // metres: the least disc's radius
 };
 
 }  // namespace krait::detail

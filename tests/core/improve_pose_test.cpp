@@ -102,10 +102,10 @@ Room kink() {
 }
 
 // First plans lead around the outside: behind the kink the trailer can be straightened on tight arcs only. With as many
-// checks as 40 times the first plans took these come to 0.635 of their steps, and to 0.727 where the line through the
+// checks as 80 times the first plans took these come to 0.599 of their steps, and to 0.628 where the line through the
 // kink is taken no more often for being much shorter.
 TEST(ImprovePose, ATruckTakesTheShorterWayThroughAKink) {
-  constexpr int kSearches = 8;
+  constexpr int kSearches = 32;
   double first = 0;
   double better = 0;
   for (std::uint64_t seed = kSeed; seed < kSeed + kSearches; ++seed) {
@@ -117,10 +117,34 @@ TEST(ImprovePose, ATruckTakesTheShorterWayThroughAKink) {
     const Goal goal = Goal::pose({6.5F, 4}, kNear, {0.5F * kPi, kNear, false, kNear});
     ASSERT_EQ(bench.solve({start.data(), goal, seed}), Status::solved);
     first += bench.planner.plan().steps();
-    improve_by_checks(bench.planner, 40);
+    improve_by_checks(bench.planner, 80);
     better += bench.planner.plan().steps();
   }
-  EXPECT_LE(better / first, 0.68);
+  EXPECT_LE(better / first, 0.615);
+}
+
+// With as many checks as 60 times the first plans took these come to 0.516 of their steps: to 0.537 where lines are
+// pulled for discs that do not fit into the kink, to 0.544 where drives past a corner do not look ahead, and to 0.534
+// where none returns to the corner before one that it does not get past.
+TEST(ImprovePose, ARobotThatIsSlowToStopGetsThroughAKink) {
+  constexpr int kSearches = 32;
+  Unicycle2Parameters p = sluggish();
+  p.body_width = 0.25F;
+  double first = 0;
+  double better = 0;
+  for (std::uint64_t seed = kSeed; seed < kSeed + kSearches; ++seed) {
+    Bench<Unicycle2> bench(kink(), Unicycle2(p));
+    bench.limits.way_legs = kManyLegs;
+    ASSERT_TRUE(bench.init().ok());
+    std::vector<float> start(static_cast<std::size_t>(bench.robot.state_size()));
+    bench.robot.rest({1.5F, 4}, 0.5F * kPi, start.data());
+    const Goal goal = Goal::pose({6.5F, 4}, kNear, {0.5F * kPi, kNear, false, kInfinity});
+    ASSERT_EQ(bench.solve({start.data(), goal, seed}), Status::solved);
+    first += bench.planner.plan().steps();
+    improve_by_checks(bench.planner, 60);
+    better += bench.planner.plan().steps();
+  }
+  EXPECT_LE(better / first, 0.525);
 }
 
 // A goal to the side of a machine that turns slowly: shots that turn much are slow. By collision

@@ -143,6 +143,23 @@ TEST(ImproveCalls, TheNextStartForgetsThem) {
   }
 }
 
+// From rest it does not come to its top speed while its turns are measured.
+TEST(ImproveCalls, TheNextStartForgetsHowFastTheRobotWas) {
+  Unicycle2Parameters p;
+  p.max_acceleration = 0.1F;
+  const Unicycle2 robot(p);
+  Solved<Unicycle2> used(robot, 1, 256);
+  Solved<Unicycle2> fresh(robot, 1, 256);
+  std::vector<float> moving = used.start;
+  moving[3] = 0.5F;
+  ASSERT_EQ(used.solve({moving.data(), Goal::named(0), 1}), Status::solved);
+  ASSERT_EQ(used.planner.improve(1500), Status::solved);
+  ASSERT_EQ(used.solve({used.start.data(), Goal::named(0), 1}), Status::solved);
+  ASSERT_EQ(used.planner.improve(1500), Status::solved);
+  ASSERT_EQ(fresh.planner.improve(1500), Status::solved);
+  EXPECT_TRUE(same(used.planner.statistics(), fresh.planner.statistics()));
+}
+
 template <class R>
 void expect_sound(const R& robot) {
   for (const std::uint64_t seed : {1U, 2U}) {

@@ -20,16 +20,16 @@ Room wall() {
 }
 
 struct Given {
-  OpenScene open{wall()};
+  OpenScene open;
   std::vector<std::uint64_t> block = std::vector<std::uint64_t>(2000);
   detail::TautLine line;
 
-  explicit Given(std::uint32_t points) {
+  explicit Given(std::uint32_t points, const Room& room = wall()) : open(room) {
     detail::Arena arena(block.data(), block.size() * 8);
     line.allocate(arena, points);
   }
-  void pull() {
-    line.pull(detail::Sight::in(open.scene, kRadius, 0.1F));
+  void pull(float widest = kRadius) {
+    line.pull(detail::Sight::in(open.scene, widest, 0.1F), kRadius);
     while (line.step()) {
     }
   }
@@ -80,6 +80,27 @@ TEST(TautLine, ALineInTheOpenIsStraight) {
   ASSERT_EQ(given.line.count(), 2U);
   EXPECT_EQ(given.line[0].x, 1.0F);
   EXPECT_EQ(given.line[1].x, 5.0F);
+}
+
+// A staircase through a corridor of 0.8 m, and in the open behind it.
+TEST(TautLine, IsPulledForANarrowerDiscOnlyWhereAWideOneDoesNotFit) {
+  Room room;
+  room.bounds = {0, 0, 12, 8};
+  room.boxes = {{2, 0, 6, 3.6}, {2, 4.4, 6, 8}, {8, 0, 9, 5}};
+  Given given(256, room);
+  given.line.clear(0.1F);
+  for (int i = 0; i < 60; ++i) given.line.add({1.0F + 0.1F * static_cast<float>(i), i % 2 == 0 ? 4.02F : 3.98F});
+  for (int i = 0; i < 40; ++i) given.line.add({7.0F + 0.1F * static_cast<float>(i), 6.5F});
+  given.line.end({11, 4});
+  constexpr float kWidest = 0.9F;
+  given.pull(kWidest);
+  const detail::TautLine& line = given.line;
+  EXPECT_LE(line.count(), 8U);
+  for (std::uint32_t i = 1; i < line.count(); ++i) {
+    const bool behind = line[i - 1].x > 6.5F;
+    const auto sight = detail::Sight::in(given.open.scene, 0.9F * (behind ? kWidest : kRadius), 0.05F);
+    EXPECT_TRUE(sight.line_free(line[i - 1], line[i])) << i;
+  }
 }
 
 TEST(TautLine, ThinsOutWhereItIsFull) {
