@@ -396,11 +396,15 @@ void Improver::drive() {
   repair();
 }
 
-void Improver::next_corner() {
-  ++corner_;
-  tries_ = 0;
+void Improver::begin_corner(std::uint32_t corner, std::uint32_t tries) {
+  corner_ = corner;
+  tries_ = tries;
   least_steps_ = kInfinity;
-  from_leg_ = leg_at_end_of_corner(corner_ - 1);
+  from_leg_ = leg_at_end_of_corner(corner - 1);
+}
+
+void Improver::next_corner() {
+  begin_corner(corner_ + 1, 0);
   changed().copy(route());
   drive_corner();
 }
@@ -444,10 +448,7 @@ void Improver::learn_corner(Outcome outcome) {
 
 void Improver::return_to_corner_before() {
   --returns_;
-  --corner_;
-  tries_ = kTries - 1;
-  least_steps_ = kInfinity;
-  from_leg_ = leg_at_end_of_corner(corner_ - 1);
+  begin_corner(corner_ - 1, kTries - 1);
   try_corner();
 }
 

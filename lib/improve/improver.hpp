@@ -203,6 +203,9 @@ class Improver {
 
   void drive();
 
+  // Goes to a corner of the route, 1 or more, as if it had been driven past `tries` times in vain.
+  void begin_corner(std::uint32_t corner, std::uint32_t tries);
+
   // Goes on to the next corner of the route.
   void next_corner();
 

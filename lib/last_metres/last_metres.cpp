@@ -208,9 +208,9 @@ bool LastMetres::looks_free(const CurvedLine& line) const {
   const float whole = line.length();
   const float wanted = kSightStep * robot_.length;
   const float least = whole / static_cast<float>(kMostLooks);
-  float free_from = kInfinity;
   const float step = std::max(least, wanted);
   float arc = whole;
+  float free_from = kInfinity;
   for (int look = 0; look < kMostLooks; ++look) {
     if (arc <= 0.0F) return true;
     if (arc < free_from) {
