@@ -15,14 +15,15 @@ namespace krait::host {
 namespace {
 
 constexpr std::size_t kMostCells = 10'000;
+constexpr std::size_t kMostBodies = 3;
 constexpr double kRounding = 2e-4;   // metres: by how much float may misplace a body in a check
 constexpr double kLeastArea = 1e-6;  // square metres, twice: what a body smaller than that meets says nothing
 constexpr double kDiagonal = std::numbers::sqrt2;
 
-// Of body 0 alone, which needs no trailers.
-RobotSpec lead_of(RobotSpec robot) {
-  robot.links = 0;
-  robot.bodies.resize(1);
+// Without its last trailers.
+RobotSpec with_bodies(RobotSpec robot, std::size_t count) {
+  robot.links = static_cast<int>(count) - 1;
+  robot.bodies.resize(count);
   return robot;
 }
 
@@ -39,25 +40,30 @@ double lever_of(const Ring& body) {
   return lever;
 }
 
-// A robot and its collision check, which points to it.
-class Body {
+// A robot at rest, and its collision check, which points to it.
+class Standing {
  public:
-  Body(const RobotSpec& lead, const krait::Scene& scene, const Parameters& parameters)
-      : core_(lead),
+  Standing(const RobotSpec& robot, const krait::Scene& scene, const Parameters& parameters)
+      : core_(robot),
         check_(core_.view(), scene, parameters),
+        angles_(static_cast<std::size_t>(robot.links)),
         state_(static_cast<std::size_t>(core_.view().state_size())) {}
-  Body(const Body&) = delete;
-  Body& operator=(const Body&) = delete;
+  Standing(const Standing&) = delete;
+  Standing& operator=(const Standing&) = delete;
 
-  Contact contact(Vec2 place, double heading) {
-    (void)core_.view().rest(place, static_cast<float>(heading), nullptr, 0, state_.data());
+  // Trailers beyond those of the robot do not count.
+  Contact contact(Vec2 place, double heading, const std::vector<double>& bends) {
+    double behind = heading;
+    for (std::size_t i = 0; i < angles_.size(); ++i) angles_[i] = static_cast<float>(behind += bends[i]);
+    const auto trailers = static_cast<std::uint32_t>(angles_.size());
+    (void)core_.view().rest(place, static_cast<float>(heading), angles_.data(), trailers, state_.data());
     return check_.contact(state_.data());
   }
-  bool meets(Vec2 place, double heading) { return contact(place, heading).kind != ContactKind::none; }
 
  private:
   CoreRobot core_;
   OwnCheck check_;
+  std::vector<float> angles_;
   std::vector<float> state_;
 };
 
@@ -65,20 +71,26 @@ class Body {
 struct Cell {
   Vec2 place;
   double heading;
+  std::vector<double> bends;  // of the hitches
 };
 
 class Bisection {
  public:
-  Bisection(const krait::Scene& scene, const SearchRequest& request, double by)
-      : scene_(scene), request_(request), goal_(resolve_goal(scene, request)), lead_(lead_of(request.robot)) {
-    if (by > 0) lead_.bodies[0] = inner_of(lead_.bodies[0], by);
+  // Of the robot's first bodies, which are so many.
+  Bisection(const krait::Scene& scene, const SearchRequest& request, double by, std::size_t bodies)
+      : scene_(scene),
+        request_(request),
+        goal_(resolve_goal(scene, request)),
+        robot_(with_bodies(request.robot, bodies)),
+        hitch_length_(bodies > 1 ? robot_.parameters.at("hitch_length") : 0) {
+    if (by > 0) robot_ = moved_in([by](std::size_t) { return by; });
+    for (const Ring& body : robot_.bodies) levers_.push_back(lever_of(body));
   }
 
   GoalRoom run() {
-    if (lead_.bodies[0].empty()) return {};
+    if (robot_.bodies.empty()) return {};
     cells_ = whole_goal();
-    Body whole(lead_, scene_, request_.parameters);
-    lever_ = lever_of(lead_.bodies[0]);
+    Standing whole(robot_, scene_, request_.parameters);
     for (std::size_t looked_at = 0; looked_at + cells_.size() <= kMostCells;) {
       looked_at += cells_.size();
       look_for_room(whole);
@@ -86,7 +98,7 @@ class Bisection {
       leave_what_may_have_room();
       room_.none = cells_.empty();
       if (room_.none) return room_;
-      quarter();
+      divide();
     }
     return room_;
   }
@@ -98,16 +110,42 @@ class Bisection {
     const Vec2 size = box.max - box.min, middle = 0.5F * (box.min + box.max);
     half_side_ = 0.5 * static_cast<double>(std::max(size.x, size.y));
     half_turn_ = request_.facing ? request_.facing->tolerance : std::numbers::pi;
+    half_bends_.assign(trailers(), trailers() > 0 ? *request_.facing->hitches : 0);
     const double heading = request_.facing ? request_.facing->heading : 0;
-    std::vector<Cell> cells = {{middle, heading}};
-    if (request_.facing && request_.facing->either_way) cells.push_back({middle, heading + std::numbers::pi});
+    const std::vector<double> straight(trailers());
+    std::vector<Cell> cells = {{middle, heading, straight}};
+    if (request_.facing && request_.facing->either_way) cells.push_back({middle, heading + std::numbers::pi, straight});
     return cells;
   }
 
-  void look_for_room(Body& whole) {
+  std::size_t trailers() const { return robot_.bodies.size() - 1; }
+
+  // With each body's border moved in by so much, as far as the first body of which nothing is left.
+  template <class By>
+  RobotSpec moved_in(By by) const {
+    RobotSpec inner = robot_;
+    std::size_t left = 0;
+    for (; left < inner.bodies.size(); ++left) {
+      inner.bodies[left] = inner_of(inner.bodies[left], by(left));
+      if (inner.bodies[left].empty()) break;
+    }
+    return with_bodies(inner, left);
+  }
+
+  // Metres that a point of body k moves at most within a cell as headings and hitches turn.
+  double swing(std::size_t k) const {
+    double sum = 0, turn = half_turn_;
+    for (std::size_t i = 0; i < k; ++i) sum += hitch_length_ * (turn += half_bends_[i]);
+    return sum + levers_[k] * turn;
+  }
+
+  // Metres, of the last body's farthest point from the axle of body k.
+  double lever(std::size_t k) const { return hitch_length_ * static_cast<double>(trailers() - k) + levers_.back(); }
+
+  void look_for_room(Standing& whole) {
     for (const Cell& cell : cells_) {
       if (!goal_.near(scene_, cell.place, 0.0F)) continue;
-      const Contact contact = whole.contact(cell.place, cell.heading);
+      const Contact contact = whole.contact(cell.place, cell.heading, cell.bends);
       if (room_.poses++ == 0) room_.at_middle = contact;
       room_.found = contact.kind == ContactKind::none;
       if (room_.found) return;
@@ -119,46 +157,78 @@ class Bisection {
     std::erase_if(cells_, [&](const Cell& cell) {
       return !goal_.near(scene_, cell.place, static_cast<float>(radius + kRounding));
     });
-    RobotSpec inner = lead_;
-    inner.bodies[0] = inner_of(lead_.bodies[0], radius + half_turn_ * lever_ + kRounding);
-    if (inner.bodies[0].empty()) return;
-    Body body(inner, scene_, request_.parameters);
-    std::erase_if(cells_, [&](const Cell& cell) { return body.meets(cell.place, cell.heading); });
+    const RobotSpec inner = moved_in([&](std::size_t k) { return radius + swing(k) + kRounding; });
+    if (inner.bodies.empty()) return;
+    Standing within(inner, scene_, request_.parameters);
+    std::erase_if(cells_, [&](const Cell& cell) {
+      return within.contact(cell.place, cell.heading, cell.bends).kind != ContactKind::none;
+    });
   }
 
-  // Quarters cells by place or halves them by heading, whichever a body moves more by.
+  // Quarters cells by place, or halves them by the heading or by the bend, whichever the robot moves most by.
+  void divide() {
+    const double by_place = kDiagonal * half_side_, by_turn = half_turn_ * lever(0);
+    std::size_t most = 0;
+    double by_bend = 0;
+    for (std::size_t i = 0; i < trailers(); ++i) {
+      const double moved = half_bends_[i] * lever(i + 1);
+      if (moved > by_bend) most = i, by_bend = moved;
+    }
+    if (by_place >= std::max(by_turn, by_bend)) return quarter();
+    if (by_turn >= by_bend) return halve(half_turn_, [](Cell& cell) -> double& { return cell.heading; });
+    halve(half_bends_[most], [most](Cell& cell) -> double& { return cell.bends[most]; });
+  }
+
   void quarter() {
-    const bool turns = half_turn_ * lever_ > kDiagonal * half_side_;
-    (turns ? half_turn_ : half_side_) /= 2;
+    half_side_ /= 2;
+    const auto half = static_cast<float>(half_side_);
     std::vector<Cell> parts;
     for (const Cell& cell : cells_) {
-      for (int i = 0; i < (turns ? 2 : 4); ++i) parts.push_back(part(cell, turns, i));
+      for (const Vec2 by : {Vec2{half, half}, Vec2{-half, half}, Vec2{half, -half}, Vec2{-half, -half}})
+        parts.push_back({cell.place + by, cell.heading, cell.bends});
     }
     cells_ = std::move(parts);
   }
 
-  Cell part(const Cell& cell, bool turns, int i) const {
-    const double aside = (i & 1) == 0 ? 1 : -1, up = (i & 2) == 0 ? 1 : -1;
-    if (turns) return {cell.place, cell.heading + aside * half_turn_};
-    const Vec2 by{static_cast<float>(aside * half_side_), static_cast<float>(up * half_side_)};
-    return {cell.place + by, cell.heading};
+  // Every cell by one of its angles, of which a cell has `half` radians to each side.
+  template <class Angle>
+  void halve(double& half, Angle angle) {
+    half /= 2;
+    std::vector<Cell> parts;
+    for (const Cell& cell : cells_) {
+      for (const double by : {half, -half}) angle(parts.emplace_back(cell)) += by;
+    }
+    cells_ = std::move(parts);
   }
 
   const krait::Scene& scene_;
   const SearchRequest& request_;
   krait::Goal goal_;
-  RobotSpec lead_;
-  double lever_ = 0;
-  double half_side_ = 0;  // metres, of every cell
-  double half_turn_ = 0;  // radians
+  RobotSpec robot_;                 // no bodies: nothing is left of body 0
+  double hitch_length_;             // metres
+  std::vector<double> levers_;      // metres, by body
+  double half_side_ = 0;            // metres, of every cell
+  double half_turn_ = 0;            // radians
+  std::vector<double> half_bends_;  // radians, by hitch
   std::vector<Cell> cells_;
   GoalRoom room_;
 };
 
+// Trailers may stand anywhere where their hitches are not asked for.
+std::size_t bodies_in_goal(const SearchRequest& request) {
+  const bool straight = request.facing && request.facing->hitches;
+  return straight ? std::min(request.robot.bodies.size(), kMostBodies) : 1;
+}
+
 }  // namespace
 
 GoalRoom room_in_goal(const krait::Scene& scene, const SearchRequest& request, double moved_in) {
-  return Bisection(scene, request, moved_in).run();
+  GoalRoom room;
+  for (std::size_t bodies = 1; bodies <= bodies_in_goal(request); ++bodies) {
+    room = Bisection(scene, request, moved_in, bodies).run();
+    if (room.none) break;
+  }
+  return room;
 }
 
 }  // namespace krait::host

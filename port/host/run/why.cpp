@@ -228,16 +228,18 @@ std::string why_not_there(const Contact& contact, const krait::Scene& scene, con
 std::string why_not_at_goal(const GoalRoom& room, const krait::Scene& scene, const SearchRequest& request) {
   const Contact& there = room.at_middle;
   const double distance = static_cast<double>(there.distance);
-  std::string why = body_name(request.robot, 0) + " has no room in the goal " +
+  const bool trailed = there.body > 0;
+  std::string why = (trailed ? "the robot" : body_name(request.robot, 0)) + " has no room in the goal " +
                     (request.facing ? "as it is asked to be turned" : "in any heading");
   if (!room.none) why += ": it stands free in none of " + std::to_string(room.poses) + " poses that were tried";
-  why += request.facing ? "; in the goal's middle it " : "; in the goal's middle, with heading 0, it ";
+  why += request.facing ? "; in the goal's middle " : "; in the goal's middle, with heading 0, ";
+  why += trailed ? body_name(request.robot, there.body) + ' ' : "it ";
   why += distance > 0 ? "is only " + metres(distance) + " from " : "meets ";
   why += other_name(there, scene, request) + " at " + place(scene, there.at);
   if (growth_takes_the_goal(scene, request)) why += grown(scene, 0);
-  why += request.facing ? ": try another --heading, a larger --heading-tolerance, or another goal"
-                        : ": try another goal, or a larger one";
-  return why;
+  if (!request.facing) return why + ": try another goal, or a larger one";
+  return why + ": try another --heading, a larger --heading-tolerance, " +
+         (trailed ? "a larger --hitch-tolerance, " : "") + "or another goal";
 }
 
 std::string why_no_goal(const krait::Scene& scene, const SearchRequest& request) {

@@ -177,6 +177,35 @@ TEST_F(CliWhy, AGoalWhereTheRobotHasNoRoomAsItIsTurnedIsRefusedBeforeTheSearch) 
   }
 }
 
+// A slot of 1 m has no room for 0.9985 m across it with the least clearance either, by half a millimetre: too little to
+// prove it, and too little to search for it.
+TEST_F(CliWhy, AGoalWithoutRoomIsNotSearchedForOnceMoreWhereLessClearanceHardlyHelps) {
+  write("slot.json", kSlot);
+  const auto said = [&](const char* length) {
+    write("long.json",
+          R"({"model": "unicycle", "parameters": {"body_width": 0.4, "body_length": )" + std::string(length) + "}}");
+    return krait({"plan", "slot.json", "--robot", "long.json", "--goal", "6.5,9,0.2", "--heading", "0", "--iterations",
+                  "300"})
+        .output;
+  };
+  EXPECT_THAT(said("0.9985"), testing::StartsWith("no_route: "));
+  EXPECT_THAT(said("0.985"), HasSubstr("a search with 0.008 m used up its iterations"));
+}
+
+TEST_F(CliWhy, ATrailerThatIsAskedToStandStraightNeedsRoomToo) {
+  write("slot.json", kSlot);
+  const auto said = [&](const std::vector<std::string>& straight) {
+    std::vector<std::string> arguments = {"plan",      "slot.json", "--robot", "truck:1",      "--goal",
+                                          "6.5,9,0.2", "--heading", "0",       "--iterations", "300"};
+    arguments.insert(arguments.end(), straight.begin(), straight.end());
+    return krait(arguments).output;
+  };
+  EXPECT_THAT(said({"--hitch-tolerance", "0.2"}),
+              testing::AllOf(testing::StartsWith("no_route: "), HasSubstr("\n  the robot has no room in the goal "),
+                             HasSubstr("in the goal's middle trailer 1 (body 1) meets an obstacle (obstacles[0])")));
+  EXPECT_THAT(said({}), testing::Not(HasSubstr("no room in the goal")));
+}
+
 // A disc of 0.3 m finds a way in by the open corner; a body of 4 m has no room between the walls.
 TEST_F(CliWhy, AGoalWhereTheRobotHasNoRoomInAnyHeadingIsRefusedBeforeTheSearch) {
   ordered_json pit = walled({});

@@ -39,6 +39,15 @@ host::SearchRequest request_for(const char* model, double length, double radius)
   return request;
 }
 
+// Every hitch by at most as much as is asked for.
+void bend(const host::SearchRequest& request, std::minstd_rand& draw, std::vector<float>& state) {
+  if (!request.facing || !request.facing->hitches) return;
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const auto trailers = static_cast<std::size_t>(request.robot.links);
+  for (std::size_t i = 0, at = state.size() - trailers; i < trailers; ++i, ++at)
+    state[at] = (i == 0 ? state[2] : state[at - 1]) + static_cast<float>(*request.facing->hitches * unit(draw));
+}
+
 // How many of so many random poses that the request allows are free.
 int free_poses(const Scene& scene, const host::SearchRequest& request, int count, std::minstd_rand& draw) {
   std::uniform_real_distribution<double> unit(-1, 1);
@@ -51,7 +60,9 @@ int free_poses(const Scene& scene, const host::SearchRequest& request, int count
                                     : std::numbers::pi * unit(draw);
     if (request.facing && request.facing->either_way && unit(draw) > 0) heading += std::numbers::pi;
     const host::Point at{kMiddle.x + out * std::cos(way), kMiddle.y + out * std::sin(way)};
-    free += static_cast<int>(check.free(host::state_at(core.view(), scene, {"", at, heading, {}}).data()));
+    std::vector<float> state = host::state_at(core.view(), scene, {"", at, heading, {}});
+    bend(request, draw, state);
+    free += static_cast<int>(check.free(state.data()));
   }
   return free;
 }
@@ -75,6 +86,39 @@ TEST(RoomInGoal, IsProvenToBeNoneOnlyWhereNoPoseIsFree) {
   EXPECT_GT(none, 30);
   EXPECT_GT(found, 20);
   EXPECT_GT(none + found, 92) << "hardly one ends undecided";
+}
+
+TEST(RoomInGoal, OfTrailersToo) {
+  std::minstd_rand draw(2);
+  std::uniform_real_distribution<double> unit(0, 1);
+  int none = 0, found = 0;
+  for (int i = 0; i < 100; ++i) {
+    const OpenScene open(pit(1 + 1.5 * unit(draw)));
+    const char* const models[] = {"truck:1", "kinematic_truck:2", "snake:2"};
+    host::SearchRequest request = request_for(models[i % 3], 0.3 + 0.5 * unit(draw), 0.3 * unit(draw));
+    request.facing = host::GoalFacing{3 * unit(draw), 0.3 * unit(draw), i % 2 > 0, 0.3 * unit(draw)};
+    const host::GoalRoom room = host::room_in_goal(open.scene, request);
+    EXPECT_FALSE(room.none && room.found);
+    none += static_cast<int>(room.none);
+    found += static_cast<int>(room.found);
+    if (!room.found) {
+      EXPECT_LE(free_poses(open.scene, request, 500, draw), room.none ? 0 : 25) << i;
+    }
+  }
+  EXPECT_GT(none, 30);
+  EXPECT_GT(found, 40);
+}
+
+// A car fits into a slot of 1.2 m, and the trailer behind it does not.
+TEST(RoomInGoal, TrailersCountWhereTheirHitchesAreAskedToBeStraight) {
+  const OpenScene open(pit(1.2));
+  host::SearchRequest request = request_for("truck:1", 0.8, 0.05);
+  request.facing = host::GoalFacing{0, 0.1, false, {}};
+  EXPECT_TRUE(host::room_in_goal(open.scene, request).found);
+  request.facing->hitches = 0.2;
+  const host::GoalRoom room = host::room_in_goal(open.scene, request);
+  EXPECT_TRUE(room.none);
+  EXPECT_EQ(room.at_middle.body, 1U);
 }
 
 // A square of 1.5 m has room for a body of 1.7 m by 0.3 m along its diagonal.
