@@ -42,6 +42,13 @@ void put_other(Line& line, const Contact& contact) {
   }
 }
 
+// Where no more is lacking than obstacles may have grown, on both sides of a passage.
+void put_growth(Line& line, const Why& why, float lacking) {
+  if (!(why.tolerance > 0.0F) || lacking > 2.0F * why.tolerance) return;
+  put_length(line.put("; when the scene was compiled, obstacles were grown by up to "), why.tolerance);
+  line.put(" a side, which may be why: --tolerance 0 leaves them as they are");
+}
+
 void put_contact(Line& line, const Why& why) {
   const Contact& contact = why.contact;
   if (contact.kind == ContactKind::ground) {
@@ -59,6 +66,9 @@ void put_contact(Line& line, const Why& why) {
   put_place(line, why, contact.at);
   if (apart) put_length(line.put(", and must keep "), contact.needed);
   line.put(apart ? ": ask with less --clearance, or another --start" : ": ask with another --start");
+  if (apart && contact.kind == ContactKind::obstacle) {
+    put_growth(line, why, 2.0F * (contact.needed - contact.distance));
+  }
 }
 
 void put_bottleneck(Line& line, const Why& why) {
@@ -71,6 +81,7 @@ void put_bottleneck(Line& line, const Why& why) {
                               : ": every way to the goal is narrower than the robot: ");
   put_place(put_length(line, bottleneck.width).put(' '), why, bottleneck.at);
   put_length(line.put(", it needs "), bottleneck.needed);
+  put_growth(line, why, bottleneck.needed - bottleneck.width);
 }
 
 void put_effort(Line& line, const Why& why) {
@@ -92,6 +103,7 @@ Why ask_why(Planner& planner, const Scene& scene) {
   Why why;
   why.origin_x = scene.header().origin_x;
   why.origin_y = scene.header().origin_y;
+  why.tolerance = scene.header().tolerance;
   const Status status = planner.failure().status;
   if (status == Status::start_in_collision) why.contact = planner.contact();
   if (exit_code(status) != kHonestNo) return why;
@@ -118,6 +130,7 @@ void add_why(JsonLine& line, Status status, const Why& why) {
     line.add_decimal("contact_distance_m", why.contact.distance).add_decimal("contact_needed_m", why.contact.needed);
     add_place(line, "contact_x", "contact_y", why, why.contact.at);
   }
+  if (explains(status)) line.add_decimal("tolerance_m", why.tolerance);
   if (exit_code(status) != kHonestNo) return;
   line.add_decimal("bottleneck_m", why.bottleneck.width).add_decimal("bottleneck_needed_m", why.bottleneck.needed);
   add_place(line, "bottleneck_x", "bottleneck_y", why, why.bottleneck.at);

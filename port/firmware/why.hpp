@@ -22,6 +22,7 @@ struct Why {
   Effort effort;          // after a search that did not end by itself
   double origin_x = 0.0;  // metres, of the scene in the world
   double origin_y = 0.0;
+  float tolerance = 0.0F;  // metres, the scene's: how far its obstacles may have grown when it was compiled
 };
 
 // Asks a planner whose search has ended. O(R log R) after a search, in R regions of the scene.
@@ -33,7 +34,8 @@ bool explains(Status status);
 // The reason, as ": body 0 overlaps an obstacle at (1.000, 2.000)", of a status that explains().
 void put_why(Line& line, Status status, const Why& why);
 
-// The fields `contact_…` of start_in_collision, and `bottleneck_…` and `effort_…` of a search without a plan.
+// The fields `contact_…` of start_in_collision, and `bottleneck_…` and `effort_…` of a search without a plan;
+// `tolerance_m` with either.
 void add_why(JsonLine& line, Status status, const Why& why);
 
 }  // namespace krait::firmware

@@ -164,7 +164,23 @@ TEST_F(CompiledFirmware, SaysWhereItsWayIsTooNarrow) {
   EXPECT_NEAR(narrow.at("bottleneck_x"), east + 10, 0.51);
   EXPECT_NEAR(narrow.at("bottleneck_y"), 5, 0.01);
   EXPECT_FALSE(narrow.contains("effort_tries"));
-  EXPECT_THAT(firmware({}, "narrow.krait").output, testing::HasSubstr(" m at (80"));
+  const std::string blame = "grown by up to 0.200 m a side";
+  EXPECT_THAT(firmware({}, "narrow.krait").output,
+              testing::AllOf(testing::HasSubstr(" m at (80"), testing::Not(testing::HasSubstr(blame))));
+  expect_done({"compile", "narrow.json", "-o", "grown.krait", "--tolerance", "0.4"});
+  EXPECT_THAT(firmware({}, "grown.krait").output, testing::HasSubstr(blame));
+}
+
+// As far as the scene says, the obstacle may have been 0.4 m farther away.
+TEST_F(CompiledFirmware, SaysWhatTheScenesToleranceMayHaveTaken) {
+  expect_done({"compile", "room.json", "-o", "grown.krait", "--tolerance", "0.8"});
+  const std::string blame =
+      "; when the scene was compiled, obstacles were grown by up to 0.400 m a side, which may be why: --tolerance 0";
+  const std::vector<std::string> close = {"--start", "8,2,1.5707964", "--clearance", "1.2"};
+  EXPECT_THAT(firmware(close, "grown.krait").output, testing::HasSubstr(blame));
+  EXPECT_THAT(firmware(close).output, testing::Not(testing::HasSubstr("grown")));
+  const std::vector<std::string> closer = {"--start", "8,2,1.5707964", "--clearance", "1.7"};
+  EXPECT_THAT(firmware(closer, "grown.krait").output, testing::Not(testing::HasSubstr("grown")));
 }
 
 TEST_F(CompiledFirmware, SaysWhereItsSearchTriedMost) {
