@@ -18,8 +18,9 @@ from harness.experiments import (
     STREETS,
     scaled,
 )
+from harness.parts import all_over_floor
 from harness.results import time, time_a_step, vertices
-from harness.statistics import Figure, geometric_mean, in_order, interval, quantile, ratio, succeeded
+from harness.statistics import geometric_mean, in_order, interval, quantile, ratio, succeeded
 
 RIVAL = 0.91  # never slower than 1.1 times the fastest of our own rivals
 SECOND = 1.0
@@ -98,8 +99,8 @@ def _over_the_scenes(results):
     found += _at_most("all scenes: time a plan's step at scale 4 over that at 1", growth, 1.5)
     found += _spread(results, ours)
     if all(scene in results.parts for scene in SCENES):
-        mean = geometric_mean([Figure(results.parts[scene].all_over_floor) for scene in SCENES])
-        found.append(Claim("all scenes: everything over the floor: at most 1.6", mean.shown(), mean.value <= 1.6))
+        over = all_over_floor([results.parts[scene] for scene in SCENES])
+        found += _at_most("all scenes: everything over the floor", over, 1.6)
     return found
 
 

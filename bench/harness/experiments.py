@@ -102,8 +102,8 @@ def peers():
 
 # Each alone, for the peers that steer; the default stands in bench/peers/planners.cpp.
 STEERING = {"slowest": ("1",), "gentle_share": ("0.2",)}
-HELD = {"max_steps": ("20", "80"), **STEERING}
-SYCLOP = {"max_steps": ("5", "10", "20", "40"), **STEERING}
+HELD = {"max_steps": ("20", "80"), "stop_at_target": ("0", "1"), **STEERING}
+SYCLOP = {"max_steps": ("5", "10", "20", "40"), "stop_at_target": ("0", "1"), **STEERING}
 GRID = {"cells_a_side": ("16", "64")}
 TUNINGS = {
     "RRT": {"goal_bias": ("0.01", "0.2"), **HELD},

@@ -43,7 +43,7 @@ def commit():
 
 
 def describe(core):
-    built = subprocess.run([BIN / "krait-bench-search", "build"], check=True, capture_output=True, text=True)
+    built = subprocess.run([BIN / "krait-bench-peers", "build"], check=True, capture_output=True, text=True)
     return {
         "machine": identity(),
         "date": time.strftime("%Y-%m-%d", time.gmtime()),
@@ -59,7 +59,7 @@ def describe(core):
 
 
 class Activity:
-    """The load of the machine, and the time that a hypervisor took from the core, since the last question."""
+    """What else happened on a core since this was made."""
 
     def __init__(self, core):
         self._line = f"cpu{core} "
@@ -71,7 +71,7 @@ class Activity:
                 return int(line.split()[8])
         return 0
 
-    def since(self):
-        before, self._stolen = self._stolen, self._read()
-        stolen = (self._stolen - before) / os.sysconf("SC_CLK_TCK")
-        return {"load": round(os.getloadavg()[0], 2), "stolen_s": round(stolen, 2)}
+    def seen(self):
+        """The load of the machine over the last minute, and, where a hypervisor took time from the core, how much."""
+        stolen = (self._read() - self._stolen) / os.sysconf("SC_CLK_TCK")
+        return {"load": round(os.getloadavg()[0], 2)} | ({"stolen_s": round(stolen, 2)} if stolen else {})

@@ -42,9 +42,14 @@ class Shard:
         return round_ % self.count == self.index - 1
 
 
+def lost(run):
+    """Seconds that the run did not have its core for: another program did, or a hypervisor."""
+    return run.get("waited_s", 0) + run.get("stolen_s", 0)
+
+
 def disturbed(run):
-    """Whether something else ran on the core for longer than the figures can stand."""
-    return run.get("waited_s", 0) > 5e-5 + 0.05 * run.get("time_s", 0)
+    """Whether more was lost than the figures can stand."""
+    return lost(run) > 5e-5 + 0.05 * run.get("time_s", 0)
 
 
 def failures_at_end(outcomes):

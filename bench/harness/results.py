@@ -44,8 +44,9 @@ def vertices(run, cell):
 class Results:
     def __init__(self, records):
         self.sessions = of_kind(records, "session")
-        self.rounds = of_kind(records, "round")
-        self.parts = {record["scene"]: parts_of(record["report"]) for record in of_kind(records, "parts")}
+        self.parts = {}  # blocks of seeds, by scene
+        for record in of_kind(records, "parts"):
+            self.parts.setdefault(record["scene"], []).append(parts_of(record["report"]))
         self.instructions = {record["cell"]: record["each"] for record in of_kind(records, "instructions")}
         self.compile_s = {record["problem"]: record["compile_s"] for record in of_kind(records, "compiled")}
         self._runs = {key: [runs[trial] for trial in sorted(runs)] for key, runs in runs_of(records).items()}

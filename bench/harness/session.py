@@ -8,7 +8,7 @@ from pathlib import Path
 from harness import machine, problems
 from harness.journal import JournalError
 from harness.problems import BIN
-from harness.protocol import Shard, disturbed, failures_at_end
+from harness.protocol import Shard, disturbed, failures_at_end, lost
 from harness.statistics import quantile, succeeded, times
 from harness.worker import BadInput, Worker
 
@@ -17,6 +17,7 @@ KEPT = {
     "status": None, "verified": None, "complaint": None, "hash": None,
     "time_s": 6, "waited_s": 2, "vertices": None, "collision_checks": None, "plan_steps": None,
     "plan_length_m": 5, "plan_duration_s": 5, "step_error": 2, "drift_m": 3, "clearance_m": 3, "goal_depth_m": 3,
+    "load": None, "stolen_s": None,
 }
 
 
@@ -71,11 +72,8 @@ class Session:
         known = self.journal.runs()
         mine = [round_ for round_ in range(len(rounds)) if self.shard.has(round_)]
         self.progress.expect(sum(self._is_new(cell, round_, known) for round_ in mine for cell in rounds.due(round_)))
-        activity = machine.Activity(self.core)
         for round_ in mine:
-            made = self._measure_round(round_, rounds, known, limits)
-            if made:
-                self.journal.append({"kind": "round", "session": self._number, "round": round_, **activity.since()})
+            if self._measure_round(round_, rounds, known, limits):
                 self.progress.end_round(round_ + 1)
 
     def _refuse_other_inputs(self, own):
@@ -168,11 +166,12 @@ class Session:
             request["set"] = cell.set
         answers = []
         for _ in range(1 + self.protocol.repeats):
-            answers.append(self._answer(cell, request))
+            activity = machine.Activity(self.core)
+            answers.append(self._answer(cell, request) | activity.seen())
             self._refuse_nonsense(cell, problem, answers[-1])
             if not disturbed(answers[-1]):
                 break
-        best = min(answers, key=lambda answer: answer.get("waited_s", 0))
+        best = min(answers, key=lost)
         record = {"kind": "run", "session": self._number, "cell": cell.key, "trial": trial["trial"], "limit_s": limit}
         record |= kept(best)
         return record | ({"repeats": len(answers) - 1} if len(answers) > 1 else {})

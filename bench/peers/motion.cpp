@@ -83,7 +83,7 @@ bool PeerMotion::at_rest_valid(const PeerState& state) {
 bool PeerMotion::ended_before_last_step() const {
   if (stop_ == Stop::never) return false;
   const float near = problem_.parameters.tuning.near_radius * detail::robot_length(robot_);
-  return (stop_ == Stop::at_target && last_.target_distance <= near) ||
+  return (problem_.tuning.stop_at_target != 0 && last_.target_distance <= near) ||
          in_goal(problem_, {last_.from[0], last_.from[1]});
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // krait-bench-peers: trials of OMPL's planners.
+#include <ompl/config.h>
 #include <ompl/util/Console.h>
 
 #include <cstdio>
@@ -29,7 +30,11 @@ int run(int argc, char** argv) {
   ompl::msg::noOutputHandler();
   CLI::App app("Trials of OMPL's planners", "krait-bench-peers");
   app.require_subcommand(1);
-  app.add_subcommand("build", "how this program was compiled")->callback(print_build);
+  app.add_subcommand("build", "how this program was compiled")->callback([] {
+    const std::string version = std::to_string(OMPL_MAJOR_VERSION) + "." + std::to_string(OMPL_MINOR_VERSION) + "." +
+                                std::to_string(OMPL_PATCH_VERSION);
+    print_build({{"ompl", version}});
+  });
   app.add_subcommand("planners", "name and description of every planner")->callback(print_planners);
   CLI::App* trials = app.add_subcommand("trials", "answer the trials on standard input");
   trials->callback(answer);

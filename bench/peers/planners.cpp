@@ -73,6 +73,7 @@ struct Setting {
 constexpr Setting kSettings[] = {{"goal_bias", &PeerTuning::goal_bias, 0, 1},
                                  {"max_steps", &PeerTuning::max_steps, 1, 1000},
                                  {"slowest", &PeerTuning::slowest, 0.05, 1},
+                                 {"stop_at_target", &PeerTuning::stop_at_target, 0, 1},
                                  {"gentle_share", &PeerTuning::gentle_share, 0, 1},
                                  {"heading_weight", &PeerTuning::heading_weight, 0, 100},
                                  {"range", &PeerTuning::range, 0.1, 1000},
@@ -86,7 +87,6 @@ PeerPlanner with_random_controls(PeerPlanner planner) {
   planner.description = planner.name + " with the robot's own controls at random";
   planner.name += "-random";
   planner.controls = ControlKind::random;
-  if (planner.stop == Stop::at_target) planner.stop = Stop::in_goal;
   planner.tuning = {
       .max_steps = 20, .heading_weight = planner.tuning.heading_weight, .rest_weight = planner.tuning.rest_weight};
   return planner;
@@ -95,7 +95,12 @@ PeerPlanner with_random_controls(PeerPlanner planner) {
 std::vector<PeerPlanner> all_planners() {
   constexpr ControlKind pid = ControlKind::pid;
   std::vector<PeerPlanner> planners = {
-      {"RRT", pid, Stop::at_target, {.gentle_share = 0.2}, make_rrt, "every step a vertex, goal bias 5 %"},
+      {"RRT",
+       pid,
+       Stop::in_goal,
+       {.stop_at_target = 1, .gentle_share = 0.2},
+       make_rrt,
+       "every step a vertex, goal bias 5 %"},
       {"KPIECE1",
        pid,
        Stop::in_goal,
@@ -105,7 +110,7 @@ std::vector<PeerPlanner> all_planners() {
       {"EST",
        pid,
        Stop::in_goal,
-       {.gentle_share = 0.2, .cell_lengths = 2},
+       {.stop_at_target = 1, .gentle_share = 0.2, .cell_lengths = 2},
        make_est,
        "range 20 m, cells of twice the robot's length"},
       // It looks a motion's states up by their distance. Those of a robot that turns on the spot differ in no position.
@@ -130,7 +135,7 @@ std::vector<PeerPlanner> all_planners() {
       {"SyclopEST",
        pid,
        Stop::in_goal,
-       {.gentle_share = 0.2},
+       {.stop_at_target = 1, .gentle_share = 0.2},
        make_syclop_on_triangles<oc::SyclopEST>,
        "on our triangles"},
       {"SyclopRRT-grid",
@@ -142,7 +147,7 @@ std::vector<PeerPlanner> all_planners() {
       {"SyclopEST-grid",
        pid,
        Stop::in_goal,
-       {.gentle_share = 0.2},
+       {.stop_at_target = 1, .gentle_share = 0.2},
        make_syclop_on_grid<oc::SyclopEST>,
        "on 32 x 32 cells"}};
   const std::size_t steered = planners.size();

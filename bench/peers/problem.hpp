@@ -17,17 +17,14 @@ enum class ControlKind {
 };
 
 // Where a control ends before its time: a further step counts as invalid.
-enum class Stop {
-  never,
-  in_goal,
-  at_target  // and in the goal
-};
+enum class Stop { never, in_goal };
 
 // What a planner of OMPL's can be tuned by; not every planner has all of them.
 struct PeerTuning {
   double goal_bias = 0.05;                  // OMPL's own default: the share of targets that are the goal
   double max_steps = 40;                    // a control is held for 1 to that many steps
   double slowest = rivals::kRivalsSlowest;  // speeds are uniform from this share of the top speed to all of it
+  double stop_at_target = 0;                // 1: a control that steers to a target ends near it as well
   double gentle_share = 0;                  // of the controls that turn gently, as a share of krait's own do
   double heading_weight = 0;                // metres that a radian counts in PeerSpace's distance
   double rest_weight = 0;                   // metres that a unit of any other component counts there

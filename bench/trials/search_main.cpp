@@ -36,7 +36,7 @@ int run(int argc, char** argv) {
   bool unverified = false;
   CLI::App app("Trials of the core's planners", "krait-bench-search");
   app.require_subcommand(1);
-  app.add_subcommand("build", "how this program was compiled")->callback(print_build);
+  app.add_subcommand("build", "how this program was compiled")->callback([] { print_build(); });
   app.add_subcommand("planners", "name and description of every planner")->callback(print_planners);
   CLI::App* trials = app.add_subcommand("trials", "answer the trials on standard input");
   trials->add_option("--memory", megabytes, "megabytes of the planner's block")

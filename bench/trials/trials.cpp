@@ -153,8 +153,9 @@ int run_program(CLI::App& app, int argc, char** argv) {
   return 0;
 }
 
-void print_build() {
-  const Json build = {{"compiler", KRAIT_COMPILER}, {"flags", KRAIT_FLAGS}, {"build_type", KRAIT_BUILD_TYPE}};
+void print_build(const std::map<std::string, std::string>& libraries) {
+  Json build = {{"compiler", KRAIT_COMPILER}, {"flags", KRAIT_FLAGS}, {"build_type", KRAIT_BUILD_TYPE}};
+  for (const auto& [name, version] : libraries) build[name] = version;
   std::cout << build.dump() << std::endl;
 }
 

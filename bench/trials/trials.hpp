@@ -43,7 +43,8 @@ void answer_trials(const Choose& choose, Verify verify);
 // Parses, which runs the subcommand's callback, and returns the exit code: 0, 2 for bad input.
 int run_program(CLI::App& app, int argc, char** argv);
 
-// What the measurements depend on beside the machine: {"compiler": …, "flags": …, "build_type": …}, a line.
-void print_build();
+// What the measurements depend on beside the machine, as a line: {"compiler": …, "flags": …, "build_type": …} and the
+// versions of libraries by their names.
+void print_build(const std::map<std::string, std::string>& libraries = {});
 
 }  // namespace krait::bench

@@ -14,6 +14,7 @@ import tempfile
 import threading
 import time
 import unittest
+from dataclasses import replace
 from pathlib import Path
 from unittest import mock
 
@@ -24,7 +25,7 @@ from harness import experiments, problems, readme, session, statistics, tables, 
 from harness.cells import FRESH, Cell  # noqa: E402
 from harness.claims import claims  # noqa: E402
 from harness.journal import Journal, JournalError, compressed, merged  # noqa: E402
-from harness.parts import parts_of  # noqa: E402
+from harness.parts import all_over_floor, blocks_of, parts_of, together  # noqa: E402
 from harness.problems import Problem, movingai_queries, roomiest_heading  # noqa: E402
 from harness.progress import Progress  # noqa: E402
 from harness.prose import wrapped  # noqa: E402
@@ -178,6 +179,10 @@ class Protocols(unittest.TestCase):
         self.assertFalse(disturbed({"time_s": 0.001, "waited_s": 9e-5}))
         self.assertTrue(disturbed({"time_s": 0.001, "waited_s": 2e-4}))
         self.assertFalse(disturbed({"status": "crashed"}))
+
+    def test_so_is_one_whose_core_a_hypervisor_took(self):
+        self.assertTrue(disturbed({"time_s": 0.05, "waited_s": 0.0, "stolen_s": 0.01}))
+        self.assertFalse(disturbed({"time_s": 0.5, "stolen_s": 0.01}))
 
     def test_shards_share_the_rounds(self):
         shares = [[round_ for round_ in range(10) if Shard(i, 3).has(round_)] for i in (1, 2, 3)]
@@ -434,6 +439,13 @@ class Sessions(unittest.TestCase):
             [run] = self.runs(self.measure([ours], 1))
         self.assertEqual((run["repeats"], run["waited_s"]), (3, 0.12))  # 0.5 / 4, the least
         self.assertEqual(Results(self.records).repeated(), (1, 1))
+
+    def test_record_with_each_run_what_else_the_machine_did(self):
+        with mock.patch.object(session.machine.Activity, "_read", mock.Mock(side_effect=range(0, 1000, 3))):
+            runs = self.runs(self.measure(self.cells("rooms"), seeds=1))
+        tick = 1 / os.sysconf("SC_CLK_TCK")
+        self.assertEqual([run["stolen_s"] for run in runs], [round(3 * tick, 2)] * 2)
+        self.assertTrue(all(run["load"] >= 0 for run in runs))
 
     def test_go_on_where_they_were_broken_off(self):
         self.measure(self.cells("rooms", "comb"), seeds=2)
@@ -728,6 +740,28 @@ class Parts(unittest.TestCase):
     def test_are_held_against_the_floor(self):
         self.assertAlmostEqual(self.parts.over_floor, 2.5)
         self.assertAlmostEqual(self.parts.all_over_floor, 3)
+
+    def block(self, floor):
+        return replace(self.parts, times=self.parts.times | {"floor": floor})
+
+    def test_of_several_blocks_are_of_all_their_seeds(self):
+        both = together([self.parts, self.block(24e-6)])
+        self.assertEqual((both.seeds, both.counts["vertices"]), (4, 60))
+        self.assertAlmostEqual(both.each("floor"), 8)
+        self.assertAlmostEqual(both.all_over_floor, 1.5)
+
+    def test_have_an_interval_that_is_drawn_from_the_blocks(self):
+        found = all_over_floor([[self.block(6e-6), self.block(8e-6), self.block(12e-6)]])
+        self.assertAlmostEqual(found.estimate.value, 24 / (26 / 3))
+        self.assertTrue(2 <= found.low < found.estimate.value < found.high <= 4)
+
+    def test_are_measured_by_blocks_that_have_each_seed_once(self):
+        for seeds in (1, 3, 60, 61):
+            protocol = Protocol(seeds=seeds)
+            blocks = blocks_of(protocol)
+            measured = [seed for first, count in blocks for seed in range(first, first + count)]
+            self.assertEqual(measured, list(range(protocol.first_seed, protocol.first_seed + seeds)))
+            self.assertEqual(len(blocks), min(12, seeds))
 
 
 class Experiments(unittest.TestCase):
