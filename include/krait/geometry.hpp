@@ -79,8 +79,8 @@ inline float angle_between(SinCos a, SinCos b) {
 
 /// A rectangle along the axes. Metres.
 struct Box {
-  Vec2 min;  ///< the corner with the least x and y
-  Vec2 max;  ///< the corner with the largest x and y
+  Vec2 min;  ///< metres: the corner with the least x and y
+  Vec2 max;  ///< metres: the corner with the largest x and y
 };
 
 inline constexpr int kMinVertices = 3;  ///< the least of a convex obstacle piece or a body

@@ -227,8 +227,8 @@ typedef struct krait_target {
 typedef struct krait_frame {
   float x,   /**< metres, local coordinates */
       y;     /**< metres, local coordinates */
-  float sin, /**< -1 to 1 */
-      cos;   /**< -1 to 1 */
+  float sin, /**< -1 to 1, no unit */
+      cos;   /**< -1 to 1, no unit */
 } krait_frame;
 
 /** Bounds on how a body moves during a step. A point of it that is r metres from its frame's origin travels at most
@@ -416,10 +416,10 @@ KRAIT_NODISCARD bool krait_rest(const krait_robot* robot, krait_pose pose, float
     costs of the edges of the next region on the shortest path. */
 typedef struct krait_search_tuning {
   uint32_t group_sample; /**< 1 to 65535, default 12: states that a group keeps to grow from, a random sample of all */
-  float alpha,           /**< 1 to 64, default 8: strength of the heuristic */
-      beta,              /**< above 0, below 1, default 0.85: a group's weight shrinks by this factor with each
-                              selection */
-      epsilon;           /**< above 0, up to 1, default 0.01: keeps every weight positive */
+  float alpha,           /**< 1 to 64, default 8, no unit: strength of the heuristic */
+      beta,              /**< above 0, below 1, default 0.85, no unit: a group's weight shrinks by this factor
+                              with each selection */
+      epsilon;           /**< above 0, up to 1, default 0.01, no unit: keeps every weight positive */
   float gamma,           /**< 0 to 1e6, default 20: how much a failure raises edge costs; no unit, but with cost_length
                               0 square metres; 0: costs never change */
       cost_length;       /**< 0 to 10, default 1, in lengths of body 0: with this length l, a failure raises C,
@@ -563,7 +563,8 @@ krait_goal krait_pose_goal(float x, float y, float radius, float heading, float 
 
 /** A planning problem. */
 typedef struct krait_query {
-  const float* start; /**< krait_state_size floats, copied; the position in local coordinates */
+  const float* start; /**< krait_state_size floats in the units of the robot's state, copied; the position in local
+                         metres */
   krait_goal goal;    /**< copied */
   uint64_t seed;      /**< any; the same seed, the same plan */
 } krait_query;

@@ -30,9 +30,9 @@ struct SearchTuning {
   std::uint32_t group_sample = 12;  ///< 1 … 65535: states that a group keeps to grow from, a random sample of all
   // The group with the largest weight grows. The weight is (epsilon + 1 - h / h_max)^alpha beta^n after n selections of
   // the group, where h is the cost of the shortest path of regions to the goal and h_max the largest h (Eqn 7).
-  float alpha = 8.0F;     ///< 1 … 64: strength of the heuristic
-  float beta = 0.85F;     ///< above 0, below 1: a group's weight shrinks by this factor with each selection
-  float epsilon = 0.01F;  ///< above 0, up to 1: keeps every weight positive
+  float alpha = 8.0F;     ///< 1 … 64, no unit: strength of the heuristic
+  float beta = 0.85F;     ///< above 0, below 1, no unit: a group's weight shrinks so with each selection
+  float epsilon = 0.01F;  ///< above 0, up to 1, no unit: keeps every weight positive
   // The cost C of an edge between two regions is at first the distance of their centroids, metres. An expansion that
   // fails raises the costs of the edges of the next region on the shortest path (Eqn 9).
   /// 0 … 1e6: how much a failure raises edge costs; no unit, but with cost_length 0 square metres; 0: costs never

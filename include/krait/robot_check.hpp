@@ -61,7 +61,7 @@ struct RobotRanges {
   // A Runge-Kutta step of step_rate / fastest_rate(dt) seconds, but of at most dt, must be accurate to step_error, in
   // metres and radians. The defaults are what the library requires of a step while the tree grows (lib/DESIGN.md,
   // "Integration", which is installed below share/doc/krait).
-  float step_rate = 0.32F;   ///< finite, 0 or more, without a unit; 0: not checked
+  float step_rate = 0.32F;   ///< finite, 0 or more, no unit; 0: not checked
   float step_error = 5e-4F;  ///< metres and radians, finite, 0 or more
   /// Turns the numbers that were drawn into a state, for a robot whose components depend on each other. Without it the
   /// numbers are the state.

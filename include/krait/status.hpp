@@ -116,14 +116,14 @@ struct Contact {
   Index other = kNone;                   ///< the piece, or the other body; else kNone
   float distance = 0.0F;                 ///< metres between the two; 0 where they overlap
   float needed = 0.0F;                   ///< metres that they must keep: the clearance, and what rounding needs
-  Vec2 at{};                             ///< the middle between their nearest points, or a point of both
+  Vec2 at{};                             ///< metres: the middle between their nearest points, or a point of both
 };
 
 /// The narrowest place of the widest way from the start to the goal. Metres, local coordinates.
 struct Bottleneck {
   float width = 0.0F;    ///< metres, of a disc that passes there; 0 where no way leads to the goal at all
   float needed = 0.0F;   ///< metres, of the disc that lies in body 0, with the clearance on both sides
-  Vec2 at{};             ///< the place, where there is a way
+  Vec2 at{};             ///< metres: the place, where there is a way
   bool at_goal = false;  ///< true: the robot cannot stand in the goal, and the place is the goal's point of most room
 };
 

@@ -13,9 +13,9 @@ class Car : public Truck {
   /// Copies the parameters, but for trailers, which are none, and body_offset, which is half the wheelbase.
   explicit Car(const ChainParameters& parameters) : Truck(centred(parameters)) {}
 
-  /// A car has no trailers to push: it is steered as a chain.
+  /// A car has no trailers to push: it is steered as a chain. O(1).
   using Chain::steer;
-  /// A car has no trailers to push: it is brought back to its reference as a chain.
+  /// A car has no trailers to push: it is brought back to its reference as a chain. O(1).
   using Chain::track;
 
   /// The parameters of a car of 1.2 m by 0.6 m; the others are the chain's. O(1).

@@ -67,7 +67,7 @@ struct BodyRates {
 
 /// The gains of a PID controller in discrete time, finite, in units of its output for the error's unit.
 struct PidGains {
-  float proportional;  ///< output for an error of 1
+  float proportional;  ///< output for an error of one unit
   float integral;      ///< output for an error of 1 that has lasted a second
   float derivative;    ///< output for an error that grows by 1 a second
 };
