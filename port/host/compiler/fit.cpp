@@ -7,10 +7,10 @@
 #include <numbers>
 #include <optional>
 
+#include "host/compiler/closed_goals.hpp"
 #include "host/reduce/reduce.hpp"
 #include "host/run/pools.hpp"
 #include "host/run/robots.hpp"
-#include "host/run/shortest_way.hpp"
 #include "host/run/tracked_clearance.hpp"
 #include "host/workspace/printed.hpp"
 
@@ -88,7 +88,7 @@ class Fitter {
     krait::Scene scene;
     (void)krait::Scene::open(bytes.data(), bytes.size(), scene);
     outcome.ram = block_for(scene, core_.view(), kFitVertices);
-    outcome.has_way = has_way(scene);
+    outcome.has_way = scene.goal_count() == 0 || !why_closed(scene, robot_, 0);
     return outcome;
   }
 
@@ -124,17 +124,6 @@ class Fitter {
   static double cell_of(double error) { return error / 2 / std::numbers::sqrt2; }
 
   bool has_cells() const { return workspace_.cells.has_value(); }
-
-  // Of the robot's inner disc from the first start to the first goal; true where there is no such question.
-  bool has_way(const krait::Scene& scene) const {
-    if (scene.start_count() == 0 || scene.goal_count() == 0) return true;
-    const krait::Goal goal = krait::Goal::named(0);
-    Index inside = 0;
-    while (inside < scene.triangle_count() && !goal.covers(scene, inside)) ++inside;
-    if (inside == scene.triangle_count()) return false;
-    const auto width = static_cast<float>(2 * girth_.inner);
-    return !std::isnan(shortest_way(scene, width, scene.start(0).position, scene.centroid(inside)));
-  }
 
   const Workspace& workspace_;
   const RobotSpec& robot_;

@@ -34,8 +34,8 @@ struct Fitted {
 //   4. the same as the last of 2 within corridors around the ways from the starts to the goals, 32 to 2 times as wide
 //      as the robot's bodies reach from their middles.
 // Begins with the coarsest, since its compilation is the shortest, and returns the last one that fits; where one takes
-// four times the budget, those that are finer in every way are not tried. Steps that leave the robot's inner disc no
-// way from the first start to the first goal are passed over. 3 and 4 need a map of cells, 4 a start and a goal. The
+// four times the budget, those that are finer in every way are not tried. Steps that leave the robot no way from
+// the first start to the first goal are passed over. 3 and 4 need a map of cells, 4 a start and a goal. The
 // scene's warnings name the passages and goals that 3 and 4 close; its tolerance is the whole error of the step. Throws
 // InputError with the bytes where no step fits.
 Fitted fit(const Workspace& workspace, const RobotSpec& robot, const Budget& budget,

@@ -4,24 +4,14 @@
 #include <cstring>
 
 #include "host/compiler/blocked_starts.hpp"
+#include "host/compiler/closed_goals.hpp"
 #include "host/import/format.hpp"
-#include "host/run/pools.hpp"
-#include "host/run/robots.hpp"
-#include "host/run/session.hpp"
 #include "host/verify/obstacle_near.hpp"
 #include "host/workspace/printed.hpp"
 #include "krait/format.hpp"
 
 namespace krait::host {
 namespace {
-
-bool has_route(const krait::Scene& scene, const SearchRequest& request, Block& block) {
-  try {
-    return start_session(scene, request, block)->status() != Status::no_route;
-  } catch (const InputError&) {
-    return false;
-  }
-}
 
 Point middle_of(const Ring& ring) {
   Point middle;
@@ -40,20 +30,8 @@ double tolerance_of(const CompiledScene& scene) {
   return decimal(header.tolerance);
 }
 
-std::size_t hindered(const CompiledScene& compiled, const RobotSpec& robot) {
-  const SceneBytes bytes = SceneBytes::copy(compiled.bytes.data(), compiled.bytes.size());
-  const krait::Scene scene = open_scene("the compiled scene", bytes);
-  std::size_t count = blocked_starts(compiled, robot).size();
-  if (scene.start_count() == 0) return count;
-  SearchRequest request;
-  request.robot = robot;
-  request.memory = least_block(scene, CoreRobot(robot).view());
-  Block block = block_of(request);
-  for (Index i = 0; i < scene.goal_count(); ++i) {
-    request.goal_name = scene.goal_name(i);
-    count += has_route(scene, request, block) ? 0U : 1U;
-  }
-  return count;
+std::size_t hindered(const CompiledScene& scene, const RobotSpec& robot) {
+  return blocked_starts(scene, robot).size() + closed_goals(scene, robot).size();
 }
 
 std::vector<std::string> narrowed_goals(const Workspace& workspace, const CompiledScene& compiled) {

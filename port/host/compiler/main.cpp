@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "host/compiler/blocked_starts.hpp"
+#include "host/compiler/closed_goals.hpp"
 #include "host/compiler/compiler.hpp"
 #include "host/compiler/hindered.hpp"
 #include "host/compiler/lost_headings.hpp"
@@ -115,6 +116,8 @@ void run(const Arguments& arguments, Progress& progress) {
   std::vector<std::string> blocked;
   if (!arguments.any_start)
     blocked = robot ? blocked_starts(scene, *robot) : starts_in_obstacles(scene, arguments.tolerance > 0);
+  std::vector<std::string> closed;
+  if (robot && !arguments.any_start) closed = closed_goals(scene, *robot);
   std::vector<std::string> narrowed;
   if (!arguments.any_start && !robot && blocked.empty() && is_default_growth(arguments, scene))
     narrowed = narrowed_goals(workspace, scene);
@@ -124,7 +127,7 @@ void run(const Arguments& arguments, Progress& progress) {
   write_file(arguments.output, std::string(scene.bytes.begin(), scene.bytes.end()));
   const std::string lost = arguments.any_heading ? "" : lost_headings(workspace.goals);
   if (!lost.empty()) scene.warnings.insert(scene.warnings.begin(), lost);
-  for (std::vector<std::string>* warnings : {&scene.warnings, &blocked, &narrowed})
+  for (std::vector<std::string>* warnings : {&scene.warnings, &blocked, &closed, &narrowed})
     warn_of(*warnings, arguments, progress);
   for (const std::string& line : report) std::fprintf(stderr, "krait-compile: %s\n", line.c_str());
 }
@@ -147,7 +150,8 @@ int main(int argc, char** argv) {
       ->check(not_empty());
   app.add_flag("--any-heading", arguments.any_heading,
                "no warning of goals whose headings the map has and a scene file has no place for");
-  app.add_flag("--any-start", arguments.any_start, "no look at whether the starts lie in obstacles");
+  app.add_flag("--any-start", arguments.any_start,
+               "no look at whether the starts lie in obstacles, or whether the robot of --for comes to the goals");
   app.add_flag("--quiet", arguments.quiet, "no warnings");
   const std::map<std::string, Unknown> names{
       {"free", Unknown::free}, {"occupied", Unknown::occupied}, {"map", Unknown::map}};

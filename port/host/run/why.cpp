@@ -54,7 +54,7 @@ std::string grown(const krait::Scene& scene, double lacking) {
   const auto tolerance = static_cast<double>(scene.header().tolerance);
   if (!(tolerance > 0) || lacking > 2 * tolerance) return "";
   return "; when the map was compiled, obstacles were grown by up to " + metres(tolerance) +
-         " a side, which may be why: --tolerance 0 leaves them as they are";
+         " a side, which may be why: --tolerance 0 leaves them as they are, unless --cell makes cells larger";
 }
 
 // The same of a start in a body's way, which growth is not to blame for where the robot reaches deeper.

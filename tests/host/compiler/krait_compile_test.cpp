@@ -78,6 +78,36 @@ TEST_F(KraitCompile, AStartWhereTheRobotHasNoRoomIsNamed) {
   EXPECT_THAT(outcome.errors, testing::HasSubstr("warning: the robot of --for cannot begin at start 'home': "));
 }
 
+// Two walls with a door of 0.85 m between them, which cells of 0.5 m leave 0.5 m of: one cell, which is not closed.
+TEST_F(KraitCompile, AGoalThatTheRobotCannotComeToIsNamed) {
+  std::ofstream(path("door.json")) << R"({"bounds": {"min": [0, 0], "max": [12, 12]},
+      "obstacles": [{"box": {"center": [6.2, 2.95], "size": [0.4, 5.9], "angle": 0}},
+                    {"box": {"center": [6.2, 9.375], "size": [0.4, 5.25], "angle": 0}}],
+      "goals": [{"name": "near", "box": {"center": [3, 9], "size": [1, 1], "angle": 0}},
+                {"name": "far", "box": {"center": [10, 6], "size": [1, 1], "angle": 0}}],
+      "starts": [{"name": "home", "position": [3, 6], "heading": 0}]})";
+  const auto said = [&](const std::string& options) {
+    const Outcome outcome = run(path("door.json") + " --for husky -o " + path("out.krait") + options);
+    EXPECT_EQ(outcome.code, 0);
+    return outcome.errors;
+  };
+  const std::string warned = "krait-compile: warning: the robot of --for cannot come to goal 'far': every way to the ";
+  EXPECT_THAT(said(" --cell 0.5"),
+              testing::AllOf(testing::HasSubstr(warned), testing::Not(testing::HasSubstr("'near'"))));
+  EXPECT_THAT(said(" --cell 0.5 --any-start"), testing::Not(testing::HasSubstr("of --for")));
+  EXPECT_THAT(said(" --cell 0.02"), testing::Not(testing::HasSubstr("of --for")));
+}
+
+// A goal beside an obstacle: there is no room in the triangles next to it, and enough in the others.
+TEST_F(KraitCompile, ABudgetIsUsedWhereOnlyAPartOfTheGoalHasRoom) {
+  const std::string robot = path("room.json") + " --cell 0.1 --for husky --flash 1M --start 5,5,0";
+  for (const char* goal :
+       {" --goal 10,11.4,0.35", " --goal 11.4,10,0.35", " --goal 10,8.6,0.35", " --goal 8.6,10,0.35"}) {
+    const Outcome outcome = run(robot + goal + " -o " + path("out.krait"));
+    EXPECT_THAT(outcome.errors, testing::StartsWith("krait-compile: obstacles as they are\n")) << goal;
+  }
+}
+
 TEST_F(KraitCompile, AStartInAnObstacleIsNamed) {
   const std::string to_file = " -o " + path("out.krait");
   const std::string warning = "krait-compile: warning: start 'start' lies in an obstacle: no plan can begin there";
