@@ -2,6 +2,7 @@
 #include "krait/status.hpp"
 
 #include <cstddef>
+#include <iterator>
 
 namespace krait {
 namespace {
@@ -22,11 +23,11 @@ namespace {
   NAME(end_speed) NAME(max_substeps) NAME(robot_dimensions) NAME(robot_polygon) NAME(robot_sizes)
 // clang-format on
 
-#define KRAIT_TEXT(name) #name,
+#define KRAIT_TEXT(name) #name "\0"
 #define KRAIT_STATUS(name) Status::name,
 #define KRAIT_ARGUMENT(name) Argument::name,
-constexpr const char* kStatusNames[] = {KRAIT_STATUSES(KRAIT_TEXT)};
-constexpr const char* kArgumentNames[] = {KRAIT_ARGUMENTS(KRAIT_TEXT)};
+constexpr char kStatusNames[] = KRAIT_STATUSES(KRAIT_TEXT) "unknown";
+constexpr char kArgumentNames[] = KRAIT_ARGUMENTS(KRAIT_TEXT) "unknown";
 constexpr Status kStatuses[] = {KRAIT_STATUSES(KRAIT_STATUS)};
 constexpr Argument kArguments[] = {KRAIT_ARGUMENTS(KRAIT_ARGUMENT)};
 
@@ -41,10 +42,24 @@ constexpr bool are_all(const Enum (&enumerators)[count], Enum last) {
 static_assert(are_all(kStatuses, Status::internal));
 static_assert(are_all(kArguments, Argument::robot_sizes));
 
+// Text i of so many that follow each other, or the one behind them where i is no number of a text. A table of pointers
+// would take more flash than the texts.
+const char* text(const char* texts, std::size_t i, std::size_t count) {
+  for (std::size_t left = i < count ? i : count; left > 0; --left) {
+    while (*texts++ != '\0') {
+    }
+  }
+  return texts;
+}
+
 }  // namespace
 
-const char* to_string(Status status) { return kStatusNames[static_cast<std::size_t>(status)]; }
+const char* to_string(Status status) {
+  return text(kStatusNames, static_cast<std::size_t>(status), std::size(kStatuses));
+}
 
-const char* to_string(Argument argument) { return kArgumentNames[static_cast<std::size_t>(argument)]; }
+const char* to_string(Argument argument) {
+  return text(kArgumentNames, static_cast<std::size_t>(argument), std::size(kArguments));
+}
 
 }  // namespace krait

@@ -115,7 +115,7 @@ krait_scene_facts krait_facts(const krait_scene* scene);
 typedef struct krait_pose {
   float x,              /**< metres, local coordinates, of the position */
       y,                /**< metres, local coordinates, of the position */
-      heading;          /**< radians, of body 0 */
+      heading;          /**< radians, -8192 to 8192, of body 0 */
   const float* angles;  /**< radians: the headings of its trailers, or NULL where they have `heading`; not owned */
   uint32_t angle_count; /**< how many there are: as many as trailers; or 0, also with NULL: they have `heading` */
 } krait_pose;
@@ -249,6 +249,14 @@ typedef struct krait_body_rates {
       acceleration,      /**< m/s^2, of the frame's origin */
       turn_acceleration; /**< rad/s^2 */
 } krait_body_rates;
+
+/** The sine and cosine of `angle` radians, -8192 to 8192, with an error below 8e-8; NaN beyond. The same bits on every
+    machine, which those of the C library are not: a robot of your own uses these, and of the C library sqrtf at most.
+    O(1). */
+void krait_sin_cos(float angle, float* sine, float* cosine);
+/** The angle of the vector (x, y), -pi to pi radians, with an error below 4e-7; 0 of the zero vector. The same bits on
+    every machine. O(1). */
+float krait_atan2(float y, float x);
 
 /** Whether this file's flags keep float arithmetic as it is written, which the same plan on every machine needs
     (-ffp-contract=off, no -ffast-math): the member `exact` of your own robot's functions. Costs a dozen operations. */
@@ -563,8 +571,8 @@ krait_goal krait_pose_goal(float x, float y, float radius, float heading, float 
 
 /** A planning problem. */
 typedef struct krait_query {
-  const float* start; /**< krait_state_size floats in the units of the robot's state, copied; the position in local
-                         metres */
+  const float* start; /**< krait_state_size finite floats within the robot's limits, in the units of its state, copied;
+                         the position in local metres, headings within 8192 radians either way */
   krait_goal goal;    /**< copied */
   uint64_t seed;      /**< any; the same seed, the same plan */
 } krait_query;
@@ -599,8 +607,9 @@ KRAIT_NODISCARD krait_status krait_advance(krait_planner* planner, uint64_t iter
 
 /** Runs at most `iterations` iterations that look for a plan with fewer steps. The plan and its figures in
     krait_statistics are then those of the best plan so far, and krait_next begins again with its first state. Returns
-    KRAIT_SOLVED; where there is no plan, the search's status; KRAIT_BAD_ARGUMENT where way_legs of krait_limits is 0.
-    The plan does not depend on how iterations are split into calls.
+    KRAIT_SOLVED; where there is no plan, the search's status; else KRAIT_BAD_ARGUMENT where way_legs of krait_limits is
+    0: krait_next begins again then, too, and what krait_status_of and krait_failure_of return stays. The plan does not
+   depend on how iterations are split into calls.
 
     An iteration either drives along a line or belongs to a search that starts again with an empty tree. Such searches
     take most iterations for a chain of four or more bodies. They do so for any other robot, too, until a line that is

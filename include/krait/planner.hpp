@@ -110,13 +110,14 @@ struct Statistics {
 /// Plans for one robot in one scene, in the caller's block.
 ///
 /// Before the first init, every member that returns a Status returns bad_argument; after an init that failed, it
-/// returns the Status of that init. In both cases plan() is empty. statistics() is all zeros before the first init, and
-/// keeps the counts of the last search after an init that failed. A planner is neither copied nor moved: a copy would
-/// write to the same block. Several threads may each use a planner with a block of its own, also for the same scene and
-/// robot; one planner is used by one thread at a time. Below, R is the number of the scene's triangles.
+/// returns the Status of that init. In both cases plan() is empty and statistics() all zeros. A planner is neither
+/// copied nor moved: a copy would write to the same block. Several threads may each use a planner with a block of its
+/// own, also for the same scene and robot; one planner is used by one thread at a time. Below, R is the number of the
+/// scene's triangles.
 class Planner {
  public:
-  /// A planner without a block: call init before all else. O(1).
+  /// A planner without a block: call init before all else. O(1). init does all that this does, so that a static planner
+  /// may be used where start-up code runs no constructors, but not before init.
   Planner();
   Planner(const Planner&) = delete;             ///< would write to the same block
   Planner& operator=(const Planner&) = delete;  ///< would write to the same block
@@ -179,8 +180,9 @@ class Planner {
 
   /// Runs at most `iterations` iterations that look for a plan with fewer steps. plan() and the plan's figures in
   /// Statistics are then those of the best plan so far, proven like the first. Invalidates earlier plans and cursors.
-  /// Returns status(); does nothing unless that is solved and the plan has steps; bad_argument where Limits::way_legs
-  /// is 0. The result does not depend on how iterations are split into calls.
+  /// Returns status(), and does nothing, unless that is solved and the plan has steps; else bad_argument where
+  /// Limits::way_legs is 0, while status() and failure() stay as they are. The result does not depend on how iterations
+  /// are split into calls.
   ///
   /// An iteration either drives along a line or belongs to a search that starts again with an empty tree. Such searches
   /// take most iterations for a chain of four or more bodies. They do so for any other robot, too, until a line that is

@@ -34,7 +34,8 @@ enum class Status : std::uint8_t {
   internal         ///< the plan's replay did not reproduce it: a bug of krait
 };
 
-/// Lower-case name as in the enum. The pointer is to static storage. O(1).
+/// Lower-case name as in the enum, "unknown" of any other value. The pointer is to static storage. O(characters of all
+/// names).
 const char* to_string(Status status);
 
 /// Which argument is wrong: Failure::element of bad_argument and bad_robot.
@@ -85,14 +86,16 @@ enum class Argument : std::uint8_t {
                      ///< library's robots have robot_dimensions for too many trailers
 };
 
-/// Lower-case name as in the enum. The pointer is to static storage. O(1).
+/// Lower-case name as in the enum, "unknown" of any other value. The pointer is to static storage. O(characters of all
+/// names).
 const char* to_string(Argument argument);
 
 /// What went wrong, where. Fields that do not apply are zero.
 struct [[nodiscard]] Failure {
   Status status = Status::ok;      ///< ok where nothing did
   std::uint8_t section = 0;        ///< bad_scene: format::Section, or Scene::kHeaderSection
-  std::uint32_t element = 0;       ///< bad_scene: index in the section, or the header's byte; else an Argument
+  std::uint32_t element = 0;       ///< bad_scene: index in the section, or the header's byte; of bad_argument and
+                                   ///< bad_robot an Argument; else 0
   std::uint64_t bytes_needed = 0;  ///< arena_too_small: the length of the block that suffices
   float most = 0.0F;               ///< bad_argument, dt: the longest time step in seconds that the robot allows
 

@@ -115,6 +115,14 @@ const char* krait_argument_name(uint32_t element) {
   return element <= kLast ? krait::to_string(static_cast<krait::Argument>(element)) : "unknown";
 }
 
+void krait_sin_cos(float angle, float* sine, float* cosine) {
+  const krait::SinCos at = krait::math::sin_cos(angle);
+  *sine = at.sin;
+  *cosine = at.cos;
+}
+
+float krait_atan2(float y, float x) { return krait::math::atan2(y, x); }
+
 krait_failure krait_open(krait_scene* scene, const void* file, size_t file_bytes) {
   return failure_of(krait::Scene::open(file, file_bytes, *::new (scene) krait::Scene));
 }
@@ -190,6 +198,8 @@ krait_failure krait_init(krait_planner** planner, const krait_setup* setup, cons
   }
   const krait_robot& robot = *setup->robot;
   const krait_limits used = limits != nullptr ? *limits : convert<krait_limits>(krait::Limits());
+  const krait::Argument bad = convert<krait::Limits>(used).first_bad();
+  if (bad != krait::Argument::none) return refusal(KRAIT_BAD_ARGUMENT, bad);
   const std::uint64_t front = front_bytes(robot);
   if (setup->bytes < front) {
     krait_limits least = used;

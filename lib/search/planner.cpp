@@ -34,6 +34,7 @@ Limits Planner::limits_for(std::uint64_t bytes, const Scene& scene, const Robot&
 }
 
 Failure Planner::init(const Setup& setup, const Parameters& parameters, const Limits& limits) {
+  ::new (search_) AdaptiveSearch;  // also where start-up code ran no constructors
   return opened(*this).init(setup, parameters, limits);
 }
 

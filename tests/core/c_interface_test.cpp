@@ -347,6 +347,10 @@ TEST(CInterface, WithoutLimitsTheBlockIsSpent) {
   EXPECT_EQ(failure.status, KRAIT_ARENA_TOO_SMALL);
   krait_limits least = krait_limits_for(0, &defaults.scene, &defaults.robot);
   EXPECT_EQ(failure.bytes_needed, krait_bytes_required(&defaults.scene, &defaults.robot, &least));
+  least.vertices = 0xFFFFFFFF;  // how large a block must be for these cannot be said
+  const krait_failure limits = krait_init(&none, &small, nullptr, &least);
+  EXPECT_EQ(limits.status, KRAIT_BAD_ARGUMENT);
+  EXPECT_STREQ(krait_argument_name(limits.element), "vertices");
 }
 
 TEST(CInterface, LimitsSpendTheBlock) {
@@ -509,6 +513,16 @@ TEST(CInterface, SaysWhyThereIsNoPlan) {
   EXPECT_EQ(krait_effort_of(given.planner).tries, 0U);
   EXPECT_EQ(krait_advance(given.planner, 3), KRAIT_SEARCHING);
   EXPECT_GT(krait_effort_of(given.planner).tries, 0U);
+}
+
+TEST(CInterface, SinesAndAnglesAreTheCpps) {
+  for (float x = -9; x < 9; x += 0.37F) {
+    float sine = 0, cosine = 0;
+    krait_sin_cos(x, &sine, &cosine);
+    EXPECT_EQ(sine, math::sin_cos(x).sin);
+    EXPECT_EQ(cosine, math::sin_cos(x).cos);
+    EXPECT_EQ(krait_atan2(x, 1.5F), math::atan2(x, 1.5F));
+  }
 }
 
 TEST(CInterface, NamesAreTheCpps) {

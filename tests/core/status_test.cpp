@@ -40,6 +40,13 @@ TEST(StatusNames, ArgumentsAreNamedLikeTheParametersThatTheyBlame) {
   EXPECT_STREQ(to_string(Argument::robot_sizes), "robot_sizes");
 }
 
+TEST(StatusNames, OfNoEnumeratorAreUnknown) {
+  for (const int number : {static_cast<int>(Status::internal) + 1, 99, 255})
+    EXPECT_STREQ(to_string(static_cast<Status>(number)), "unknown");
+  for (const int number : {static_cast<int>(Argument::robot_sizes) + 1, 200, 255})
+    EXPECT_STREQ(to_string(static_cast<Argument>(number)), "unknown");
+}
+
 TEST(StatusNames, NoTwoArgumentsShareOne) {
   std::set<std::string> names;
   for (int i = 0; i <= static_cast<int>(Argument::robot_sizes); ++i) names.insert(to_string(static_cast<Argument>(i)));

@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <new>
 
 #include "planner_fixture.hpp"
 #include "search/adaptive_search.hpp"
@@ -55,6 +56,26 @@ TEST(WrongUse, ABlockOfEverySizeUpToEnough) {
   EXPECT_TRUE(init(needed).ok());
   EXPECT_TRUE(init(needed + 1).ok());
   EXPECT_EQ(bench.planner.start({kStart}), Status::searching);
+}
+
+// Start-up code that clears memory and runs no constructors leaves zeros where a static planner is.
+TEST(WrongUse, APlannerWhoseConstructorNeverRanPlansAsAnother) {
+  Bench<Unicycle> bench(two_rooms(), small_unicycle());
+  alignas(Planner) std::byte zeros[sizeof(Planner)] = {};
+  Planner& cleared = *std::launder(reinterpret_cast<Planner*>(zeros));
+  const std::uint64_t bytes = Planner::bytes_required(bench.open.scene, bench.robot, bench.limits);
+  std::vector<std::uint64_t> block((bytes + 7) / 8);
+  const Goal goal = Goal::pose({10, 2}, 0.2F, 1.0F, 0.2F);
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    ASSERT_TRUE(bench.init().ok());
+    ASSERT_EQ(bench.solve({kStart, goal, seed}), Status::solved);
+    ASSERT_TRUE(
+        cleared.init({block.data(), bytes, &bench.open.scene, bench.robot}, bench.parameters, bench.limits).ok());
+    ASSERT_EQ(cleared.start({kStart, goal, seed}), Status::searching);
+    ASSERT_EQ(cleared.advance(100'000), Status::solved);
+    EXPECT_EQ(cleared.statistics().hash, bench.planner.statistics().hash) << seed;
+    EXPECT_EQ(cleared.statistics().iterations, bench.planner.statistics().iterations) << seed;
+  }
 }
 
 TEST(WrongUse, AFailedInitTakesNoMemoryAndALaterOneWorks) {

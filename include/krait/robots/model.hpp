@@ -159,7 +159,8 @@ concept StatesRates = requires(const R& robot, StateView s, ControlView u, float
 ///   on which an error passes 2e-3 is refused. Without it, errors count as covered by every plan's margin, which is
 ///   true unless the motion multiplies them, as when trailers are pushed
 /// - `exact()`: whether its functions compute floats as written. Without it, as the file does that names the robot to
-///   the planner
+///   the planner. Sines, cosines and angles are those of krait/math.hpp: a C library's have other bits on another
+///   machine, and so has the plan then; of these use sqrt at most
 /// - `keeps_reserve(s)`: whether s is so far within the limits that a plan, which is driven a little beside the tree,
 ///   keeps them; without it, within_limits is all that the tree keeps
 /// - `quick_bound(s, u, dt, next)`: a QuickBound of the same step as travel's, at less cost. Without it, only travel is

@@ -46,6 +46,7 @@ static int plan_for_hoverer(krait_pose pose) {
 int main(void) {
   const size_t bytes = (size_t)(scene_end - scene_begin);
   if (krait_open(&scene, scene_begin, bytes).status != KRAIT_OK) return 100;
+  if (krait_facts(&scene).starts == 0) return 100;
   const krait_pose pose = krait_start_pose(&scene, 0);
   return plan_for_snake(pose) + plan_for_hoverer(pose);
 }

@@ -57,7 +57,7 @@ int plan_for_hoverer(krait::ScenePose pose) {
 
 int main() {
   const auto bytes = static_cast<std::size_t>(scene_end - scene_begin);
-  if (!krait::Scene::open(scene_begin, bytes, scene).ok()) return 100;
+  if (!krait::Scene::open(scene_begin, bytes, scene).ok() || scene.start_count() == 0) return 100;
   const krait::ScenePose pose = scene.start(0);
   return plan_for_snake(pose) + plan_for_hoverer(pose);
 }
