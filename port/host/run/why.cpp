@@ -20,6 +20,8 @@
 namespace krait::host {
 namespace {
 
+constexpr std::uint64_t kManyExpansions = 1000;  // of which one leads away from any start with room to move
+
 // To a tenth of a millimetre.
 std::string metres(double length) { return printed("%.4g m", std::round(1e4 * length) / 1e4); }
 
@@ -170,17 +172,24 @@ std::string why_longer_steps(const SearchRequest& request) {
          " steps moves the robot by " + metres(static_cast<double>(way)) + " at most";
 }
 
+// Where no motion led away from the start, what lies farther on is not to blame.
+std::vector<std::string> how_to_leave(const Statistics& statistics, const SearchRequest& request) {
+  std::vector<std::string> lines = {"none of " + std::to_string(statistics.iterations) +
+                                    " expansions led away from the start: try another --start"};
+  if (request.parameters.clearance > Parameters{}.clearance) lines.push_back("try a smaller --clearance");
+  if (cannot_reverse(request.robot)) lines.push_back("try a ROBOT.json that may reverse, with a min_speed below 0");
+  return lines;
+}
+
 std::vector<std::string> what_to_try(Status status, const Statistics& statistics, const SearchRequest& request,
                                      bool straight_on) {
+  if (statistics.vertices == 1 && statistics.iterations >= kManyExpansions) return how_to_leave(statistics, request);
   std::vector<std::string> lines;
   if (is_tiny(request.goal))
     lines.push_back("the goal is tiny, with a radius of " + metres(request.goal->radius) + ": try 0.05 m or more");
   if (std::string longer = why_longer_steps(request); !longer.empty()) lines.push_back(std::move(longer));
   if (status == Status::time_used && !request.time_limit) return lines;
-  if (status == Status::time_used) {
-    lines.push_back("try a longer --time-limit");
-    return lines;
-  }
+  if (status == Status::time_used) lines.push_back("try a longer --time-limit");
   if (status == Status::budget_used) lines.push_back("try more --iterations");
   if (status == Status::tree_full || statistics.recycled > 0) lines.push_back("try more --memory");
   if (statistics.plans_refused > 0) {

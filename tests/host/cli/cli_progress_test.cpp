@@ -206,11 +206,11 @@ TEST_F(CliProgress, CtrlCWhileTheMapIsCompiledHasALine) {
   EXPECT_THAT(shown.errors, HasSubstr("\r\033[K" + line));
 }
 
-TEST_F(CliProgress, ATimeLimitAsksForALongerOneAndForNoMore) {
+TEST_F(CliProgress, ATimeLimitAsksForALongerOneAndForWhatElseMayHelp) {
   const Outcome outcome = run_program(krait_path(), endless({"--time-limit", "0.5"}), directory());
   EXPECT_EQ(outcome.code, 1);
   EXPECT_THAT(outcome.output, HasSubstr("\n  try a longer --time-limit\n"));
-  EXPECT_THAT(outcome.output, Not(HasSubstr("has every bend so much room?")));
+  EXPECT_THAT(outcome.output, HasSubstr("has every bend so much room?"));
 }
 
 TEST_F(CliProgress, ATerminalShowsHowFarItIsAndIsLeftClean) {

@@ -239,6 +239,30 @@ TEST_F(CliWhy, GrowthIsBlamedOnlyWhereItMayTakeTheRoomInTheGoal) {
   EXPECT_THAT(said("1.3"), testing::AllOf(HasSubstr("has no room in the goal"), testing::Not(HasSubstr(blame))));
 }
 
+// A blind alley, in which a robot that only drives forwards stands with its front to the wall.
+TEST_F(CliWhy, AStartThatTheRobotCannotLeaveIsBlamedInPlaceOfTheGoal) {
+  write("alley.json", R"({"bounds": {"min": [0, 0], "max": [12, 10]}, "obstacles": [
+      {"box": {"center": [3, 4.66], "size": [6, 2], "angle": 0}}, {"box": {"center": [3, 7.34], "size": [6, 2], "angle": 0}},
+      {"box": {"center": [1, 6], "size": [2, 2], "angle": 0}}],
+      "starts": [{"name": "home", "position": [2.7, 6], "heading": 3.14159265}]})");
+  write("long.json", R"({"model": "unicycle", "parameters": {"body_length": 1.2, "body_width": 0.6, "min_speed": 0}})");
+  const auto said = [&](const char* iterations, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"plan",   "alley.json", "--robot",     "long.json",
+                                          "--goal", "9,2,0.3",    "--iterations"};
+    arguments.emplace_back(iterations);
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return krait(arguments).output;
+  };
+  const std::string line =
+      "\n  none of 2000 expansions led away from the start: try another --start\n"
+      "  try a ROBOT.json that may reverse, with a min_speed below 0\n";
+  EXPECT_THAT(said("2000", {"--heading", "0"}),
+              testing::AllOf(HasSubstr(", 1 vertices"), HasSubstr(line), testing::Not(HasSubstr("--iterations")),
+                             testing::Not(HasSubstr("--heading-tolerance"))));
+  EXPECT_THAT(said("500", {}), HasSubstr("\n  try more --iterations\n"));
+  EXPECT_THAT(said("2000", {"--start", "8,5,0"}), testing::Not(HasSubstr("led away")));
+}
+
 TEST_F(CliWhy, AGoalThatIsTinyIsSaidToBe) {
   const auto advice = [&](const std::string& goal) {
     return krait({"plan", "room.krait", "--robot", "car", "--iterations", "100", "--goal", goal}).output;
