@@ -77,16 +77,15 @@ def worth_section(results):
 def machine_section(results):
     last = results.sessions[-1]
     machines = len({session["machine"] for session in results.sessions})
-    runs = results.all_runs()
-    loads = sorted(run["load"] for run in runs if "load" in run)
+    loads = sorted(record["load"] for record in results.activity)
     if not loads:
         return ""
-    stolen = sum("stolen_s" in run for run in runs)
+    stolen = sum(record.get("stolen_s", 0) for record in results.activity)
     return (
         f"**Where.** {last['processor']}, {last['cores']} cores, core {last['pinned_to_core']} for the timed program"
         f"{'' if machines == 1 else f', one of {machines} machines'}; {last['system']}; {last['compiler']}, "
         f"`{last['flags'].strip()}`; {last['date']}, commit {last['commit']}. Load of the machine {loads[0]:g} to "
-        f"{loads[-1]:g}; a hypervisor took time from its core in {stolen} of {len(runs)} runs.\n"
+        f"{loads[-1]:g}, {stolen:.1f} s taken by its hypervisor.\n"
     )
 
 

@@ -44,6 +44,7 @@ def vertices(run, cell):
 class Results:
     def __init__(self, records):
         self.sessions = of_kind(records, "session")
+        self.activity = [record for record in records if "load" in record]  # of runs, in older journals of rounds
         self.parts = {}  # blocks of seeds, by scene
         for record in of_kind(records, "parts"):
             self.parts.setdefault(record["scene"], []).append(parts_of(record["report"]))

@@ -288,8 +288,8 @@ def peers_section(results):
     header = ["scene", "planner", *FIGURES[:5], *FIGURES[6:]]
     said = "; ".join(f"`{peer.removeprefix(PEER)}`: {names[peer]}" for peer in experiments.PEERS)
     note = f"{PEERS_NOTE} {said}.\n"
-    version = results.sessions[-1].get("ompl", "")
-    return section(f"Peers (OMPL {version}), {ROBOT}", header, rows, note)
+    library = f"OMPL {results.sessions[-1].get('ompl', '')}".strip()
+    return section(f"Peers ({library}), {ROBOT}", header, rows, note)
 
 
 def foreign_section(results):

@@ -106,13 +106,10 @@ std::uint64_t front_bytes(const krait_robot& robot) {
 
 }  // namespace
 
-const char* krait_status_name(krait_status status) {
-  return status <= KRAIT_INTERNAL ? krait::to_string(static_cast<Status>(status)) : "unknown";
-}
+const char* krait_status_name(krait_status status) { return krait::to_string(static_cast<Status>(status)); }
 
 const char* krait_argument_name(uint32_t element) {
-  constexpr auto kLast = static_cast<std::uint32_t>(krait::Argument::robot_sizes);
-  return element <= kLast ? krait::to_string(static_cast<krait::Argument>(element)) : "unknown";
+  return krait::to_string(static_cast<krait::Argument>(element <= 0xFF ? element : 0xFF));  // an index may be larger
 }
 
 void krait_sin_cos(float angle, float* sine, float* cosine) {

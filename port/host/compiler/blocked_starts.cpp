@@ -8,14 +8,6 @@
 namespace krait::host {
 namespace {
 
-std::optional<std::string> why_blocked(const krait::Scene& scene, const SearchRequest& request) {
-  try {
-    return why_it_cannot_start(scene, request);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-}
-
 // A line for each start of which `why` tells one, of the scene and the start's number.
 template <class Why>
 std::vector<std::string> lines_of_starts(const CompiledScene& compiled, const Why& why) {
@@ -39,6 +31,14 @@ std::optional<std::string> why_in_obstacle(const krait::Scene& scene, Index star
 }
 
 }  // namespace
+
+std::optional<std::string> why_blocked(const krait::Scene& scene, const SearchRequest& request) {
+  try {
+    return why_it_cannot_start(scene, request);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
 
 std::vector<std::string> starts_in_obstacles(const CompiledScene& compiled, bool asked) {
   return lines_of_starts(compiled,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "host/compiler/closed_goals.hpp"
 
+#include "host/compiler/blocked_starts.hpp"
 #include "host/run/pools.hpp"
 #include "host/run/robots.hpp"
 #include "host/run/session.hpp"
@@ -18,14 +19,6 @@ bool has_free_part(const krait::Scene& scene, Index goal) {
   return false;
 }
 
-bool can_start(const krait::Scene& scene, const SearchRequest& request) {
-  try {
-    return !why_it_cannot_start(scene, request);
-  } catch (const InputError&) {
-    return false;
-  }
-}
-
 }  // namespace
 
 std::optional<std::string> why_closed(const krait::Scene& scene, const RobotSpec& robot, Index goal) {
@@ -33,7 +26,7 @@ std::optional<std::string> why_closed(const krait::Scene& scene, const RobotSpec
   request.robot = robot;
   request.memory = least_block(scene, CoreRobot(robot).view());
   request.goal_name = scene.goal_name(goal);
-  if (scene.start_count() == 0 || !can_start(scene, request)) return std::nullopt;
+  if (scene.start_count() == 0 || why_blocked(scene, request)) return std::nullopt;
   try {
     Block block = block_of(request);
     const std::unique_ptr<Session> session = start_session(scene, request, block);

@@ -30,8 +30,8 @@ double tolerance_of(const CompiledScene& scene) {
   return decimal(header.tolerance);
 }
 
-std::size_t hindered(const CompiledScene& scene, const RobotSpec& robot) {
-  return blocked_starts(scene, robot).size() + closed_goals(scene, robot).size();
+Hindered hindered(const CompiledScene& scene, const RobotSpec& robot) {
+  return {blocked_starts(scene, robot), closed_goals(scene, robot)};
 }
 
 std::vector<std::string> narrowed_goals(const Workspace& workspace, const CompiledScene& compiled) {

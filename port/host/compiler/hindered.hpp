@@ -13,9 +13,14 @@ namespace krait::host {
 // Metres a side by which obstacles are grown at most.
 double tolerance_of(const CompiledScene& scene);
 
-// How many of the scene's starts the robot cannot begin at, and of its goals it has no way to from the first start,
-// with the clearance of the library.
-std::size_t hindered(const CompiledScene& scene, const RobotSpec& robot);
+// A line for each of the scene's starts that the robot cannot begin at (blocked_starts), and for each of its goals that
+// it has no way to (closed_goals).
+struct Hindered {
+  std::vector<std::string> starts, goals;
+
+  std::size_t count() const { return starts.size() + goals.size(); }
+};
+Hindered hindered(const CompiledScene& scene, const RobotSpec& robot);
 
 // A line for each goal of the workspace whose room, from its middle to the nearest obstacle, the scene's grown
 // obstacles have taken a tenth of, or more, where robots are not known. By the default tolerance starts lose none.

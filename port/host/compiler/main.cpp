@@ -5,7 +5,6 @@
 #include <cstdio>
 
 #include "host/compiler/blocked_starts.hpp"
-#include "host/compiler/closed_goals.hpp"
 #include "host/compiler/compiler.hpp"
 #include "host/compiler/hindered.hpp"
 #include "host/compiler/lost_headings.hpp"
@@ -69,19 +68,22 @@ bool is_default_growth(const Arguments& arguments, const CompiledScene& scene) {
 }
 
 // Where the default tolerance hinders the robot of --for, the scene with obstacles as they are, if that does less.
-void leave_obstacles_where_they_hinder(const Arguments& arguments, const Workspace& workspace, const RobotSpec& robot,
-                                       CompileOptions options, CompiledScene& scene, std::vector<std::string>& report) {
-  if (!is_default_growth(arguments, scene)) return;
-  const std::size_t before = hindered(scene, robot);
-  if (before == 0) return;
+// Returns what hinders the robot in the scene that it leaves.
+Hindered leave_obstacles_where_they_hinder(const Arguments& arguments, const Workspace& workspace,
+                                           const RobotSpec& robot, CompileOptions options, CompiledScene& scene,
+                                           std::vector<std::string>& report) {
+  Hindered grown = hindered(scene, robot);
+  if (grown.count() == 0 || !is_default_growth(arguments, scene)) return grown;
   options.tolerance = 0;
   CompiledScene exact = compile(workspace, options);
-  if (hindered(exact, robot) >= before) return;
+  Hindered left = hindered(exact, robot);
+  if (left.count() >= grown.count()) return grown;
   report.push_back(
       printed("obstacles as they are (--tolerance 0): grown by up to %.4g m a side, they would leave the "
               "robot of --for no room at a start, or no way to a goal",
               tolerance_of(scene)));
   scene = std::move(exact);
+  return left;
 }
 
 // Prints the warnings, and leaves none.
@@ -112,22 +114,22 @@ void run(const Arguments& arguments, Progress& progress) {
                                arguments.reduction.coarse};
   std::vector<std::string> report;
   CompiledScene scene = arguments.reduction.compiled(workspace, robot, options, report);
-  if (robot) leave_obstacles_where_they_hinder(arguments, workspace, *robot, options, scene, report);
-  std::vector<std::string> blocked;
-  if (!arguments.any_start)
-    blocked = robot ? blocked_starts(scene, *robot) : starts_in_obstacles(scene, arguments.tolerance > 0);
-  std::vector<std::string> closed;
-  if (robot && !arguments.any_start) closed = closed_goals(scene, *robot);
+  Hindered found;
   std::vector<std::string> narrowed;
-  if (!arguments.any_start && !robot && blocked.empty() && is_default_growth(arguments, scene))
-    narrowed = narrowed_goals(workspace, scene);
-  if (robot && !blocked.empty() && !arguments.start.empty()) throw InputError("--start: " + blocked.front());
+  if (robot) found = leave_obstacles_where_they_hinder(arguments, workspace, *robot, options, scene, report);
+  if (arguments.any_start) {
+    found = {};
+  } else if (!robot) {
+    found.starts = starts_in_obstacles(scene, arguments.tolerance > 0);
+    if (found.starts.empty() && is_default_growth(arguments, scene)) narrowed = narrowed_goals(workspace, scene);
+  }
+  if (robot && !found.starts.empty() && !arguments.start.empty()) throw InputError("--start: " + found.starts.front());
   word.reset();
   const Interrupt too_late;  // the file becomes whole, and what is said of it is said
   write_file(arguments.output, std::string(scene.bytes.begin(), scene.bytes.end()));
   const std::string lost = arguments.any_heading ? "" : lost_headings(workspace.goals);
   if (!lost.empty()) scene.warnings.insert(scene.warnings.begin(), lost);
-  for (std::vector<std::string>* warnings : {&scene.warnings, &blocked, &closed, &narrowed})
+  for (std::vector<std::string>* warnings : {&scene.warnings, &found.starts, &found.goals, &narrowed})
     warn_of(*warnings, arguments, progress);
   for (const std::string& line : report) std::fprintf(stderr, "krait-compile: %s\n", line.c_str());
 }

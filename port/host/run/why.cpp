@@ -172,12 +172,20 @@ std::string why_longer_steps(const SearchRequest& request) {
          " steps moves the robot by " + metres(static_cast<double>(way)) + " at most";
 }
 
+void advise_less_clearance(const SearchRequest& request, std::vector<std::string>& lines) {
+  if (request.parameters.clearance > Parameters{}.clearance) lines.push_back("try a smaller --clearance");
+}
+
+void advise_reversing(const SearchRequest& request, std::vector<std::string>& lines) {
+  if (cannot_reverse(request.robot)) lines.push_back("try a ROBOT.json that may reverse, with a min_speed below 0");
+}
+
 // Where no motion led away from the start, what lies farther on is not to blame.
 std::vector<std::string> how_to_leave(const Statistics& statistics, const SearchRequest& request) {
   std::vector<std::string> lines = {"none of " + std::to_string(statistics.iterations) +
                                     " expansions led away from the start: try another --start"};
-  if (request.parameters.clearance > Parameters{}.clearance) lines.push_back("try a smaller --clearance");
-  if (cannot_reverse(request.robot)) lines.push_back("try a ROBOT.json that may reverse, with a min_speed below 0");
+  advise_less_clearance(request, lines);
+  advise_reversing(request, lines);
   return lines;
 }
 
@@ -198,9 +206,9 @@ std::vector<std::string> what_to_try(Status status, const Statistics& statistics
                     (pushes_trailers(request.robot) ? ", or room to pull forward between pushing trailers back" : ""));
   }
   if (request.facing) lines.push_back("try " + less_of(*request.facing));
-  if (request.parameters.clearance > Parameters{}.clearance) lines.push_back("try a smaller --clearance");
+  advise_less_clearance(request, lines);
   if (straight_on) return lines;
-  if (cannot_reverse(request.robot)) lines.push_back("try a ROBOT.json that may reverse, with a min_speed below 0");
+  advise_reversing(request, lines);
   if (const double radius = lock_radius(request.robot); radius > 0) {
     lines.push_back("it turns with a radius of " + metres(radius) + ": has every bend so much room?");
   }

@@ -242,7 +242,8 @@ TEST_F(CliWhy, GrowthIsBlamedOnlyWhereItMayTakeTheRoomInTheGoal) {
 // A blind alley, in which a robot that only drives forwards stands with its front to the wall.
 TEST_F(CliWhy, AStartThatTheRobotCannotLeaveIsBlamedInPlaceOfTheGoal) {
   write("alley.json", R"({"bounds": {"min": [0, 0], "max": [12, 10]}, "obstacles": [
-      {"box": {"center": [3, 4.66], "size": [6, 2], "angle": 0}}, {"box": {"center": [3, 7.34], "size": [6, 2], "angle": 0}},
+      {"box": {"center": [3, 4.66], "size": [6, 2], "angle": 0}},
+      {"box": {"center": [3, 7.34], "size": [6, 2], "angle": 0}},
       {"box": {"center": [1, 6], "size": [2, 2], "angle": 0}}],
       "starts": [{"name": "home", "position": [2.7, 6], "heading": 3.14159265}]})");
   write("long.json", R"({"model": "unicycle", "parameters": {"body_length": 1.2, "body_width": 0.6, "min_speed": 0}})");
